@@ -1,0 +1,91 @@
+"""Short sequences of calls that plans are made of. A plan yields calls and is sent the replies."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from typing import Literal, TypeVar
+
+import numpy as np
+
+from probe.agents.reading import Graph, Seen, read_graph, read_handle, worked
+from probe.episodes.turns import Call, Question
+from probe.scene.layout import PICTURE_PX, VIEW_SIZE
+
+T = TypeVar("T")
+Plan = Generator[Call, str, T]
+Way = Literal["grasp", "push"]
+
+_PX_PER_CM = PICTURE_PX / (100 * VIEW_SIZE)
+_STEPS = {"up": (0, -1), "down": (0, 1), "left": (-1, 0), "right": (1, 0)}
+_SHORTEST_CM, _LONGEST_CM = 6.0, 15.0
+
+
+def look() -> Plan[Graph]:
+    """See what shows now."""
+    text = yield Call.of("perceive_scene")
+    return read_graph(text)
+
+
+def move_away(seen: Seen, graph: Graph, way: Way, rng: np.random.Generator) -> Plan[bool]:
+    """Grasp a thing or push it to where there is room; says whether that worked."""
+    text = yield Call.of("find_object", {"description": seen.place})
+    handle = read_handle(text)
+    if handle is None:
+        return False
+    if way == "grasp":
+        text = yield Call.of("grasp_and_remove", {"object_id": handle})
+        return worked(text)
+    direction, distance = roomiest(seen, graph, rng)
+    arguments = {"object_id": handle, "direction": direction, "distance_cm": distance}
+    text = yield Call.of("push", arguments)
+    return worked(text)
+
+
+def answer(letter: str, point: tuple[int, int] | None = None) -> Plan[None]:
+    """End with an answer."""
+    arguments = {"choice": letter} if point is None else {"choice": letter, "point": list(point)}
+    yield Call.of("answer_question", arguments)
+
+
+def none_of_them(question: Question) -> str | None:
+    """Letter of "None of the above", if it is an option."""
+    letters = [letter for letter, text in question.options if text.lower().startswith("none")]
+    return letters[0] if letters else None
+
+
+def roomiest(seen: Seen, graph: Graph, rng: np.random.Generator) -> tuple[str, float]:
+    """The direction in which a push meets least and stays in the picture, and how far, in cm."""
+    order: list[str] = rng.permutation(sorted(_STEPS)).tolist()
+    costs = {direction: _cost(seen, graph, direction) for direction in order}
+    best = min(order, key=lambda direction: costs[direction])
+    return best, round(_length_cm(seen, best), 1)
+
+
+def _length_cm(seen: Seen, direction: str) -> float:
+    """As far as the thing is long that way, so that it leaves its place."""
+    left, top, right, bottom = seen.box
+    extent = right - left if direction in ("left", "right") else bottom - top
+    return float(np.clip(extent / _PX_PER_CM, _SHORTEST_CM, _LONGEST_CM))
+
+
+def _cost(seen: Seen, graph: Graph, direction: str) -> float:
+    """Pixels of other things' boxes and of what lies outside the picture, in the path swept."""
+    du, dv = _STEPS[direction]
+    reach = round(_length_cm(seen, direction) * _PX_PER_CM)
+    left, top, right, bottom = seen.box
+    path = (
+        min(left, left + du * reach),
+        min(top, top + dv * reach),
+        max(right, right + du * reach),
+        max(bottom, bottom + dv * reach),
+    )
+    whole = (path[2] - path[0] + 1) * (path[3] - path[1] + 1)
+    outside = whole - _overlap(path, (0, 0, PICTURE_PX - 1, PICTURE_PX - 1))
+    others = (other for other in graph.objects if other.number != seen.number)
+    return 2 * outside + sum(_overlap(path, other.box) for other in others)
+
+
+def _overlap(a: tuple[int, int, int, int], b: tuple[int, int, int, int]) -> int:
+    width = min(a[2], b[2]) - max(a[0], b[0]) + 1
+    height = min(a[3], b[3]) - max(a[1], b[1]) + 1
+    return max(width, 0) * max(height, 0)

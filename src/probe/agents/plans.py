@@ -1,0 +1,97 @@
+"""How the scripted agent goes about each type of question; it answers on evidence or not at all."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from probe.agents.clearing import Search
+from probe.agents.moves import Plan, Way, answer, none_of_them
+from probe.agents.reading import Box, Graph, Seen, same
+from probe.episodes.turns import Question
+
+_MARGIN_PX = 40
+"""What lay beneath a cover may have been dragged so far when that was lifted."""
+
+
+def beneath(question: Question, cover: str, first: Way, rng: np.random.Generator) -> Plan[None]:
+    """Move the cover away and name what then shows in its place."""
+    search = Search(lambda seen: False, first, rng)
+    yield from search.begin()
+    covers = search.graph.called(cover)
+    if not covers:
+        return
+    known = {seen.name for seen in search.graph.named}
+    place, lifted = covers[0].box, False
+    while not lifted and (covers := search.graph.called(cover)):
+        if search.spent >= 8:
+            return
+        lifted = yield from search.clear(covers[0])
+    letter = _uncovered(question, search.graph, known, place)
+    while letter is None and (yield from _clear_around(search, place, known)):
+        letter = _uncovered(question, search.graph, known, place)
+    if letter is not None:
+        yield from answer(letter)
+
+
+def find(
+    question: Question, first: Way, rng: np.random.Generator, *, bold: bool = False
+) -> Plan[None]:
+    """Clear things away until one of the options shows, and point at it."""
+    options = [text for _, text in question.options]
+    search = Search(lambda seen: any(same(seen.name or "", o) for o in options), first, rng, bold)
+    yield from search.begin()
+    while not (shown := _shown_options(question, search.graph)):
+        if not (yield from search.clear_one()):
+            break
+    if shown:
+        letter, seen = shown[0]
+        yield from answer(letter, seen.point)
+    elif search.complete and (none := none_of_them(question)):
+        yield from answer(none)
+
+
+def count(
+    question: Question, name: str, first: Way, rng: np.random.Generator, *, bold: bool = False
+) -> Plan[None]:
+    """Clear away all else that could hide one, keep those that count, and take the most seen."""
+    search = Search(lambda seen: same(seen.name or "", name), first, rng, bold)
+    yield from search.begin()
+    most = len(search.graph.called(name))
+    while (yield from search.clear_one()):
+        most = max(most, len(search.graph.called(name)))
+    if not search.complete:
+        return
+    letters = [letter for letter, text in question.options if text.strip() == str(most)]
+    letter = letters[0] if letters else none_of_them(question)
+    if letter is not None:
+        yield from answer(letter)
+
+
+def _shown_options(question: Question, graph: Graph) -> list[tuple[str, Seen]]:
+    return [(letter, seen) for letter, text in question.options for seen in graph.called(text)]
+
+
+def _uncovered(question: Question, graph: Graph, known: set[str | None], place: Box) -> str | None:
+    """Letter of what came to light in a place; None as long as that isn't clear."""
+    here = [s for s in graph.objects if _inside(s.point, place)]
+    new = [s.name for s in here if s.name is not None and s.name not in known]
+    letters = {letter for letter, text in question.options for n in new if same(n, text)}
+    if len(letters) == 1:
+        return letters.pop()
+    half_hidden = any(s.name is None for s in here)
+    return none_of_them(question) if new and not letters and not half_hidden else None
+
+
+def _clear_around(search: Search, place: Box, known: set[str | None]) -> Plan[bool]:
+    """Move away the largest thing in a place that was already known; False if there is none."""
+    here = [s for s in search.graph.named if _inside(s.point, place) and s.name in known]
+    if not here or search.spent >= 9:
+        return False
+    yield from search.clear(max(here, key=lambda seen: seen.area))
+    return True
+
+
+def _inside(point: tuple[int, int], box: Box) -> bool:
+    left, top, right, bottom = box
+    across = left - _MARGIN_PX <= point[0] <= right + _MARGIN_PX
+    return across and top - _MARGIN_PX <= point[1] <= bottom + _MARGIN_PX

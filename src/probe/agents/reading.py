@@ -1,0 +1,107 @@
+"""Reads the tools' texts as an agent would: what shows, which handle, how it went."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, cast
+
+import yaml
+
+from probe.perception.tokens import tokens
+
+Box = tuple[int, int, int, int]
+
+
+@dataclass(frozen=True)
+class Seen:
+    """One entry of perceive_scene's list; `name` is None where too little shows."""
+
+    number: int
+    name: str | None
+    point: tuple[int, int]
+    box: Box
+
+    @property
+    def area(self) -> int:
+        """Pixels of its box."""
+        left, top, right, bottom = self.box
+        return (right - left + 1) * (bottom - top + 1)
+
+    @property
+    def place(self) -> str:
+        """Words by which find_object finds it."""
+        return f"the thing at ({self.point[0]}, {self.point[1]})"
+
+
+@dataclass(frozen=True)
+class Graph:
+    """What perceive_scene told."""
+
+    objects: tuple[Seen, ...] = ()
+    relations: tuple[tuple[int, str, int], ...] = ()
+
+    @property
+    def named(self) -> tuple[Seen, ...]:
+        """Those that show enough to be named."""
+        return tuple(seen for seen in self.objects if seen.name is not None)
+
+    @property
+    def unclear(self) -> tuple[Seen, ...]:
+        """Those that don't."""
+        return tuple(seen for seen in self.objects if seen.name is None)
+
+    def called(self, name: str) -> tuple[Seen, ...]:
+        """All that go by a name."""
+        return tuple(seen for seen in self.named if seen.name and same(seen.name, name))
+
+    def meeting(self, seen: Seen) -> set[int]:
+        """Numbers of those that lie on, cover or touch it, or the other way round."""
+        contacts = [r for r in self.relations if r[1] in ("on", "covering", "touching")]
+        ends = {(a, b) for a, _, b in contacts} | {(b, a) for a, _, b in contacts}
+        return {other for one, other in ends if one == seen.number}
+
+
+def read_graph(text: str) -> Graph:
+    """What a reply of perceive_scene says; empty if it is something else."""
+    told: object = yaml.safe_load(text)
+    if not isinstance(told, dict) or "objects" not in told:
+        return Graph()
+    content = cast("dict[str, Any]", told)
+    objects = tuple(
+        Seen(item["number"], item.get("name"), _pair(item["point"]), _box(item["box"]))
+        for item in content["objects"]
+    )
+    relations = tuple(_relation(line) for line in content["relations"])
+    return Graph(objects, relations)
+
+
+def read_handle(text: str) -> str | None:
+    """The object_id in a reply of find_object; None if it found nothing."""
+    first, _, _ = text.partition("\n")
+    key, _, value = first.partition(": ")
+    return value if key == "object_id" else None
+
+
+def worked(text: str) -> bool:
+    """Whether a manipulation's reply says that it worked."""
+    return text.startswith("Done:")
+
+
+def same(one: str, other: str) -> bool:
+    """Whether two names mean the same thing: articles, order and number of nouns aside."""
+    return sorted(tokens(one)) == sorted(tokens(other))
+
+
+def _pair(values: list[int]) -> tuple[int, int]:
+    u, v = values
+    return u, v
+
+
+def _box(values: list[int]) -> Box:
+    left, top, right, bottom = values
+    return left, top, right, bottom
+
+
+def _relation(line: str) -> tuple[int, str, int]:
+    first, kind, second = line.split()
+    return int(first), kind, int(second)

@@ -1,0 +1,65 @@
+"""The rule-based agent: solves what its rules cover from the tools' words alone, else stops."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+
+from probe.agents.moves import Plan, Way
+from probe.agents.plans import beneath, count, find
+from probe.episodes.turns import Call, Question, Turn
+
+Kind = Literal["beneath", "find", "count"]
+
+
+class Scripted:
+    """Follows a plan for one question; an Agent.
+
+    It is told the question's type and subject, since it can't read; of the table it knows what
+    the tools tell. It stops without an answer unless it was shown the evidence.
+    """
+
+    def __init__(
+        self,
+        kind: Kind,
+        subject: str,
+        rng: np.random.Generator,
+        first: Way = "grasp",
+        *,
+        bold: bool = False,
+    ) -> None:
+        """Prepare for one episode.
+
+        Args:
+            kind: Type of the question.
+            subject: Name of the cover (beneath) or of what is counted; unused for find.
+            rng: Breaks ties.
+            first: What it tries first on things that are in the way.
+            bold: Whether it answers once its manipulations are spent although something may be
+                left unsearched. Such an answer proves nothing: never certify a task by it.
+        """
+        self._kind: Kind = kind
+        self._subject = subject
+        self._rng = rng
+        self._first: Way = first
+        self._bold = bold
+        self._plan: Plan[None] | None = None
+
+    def act(self, question: Question, history: Sequence[Turn]) -> Call | None:
+        """The next call; None where the plan gives up."""
+        try:
+            if self._plan is None:
+                self._plan = self._planned(question)
+                return next(self._plan)
+            return self._plan.send(history[-1].result.text)
+        except StopIteration:
+            return None
+
+    def _planned(self, question: Question) -> Plan[None]:
+        if self._kind == "beneath":
+            return beneath(question, self._subject, self._first, self._rng)
+        if self._kind == "count":
+            return count(question, self._subject, self._first, self._rng, bold=self._bold)
+        return find(question, self._first, self._rng, bold=self._bold)

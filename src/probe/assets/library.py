@@ -1,0 +1,133 @@
+"""The objects one can put on a table: their specs, and their bodies on demand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass, field, replace
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Literal
+
+from rich.progress import track
+
+from probe.assets import scan_pool
+from probe.assets.cache import Cache
+from probe.assets.mesh import Body
+from probe.assets.procedural_pool import procedural_body, procedural_specs
+from probe.assets.spec import ObjectSpec
+from probe.errors import BadData, UnknownName
+
+Pool = Literal["procedural", "scans", "all"]
+
+KEPT = 64
+"""Bodies kept in memory; one with a 1024-pixel texture takes about 4 MB."""
+
+
+@dataclass(frozen=True, eq=False)
+class Library:
+    """Objects by id.
+
+    Attributes:
+        specs: All objects, in a fixed order.
+        assets: Folder of extra assets; None if only procedural objects are wanted.
+        cache: Folder for computed bodies.
+    """
+
+    specs: tuple[ObjectSpec, ...]
+    assets: Path | None
+    cache: Path
+    _kept: dict[str, Body] = field(default_factory=dict[str, Body], init=False, repr=False)
+
+    def __getitem__(self, object_id: str) -> ObjectSpec:
+        """The spec of an object.
+
+        Raises:
+            UnknownName: No object has this id.
+        """
+        for spec in self.specs:
+            if spec.id == object_id:
+                return spec
+        raise UnknownName("object", object_id, [spec.id for spec in self.specs])
+
+    def body(self, object_id: str) -> Body:
+        """Mesh and convex pieces of an object; computed once, then read from the cache.
+
+        Raises:
+            UnknownName: No object has this id.
+            BadMesh: Its file can't be used.
+            OutputFailed: The cache can't be written.
+        """
+        spec = self[object_id]
+        body = self._kept.pop(object_id, None)
+        if body is None:
+            cache = Cache(self.cache / "bodies")
+            if spec.origin == "procedural":
+                body = procedural_body(object_id, cache)
+            else:
+                body = scan_pool.scan_body(object_id, scans_folder(self.assets), cache)
+        self._kept[object_id] = body
+        if len(self._kept) > KEPT:
+            del self._kept[next(iter(self._kept))]
+        return body
+
+
+def open_library(pool: Pool, assets: Path | None, cache: Path) -> Library:
+    """The objects of a pool: made by formula, real scans fit for use, or both.
+
+    Raises:
+        BadData: Scans are wanted but their folder isn't there, or a catalogue is broken.
+        BadMesh: A scan's file can't be used.
+    """
+    kept = Cache(cache / "specs")
+    specs: tuple[ObjectSpec, ...] = ()
+    if pool != "scans":
+        specs += procedural_specs(kept)
+    if pool != "procedural":
+        specs += scan_pool.scan_specs(scans_folder(assets), kept)
+    return Library(specs, assets, cache)
+
+
+def scans_folder(assets: Path | None) -> Path:
+    """The folder of scans within the extra assets.
+
+    Raises:
+        BadData: There is none.
+    """
+    remedy = "Set PROBE_ASSETS to the folder that holds scans/, or use the procedural objects."
+    if assets is None:
+        raise BadData("PROBE_ASSETS", "is not set, so there are no scans", remedy)
+    folder = assets / "scans"
+    if not folder.is_dir():
+        raise BadData(folder, "is not a folder", remedy)
+    return folder
+
+
+def warm(library: Library, processes: int) -> None:
+    """Compute all bodies that aren't cached yet, with a progress bar; may be interrupted.
+
+    Args:
+        library: Its cache is filled.
+        processes: How many work at once.
+
+    Raises:
+        BadMesh: A scan's file can't be used; the others stay cached.
+    """
+    ids = [spec.id for spec in library.specs]
+    if processes == 1:
+        for object_id in track(ids, "Preparing objects"):
+            _compute(library, object_id)
+        return
+    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
+        fresh = replace(library)
+        waiting = [pool.submit(_compute, fresh, object_id) for object_id in ids]
+        done: Iterable[object] = as_completed(waiting)
+        for _ in track(done, "Preparing objects", total=len(ids)):
+            pass
+        for future in waiting:
+            future.result()
+
+
+def _compute(library: Library, object_id: str) -> None:
+    """Fill the cache; returns nothing so that no mesh travels between processes."""
+    library.body(object_id)

@@ -1,0 +1,87 @@
+"""One mesh with one texture from many surfaces with a paint each. Knows no shapes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from probe.assets.mesh import Surface, TexturedMesh
+from probe.assets.procedural.form.sheet import Sheet
+from probe.assets.procedural.paint.canvas import Canvas
+from probe.assets.procedural.paint.data import Paint
+from probe.types import Array
+
+SIDE_PX = 1024
+GUTTER_PX = 4  # around each picture, so that blurred copies of the texture don't bleed
+FINEST = 6000.0  # pixels a metre; more is never seen
+
+
+def paint(
+    sheets: Sequence[tuple[Sheet, Paint]],
+    roughness: float,
+    metallic: float,
+    rng: np.random.Generator,
+) -> TexturedMesh:
+    """Paint each surface and join all into one mesh, in their order."""
+    extents = np.array([sheet.extent for sheet, _ in sheets])
+    density, corners = _packed(extents)
+    texture = np.full((SIDE_PX, SIDE_PX, 3), 128, dtype=np.uint8)
+    uvs: list[Array] = []
+    for (sheet, look), (x, y) in zip(sheets, corners, strict=True):
+        width, height = _pixels(np.array(sheet.extent), density)
+        picture = look.draw(Canvas(sheet, int(width), int(height), density), rng)
+        bytes_ = (np.clip(picture, 0, 1) * 255 + 0.5).astype(np.uint8)
+        framed = np.pad(bytes_, ((GUTTER_PX,) * 2, (GUTTER_PX,) * 2, (0, 0)), mode="edge")
+        texture[y : y + framed.shape[0], x : x + framed.shape[1]] = framed
+        offset = np.array([x, y]) + GUTTER_PX
+        uvs.append((offset + sheet.uvs.reshape(-1, 2) * [width, height]) / SIDE_PX)
+    return _joined([sheet for sheet, _ in sheets], uvs, Surface(texture, roughness, metallic))
+
+
+def _joined(sheets: list[Sheet], uvs: list[Array], surface: Surface) -> TexturedMesh:
+    starts = np.cumsum([0, *(sheet.points[..., 0].size for sheet in sheets)])
+    faces = [sheet.faces + start for sheet, start in zip(sheets, starts[:-1], strict=True)]
+    return TexturedMesh(
+        vertices=np.vstack([s.points.reshape(-1, 3) for s in sheets]).astype(np.float32),
+        normals=np.vstack([s.normals.reshape(-1, 3) for s in sheets]).astype(np.float32),
+        uvs=np.vstack(uvs).astype(np.float32),
+        faces=np.vstack(faces).astype(np.int32),
+        surface=surface,
+    )
+
+
+def _pixels(extent: Array, density: float) -> Array:
+    return np.maximum(8, np.round(extent * density)).astype(int)
+
+
+def _packed(extents: Array) -> tuple[float, list[tuple[int, int]]]:
+    """The finest density at which all pictures fit, and the corner of each one's frame."""
+    low, high = 200.0, FINEST
+    best = _shelved(extents, low)
+    for _ in range(14):
+        middle = (low + high) / 2
+        corners = _shelved(extents, middle)
+        if corners is None:
+            high = middle
+        else:
+            low, best = middle, corners
+    if best is None:
+        raise ValueError("surfaces too large for one texture; give the shape fewer or smaller ones")
+    return low, best
+
+
+def _shelved(extents: Array, density: float) -> list[tuple[int, int]] | None:
+    """Corners of frames put on shelves, tallest first; None if they don't fit."""
+    sizes = np.array([_pixels(extent, density) for extent in extents]) + 2 * GUTTER_PX
+    corners = [(0, 0)] * len(sizes)
+    x = y = shelf = 0
+    for k in np.argsort(-sizes[:, 1], kind="stable"):
+        width, height = (int(v) for v in sizes[k])
+        if x + width > SIDE_PX:
+            x, y, shelf = 0, y + shelf, 0
+        if width > SIDE_PX or y + height > SIDE_PX:
+            return None
+        corners[int(k)] = (x, y)
+        x, shelf = x + width, max(shelf, height)
+    return corners

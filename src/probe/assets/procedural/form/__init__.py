@@ -1,0 +1,1 @@
+"""Surfaces and convex pieces of simple solids. No colour, no names."""

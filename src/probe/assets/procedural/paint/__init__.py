@@ -1,0 +1,1 @@
+"""Pictures that are laid on surfaces: materials and prints. Knows no objects."""

@@ -1,0 +1,110 @@
+"""The data files of procedural objects: shapes, paints, and which object has which."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from importlib.resources import files
+from typing import Annotated, Any, Self, cast
+
+import yaml
+from pydantic import Field, TypeAdapter, ValidationError, model_validator
+
+from probe.assets.procedural.paint.data import Data
+from probe.assets.procedural.paint.materials import Layers, Metal, Weave, Wood
+from probe.assets.procedural.paint.mottled import Mottled
+from probe.assets.procedural.paint.prints import Print
+from probe.assets.procedural.parts import Part
+from probe.errors import BadData
+
+AnyPaint = Annotated[Mottled | Wood | Metal | Weave | Layers | Print, Field(discriminator="look")]
+FOLDER = files("probe.assets.procedural") / "data"
+OBJECT_FILES = ("vessels", "food", "packages", "household", "tools", "toys")
+
+
+class Entry(Data):
+    """One object: words, mass, its shape, and a paint for each name that the shape uses.
+
+    In the file a paint may be given as ``template`` (its name in ``paints.yaml``) with values
+    for what the template leaves open; ``parts`` is what ``shapes.yaml`` has under the shape's
+    name.
+    """
+
+    id: str = Field(pattern=r"^proc_[a-z0-9_]+$")
+    name: str
+    category: str
+    colours: tuple[str, ...]
+    description: str
+    mass: float = Field(gt=0, le=2)
+    friction: float = Field(0.6, ge=0.1, le=1.2)
+    hollow: bool = False
+    roughness: float = Field(0.6, ge=0, le=1)
+    metallic: float = Field(0.0, ge=0, le=1)
+    scale: float = Field(1.0, gt=0)
+    shape: str
+    parts: tuple[Part, ...]
+    paints: dict[str, AnyPaint]
+
+    @model_validator(mode="after")
+    def _each_part_is_painted(self) -> Self:
+        missing = {name for part in self.parts for name in part.paint_names} - set(self.paints)
+        if missing:
+            raise ValueError(f"no paint for {', '.join(sorted(missing))}")
+        return self
+
+
+@cache
+def entries() -> dict[str, Entry]:
+    """All objects by id, in the order of the files.
+
+    Raises:
+        BadData: A file breaks its schema; names the entry.
+    """
+    shapes, paints = _mapping("shapes"), _mapping("paints")
+    found: dict[str, Entry] = {}
+    for name in OBJECT_FILES:
+        for raw in cast(list[dict[str, Any]], _read(name)):
+            entry = _entry(name, raw, shapes, paints)
+            if entry.id in found:
+                raise BadData(f"{name}.yaml", f"{entry.id} is there twice", "Rename one.")
+            found[entry.id] = entry
+    return found
+
+
+def _entry(file: str, raw: dict[str, Any], shapes: dict[str, Any], paints: dict[str, Any]) -> Entry:
+    try:
+        looks = {name: _filled(look, paints) for name, look in raw["paints"].items()}
+        whole = raw | {"parts": shapes[raw["shape"]], "paints": looks}
+        return TypeAdapter(Entry).validate_python(whole)
+    except KeyError as error:
+        reason = f"entry {raw.get('id')} refers to {error}, which is not there"
+        raise BadData(f"{file}.yaml", reason, "Add it or correct the name.") from error
+    except ValidationError as error:
+        raise BadData(f"{file}.yaml", f"entry {raw.get('id')}: {error}", "Correct it.") from error
+
+
+def _filled(look: dict[str, Any], templates: dict[str, Any]) -> dict[str, Any]:
+    """A paint as given, or its template with the open places filled in."""
+    if "template" not in look:
+        return look
+    template = templates[look["template"]]
+    values = template.get("defaults", {}) | look
+    return _replaced(template["paint"], values)
+
+
+def _replaced(node: Any, values: dict[str, Any]) -> Any:
+    if isinstance(node, dict):
+        return {k: _replaced(v, values) for k, v in cast(dict[str, Any], node).items()}
+    if isinstance(node, list):
+        return [_replaced(v, values) for v in cast(list[Any], node)]
+    if isinstance(node, str) and re.fullmatch(r"\$\w+", node):
+        return values[node[1:]]
+    return node
+
+
+def _mapping(name: str) -> dict[str, Any]:
+    return cast(dict[str, Any], _read(name))
+
+
+def _read(name: str) -> Any:
+    return yaml.load((FOLDER / f"{name}.yaml").read_text("utf-8"), yaml.CSafeLoader)

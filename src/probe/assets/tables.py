@@ -1,0 +1,125 @@
+"""What the table is covered with: textures from disk, and some drawn by formula."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from probe.assets.mesh import Surface
+from probe.assets.tabletops import PAINTERS
+from probe.assets.tabletops.noise import normals_of
+from probe.errors import BadData, UnknownName
+from probe.types import Array
+
+PAINTED = tuple(PAINTERS)
+
+TILE_SIZES = {
+    "AcousticFoam": 0.5,
+    "Fabric": 0.4,
+    "Leather": 0.5,
+    "Metal": 0.6,
+    "PHRosewoodVeneer": 0.6,
+    "Sponge": 0.3,
+    "Tiles": 1.2,
+    "Wood": 0.8,
+}
+"""Metres that a texture's edge covers, by the letters its name begins with; estimated.
+
+AmbientCG seldom says; where it does, 1 m is usual.
+"""
+USUAL_TILE_SIZE = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class TableMaterial:
+    """What a table top is made of.
+
+    Attributes:
+        id: "oak_planks", or for a texture on disk its name, "Wood027".
+        texture: Base colour in sRGB, uint8, shape (h, w, 3); seamless.
+        tile_size: Metres along an edge of one repeat.
+        roughness: 0 (mirror) to 1 (chalk), a mean where there is a map.
+        normal: Normal map in the OpenGL convention (green up), uint8, shape (h, w, 3), or None.
+    """
+
+    id: str
+    texture: Array
+    tile_size: float
+    roughness: float
+    normal: Array | None
+
+    @property
+    def surface(self) -> Surface:
+        """Colour and roughness as a mesh has them."""
+        return Surface(self.texture, self.roughness)
+
+
+def table_ids(assets: Path | None) -> tuple[str, ...]:
+    """All table materials: those drawn by formula, then those in the extra assets.
+
+    The latter are whatever lies there, odd tables (foam, paving stones) included.
+    """
+    folder = None if assets is None else assets / "textures"
+    if folder is None or not folder.is_dir():
+        return PAINTED
+    names = sorted(entry.name.split("_")[0] for entry in folder.iterdir() if entry.is_dir())
+    return (*PAINTED, *names)
+
+
+@lru_cache(maxsize=4)
+def load_table(id: str, assets: Path | None) -> TableMaterial:
+    """A table material by id; those drawn by formula take about a second.
+
+    Raises:
+        UnknownName: No material has this id.
+        BadData: Its files are broken.
+    """
+    if id in PAINTERS:
+        return _painted(id)
+    known = table_ids(assets)
+    if assets is None or id not in known:
+        raise UnknownName("table", id, list(known))
+    return _photographed(id, assets / "textures")
+
+
+def _painted(id: str) -> TableMaterial:
+    seed = int.from_bytes(hashlib.sha256(id.encode()).digest()[:8], "big")
+    sheet = PAINTERS[id](np.random.default_rng(seed))
+    texture = np.clip(np.round(sheet.colour), 0, 255).astype(np.uint8)
+    normal = normals_of(sheet.height, sheet.tile_size / len(sheet.height))
+    return TableMaterial(id, texture, sheet.tile_size, sheet.roughness, normal)
+
+
+def _photographed(id: str, textures: Path) -> TableMaterial:
+    """A folder in AmbientCG's naming; of its maps only the colour has to be there."""
+    folder = next(f for f in sorted(textures.iterdir()) if f.name.split("_")[0] == id)
+    texture = _map(folder, "Color")
+    if texture is None:
+        remedy = "Unpack the material again: *_Color.jpg or .png is needed."
+        raise BadData(folder, "has no colour map", remedy)
+    rough = _map(folder, "Roughness")
+    roughness = 0.6 if rough is None else float(rough.mean()) / 255
+    return TableMaterial(id, texture, _tile_size(id), roughness, _map(folder, "NormalGL"))
+
+
+def _map(folder: Path, kind: str) -> Array | None:
+    """A map as uint8, shape (h, w, 3); None if the material has none of this kind."""
+    files = sorted(f for f in folder.glob(f"*_{kind}.*") if f.suffix in {".jpg", ".png"})
+    if not files:
+        return None
+    try:
+        with Image.open(files[0]) as image:
+            return np.asarray(image.convert("RGB"), dtype=np.uint8)
+    except (OSError, ValueError, SyntaxError) as error:
+        remedy = "Unpack the material again."
+        raise BadData(files[0], f"can't be read ({error})", remedy) from error
+
+
+def _tile_size(id: str) -> float:
+    fitting = [prefix for prefix in TILE_SIZES if id.startswith(prefix)]
+    return TILE_SIZES[max(fitting, key=len)] if fitting else USUAL_TILE_SIZE

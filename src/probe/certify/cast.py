@@ -1,0 +1,103 @@
+"""Chooses who plays in a scene: what is hidden, what covers it, and all others. No physics."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.assets.spec import ObjectSpec
+from probe.certify.alike import draw_alike, longest, unlike
+from probe.certify.covers import Cover, Footprint, footprint_of
+from probe.certify.result import Rejected
+from probe.errors import Unsatisfiable
+from probe.scene.sampling import DEFAULT_COUNT, draw_objects
+from probe.tasks.options import CANDIDATES
+
+SMALLEST, LARGEST = 0.025, 0.09
+"""Longest side in metres of what may be hidden beneath a single thing."""
+
+CAST_TRIES = 8
+"""Sets of alike things that are drawn until something covers each of them."""
+
+CoverDraw = Callable[
+    [Library, Sequence[ObjectSpec], Sequence[Footprint], np.random.Generator], Cover | None
+]
+
+
+@dataclass(frozen=True, eq=False)
+class Cast:
+    """Who plays in a scene: the candidates, what covers one of them, and all others."""
+
+    candidates: tuple[ObjectSpec, ...]
+    cover: Cover
+    others: tuple[ObjectSpec, ...]
+
+    @property
+    def specs(self) -> tuple[ObjectSpec, ...]:
+        """All of them, in the order of their instances on a stage."""
+        return (*self.candidates, self.cover.spec, *self.others)
+
+    @property
+    def covering(self) -> int:
+        """The cover's instance on a stage; candidates come before it."""
+        return len(self.candidates) + 1
+
+    @property
+    def crowd(self) -> tuple[int, ...]:
+        """The others' instances on a stage."""
+        return tuple(range(self.covering + 1, len(self.specs) + 1))
+
+
+def hideable(library: Library, largest: float = LARGEST) -> list[ObjectSpec]:
+    """Objects small enough to be hidden."""
+    return [spec for spec in library.specs if SMALLEST <= longest(spec) <= largest]
+
+
+def draw_cast(
+    library: Library,
+    draw_over: CoverDraw,
+    largest: float,
+    tolerance: float,
+    rng: np.random.Generator,
+) -> Cast:
+    """Draw five candidates, something to cover any of them, and the others.
+
+    Args:
+        library: To choose from.
+        draw_over: Draws the cover: draw_cover() or draw_lean().
+        largest: Longest side of a candidate, metres.
+        tolerance: By how much their longest sides differ, as a share.
+        rng: Draws everything.
+
+    Raises:
+        Rejected: The library has no such set.
+    """
+    pool = hideable(library, largest)
+    for _ in range(CAST_TRIES):
+        candidates = draw_alike(pool, library.specs, tolerance, CANDIDATES, rng)
+        free = unlike(library.specs, candidates)
+        room = [footprint_of(library, spec.id) for spec in candidates]
+        cover = draw_over(library, free, room, rng)
+        if cover:
+            free = unlike(free, [cover.spec])
+            return Cast(candidates, cover, draw_crowd(free, DEFAULT_COUNT - 2, rng))
+    raise Rejected("cover", "nothing covers any candidates that were drawn")
+
+
+def draw_crowd(
+    free: Sequence[ObjectSpec], count: int, rng: np.random.Generator
+) -> tuple[ObjectSpec, ...]:
+    """Draw the things that matter to no rule, largest first.
+
+    Raises:
+        Rejected: The library has too few.
+    """
+    try:
+        drawn = draw_objects(free, count, rng)
+    except Unsatisfiable as failure:
+        raise Rejected("candidates", str(failure)) from failure
+    return tuple(sorted(drawn, key=lambda spec: math.prod(spec.size), reverse=True))

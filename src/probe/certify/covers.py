@@ -1,0 +1,197 @@
+"""What can hide something beneath it, and how it then lies. Geometry of single objects."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from probe.assets.cavity import Cavity, find_cavity
+from probe.assets.lattice import lattice_points
+from probe.assets.library import Library
+from probe.assets.mesh import TexturedMesh
+from probe.assets.spec import ObjectSpec
+from probe.types import Array, Quaternion, quaternion_of
+
+GRASP_WIDTH = 0.125
+"""Metres; a deep cover wider than this can't be lifted by a 2F-140, and pushed drags its secret."""
+
+FLAT_WIDTH = 0.22
+FLAT_THICKNESS = 0.05
+"""Metres; what is thin can be lifted by an edge or pushed off."""
+
+SMALLEST_COVER = 0.07
+_DEEP = 0.03
+_WIDER = 1.2
+_STEEPER = 1.3
+_FILLED = 0.7
+_GRID = 24
+_TALLER = 1.2
+"""A cover may stand on what it hides and still hide it, up to this."""
+
+_LOWER = 0.3
+"""Highest thing, by the width of a flat cover, that it doesn't slide off."""
+
+_HALF_TURN = np.diag([1.0, -1.0, -1.0])
+
+
+@dataclass(frozen=True)
+class Footprint:
+    """Room that an object needs in its resting pose, metres.
+
+    Attributes:
+        width: Diameter of the circle around its middle that it fills.
+        height: Its height.
+    """
+
+    width: float
+    height: float
+
+
+@dataclass(frozen=True)
+class Cover:
+    """An object lying so that it covers what is beneath.
+
+    Attributes:
+        spec: Which object.
+        wxyz: Its orientation as a cover, before any turn about the vertical.
+        extent: Size along x, y, z in that orientation, metres.
+        middle: Where its cavity's middle is, (x, y) from the middle of its extent.
+        width: Of its cavity; 0 for flat things.
+        depth: Of its cavity; 0 for flat things.
+    """
+
+    spec: ObjectSpec
+    wxyz: Quaternion
+    extent: tuple[float, float, float]
+    middle: tuple[float, float]
+    width: float
+    depth: float
+
+    @property
+    def reach(self) -> float:
+        """Radius on the table around the middle of its extent, metres."""
+        return max(self.extent[:2]) / 2
+
+    def hides(self, item: Footprint) -> bool:
+        """Whether it may hide something, over it or, if that is low, laid on top of it."""
+        if self.depth > 0:
+            return self.width >= item.width and _TALLER * self.depth >= item.height
+        return _overhangs(min(self.extent[:2]), item)
+
+
+def draw_cover(
+    library: Library,
+    specs: Sequence[ObjectSpec],
+    items: Sequence[Footprint],
+    rng: np.random.Generator,
+) -> Cover | None:
+    """Draw a cover that may hide each of these; None if there is none."""
+    for index in rng.permutation(len(specs)):
+        spec = specs[int(index)]
+        if all(_may_cover(spec, item) for item in items):
+            cover = cover_of(library, spec.id)
+            if cover and all(cover.hides(item) for item in items):
+                return cover
+    return None
+
+
+def draw_lean(
+    library: Library,
+    specs: Sequence[ObjectSpec],
+    items: Sequence[Footprint],
+    rng: np.random.Generator,
+) -> Cover | None:
+    """Draw a flat thing that, leaning on any of these, may leave a part in view, or None."""
+    for index in rng.permutation(len(specs)):
+        spec = specs[int(index)]
+        narrow = sorted(spec.size)[1]
+        if _is_flat(spec) and all(narrow >= max(i.width, _STEEPER * i.height) for i in items):
+            cover = cover_of(library, spec.id)
+            if cover and cover.depth == 0:
+                return cover
+    return None
+
+
+def footprint_of(library: Library, object_id: str) -> Footprint:
+    """The footprint of an object, measured on its mesh."""
+    vertices = library.body(object_id).mesh.vertices
+    return Footprint(
+        2 * float(np.hypot(vertices[:, 0], vertices[:, 1]).max()), library[object_id].size[2]
+    )
+
+
+def _may_cover(spec: ObjectSpec, item: Footprint) -> bool:
+    """Whether its size allows it to cover something; cheap, and without its mesh."""
+    narrow = min(spec.size[:2])
+    deep = spec.hollow and SMALLEST_COVER <= narrow <= GRASP_WIDTH
+    encloses = deep and narrow >= item.width and _TALLER * spec.size[2] >= item.height
+    return encloses or (_is_flat(spec) and _overhangs(sorted(spec.size)[1], item))
+
+
+def _is_flat(spec: ObjectSpec) -> bool:
+    thin, middle, _ = sorted(spec.size)
+    return thin <= FLAT_THICKNESS and SMALLEST_COVER <= middle <= FLAT_WIDTH
+
+
+def _overhangs(width: float, item: Footprint) -> bool:
+    """Whether a flat thing of this width stays on top of something and hides it."""
+    return width >= _WIDER * item.width and item.height <= _LOWER * width
+
+
+@lru_cache(maxsize=512)
+def cover_of(library: Library, object_id: str) -> Cover | None:
+    """How an object lies as a cover; None if it is of no use as one.
+
+    A hollow one lies with its mouth down, a flat one on its largest side.
+    """
+    spec, mesh = library[object_id], library.body(object_id).mesh
+    cavity = find_cavity(mesh.vertices, mesh.faces) if spec.hollow else None
+    if cavity is not None:
+        down = _HALF_TURN @ cavity.mouth_from_object
+        room = _room(cavity)
+        if room[1] >= _DEEP:
+            return _lying(spec, mesh, down, _HALF_TURN @ cavity.middle, room)
+    upwards = int(np.argmin(spec.size))
+    down = np.roll(np.eye(3), 2 - upwards, axis=0)
+    filled = _filled_share(mesh.vertices @ down.T, mesh.faces)
+    return _lying(spec, mesh, down, None, (0.0, 0.0)) if filled >= _FILLED else None
+
+
+def _filled_share(corners: Array, faces: Array) -> float:
+    """Share of the bounding rectangle, seen along z, that a mesh fills: 0.785 for a disc."""
+    points = lattice_points(corners, faces, float(np.ptp(corners[:, :2], axis=0).min()) / _GRID)
+    low, extent = points[:, :2].min(axis=0), np.ptp(points[:, :2], axis=0)
+    cells = np.minimum((points[:, :2] - low) / extent * _GRID, _GRID - 1).astype(int)
+    return len(np.unique(cells, axis=0)) / _GRID**2
+
+
+def _lying(
+    spec: ObjectSpec,
+    mesh: TexturedMesh,
+    rotation: Array,
+    middle: Array | None,
+    room: tuple[float, float],
+) -> Cover:
+    corners = mesh.vertices @ rotation.T
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    x, y, z = (float(side) for side in high - low)
+    centre = (low + high) / 2
+    off = (middle if middle is not None and room[1] else centre) - centre
+    w, a, b, c = (float(part) for part in quaternion_of(rotation))
+    return Cover(spec, (w, a, b, c), (x, y, z), (float(off[0]), float(off[1])), *room)
+
+
+def _room(cavity: Cavity) -> tuple[float, float]:
+    """Width and depth in metres of the part of a cavity that is at least half as deep as it gets.
+
+    The width is that of a disc of the same area.
+    """
+    depths = cavity.roof - cavity.floor
+    cell = cavity.volume / float(depths.sum())
+    deep = depths >= depths.max() / 2
+    width = 2 * math.sqrt(np.count_nonzero(deep) * cell / math.pi)
+    return width, float(np.median(depths[deep]))

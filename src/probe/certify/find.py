@@ -1,0 +1,138 @@
+"""Find: which of these is on the table? It is hidden, or shows too little to be named."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.certify.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE
+from probe.certify.cast import Cast, draw_cast
+from probe.certify.covers import draw_cover, draw_lean
+from probe.certify.frame import SceneFrame, frame_of
+from probe.certify.hiding import Twin, draw_post, draw_twins
+from probe.certify.plan import Plan
+from probe.certify.result import Candidate, Rejected
+from probe.certify.rules import PARTLY, is_hidden, is_partly_visible
+from probe.certify.stage import Poses, Stage
+from probe.certify.view import View
+from probe.certify.writing import Draft, write_task
+from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
+from probe.scene.seeds import generator
+from probe.scene.visibility import Visibility
+from probe.tasks.truth import which_on_table
+from probe.types import Array
+from probe.world.model import Post
+
+LARGEST_HIDDEN, LARGEST_PARTLY = 0.11, 0.16
+"""Longest side of what is to be found, metres."""
+
+_KEEP_OFF_HIDDEN, _KEEP_OFF_PARTLY = 0.8, 1.0
+_NEST_TRIES = 8
+_NEST_WINDOW = (PARTLY[0], PARTLY[1] + 0.1)
+
+
+def generate_find(
+    seed: int, plan: Plan, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> Candidate:
+    """One attempt.
+
+    Raises:
+        Rejected: It failed a check.
+    """
+    rng = generator(seed, "find")
+    if plan.partly:
+        cast = draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng)
+    else:
+        cast = draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng)
+    post = draw_post(cast.cover, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
+    stage = Stage(cast.specs, library, [post])
+    view = View(renderer, library, [spec.id for spec in cast.specs])
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
+    if plan.partly:
+        scene, twins = _partly_scene(cast, stage, post, view, frame, rng), ()
+    else:
+        scene, twins = _hidden_scene(cast, stage, post, view, frame, rng)
+    ids = [spec.id for spec in cast.candidates]
+    target = which_on_table(scene, ids)
+    seen = _seen(view, scene, target.instance)
+    draft = Draft(
+        kind="find",
+        scene=scene,
+        subject="",
+        slots={},
+        candidates=tuple(spec.name for spec in cast.candidates),
+        truth=ids.index(target.object_id),
+        targets=(target.instance,),
+        cover=None,
+        measures={"visible_share": seen.fraction, "partly": float(plan.partly)},
+        drawn_from=tuple(ids),
+    )
+    return Candidate(write_task(draft, plan, view), twins)
+
+
+def _hidden_scene(
+    cast: Cast,
+    stage: Stage,
+    post: Post,
+    view: View,
+    frame: SceneFrame,
+    rng: np.random.Generator,
+) -> tuple[Scene, tuple[Scene, ...]]:
+    """A scene that hides any of the candidates, and all its twins."""
+
+    def check(twin: Twin) -> None:
+        seen = _seen(view, twin.scene, frame.number_of[1])
+        if not is_hidden(seen):
+            raise Rejected("hidden", f"{seen.fraction:.0%}, {seen.visible_px} px")
+
+    twins = draw_twins(cast, stage, post, check, frame, rng)
+    return twins[int(rng.integers(len(twins)))].scene, tuple(twin.scene for twin in twins)
+
+
+def _partly_scene(
+    cast: Cast,
+    stage: Stage,
+    post: Post,
+    view: View,
+    frame: SceneFrame,
+    rng: np.random.Generator,
+) -> Scene:
+    """A scene that leaves a little of one candidate to be seen."""
+    target = 1 + int(rng.integers(len(cast.candidates)))
+    nest = _partly_nest(cast, stage, post, view, frame, target, rng)
+    scene = frame.scene(stage.settle(stage.heap(nest, cast.crowd, rng)))
+    seen = _seen(view, scene, frame.number_of[target])
+    if not is_partly_visible(seen):
+        raise Rejected("partly visible", f"{seen.fraction:.0%} show")
+    return scene
+
+
+def _partly_nest(
+    cast: Cast,
+    stage: Stage,
+    post: Post,
+    view: View,
+    frame: SceneFrame,
+    target: int,
+    rng: np.random.Generator,
+) -> Poses:
+    """Lay the cover beside the middle of the target until the right share of it shows."""
+    size = stage.items[target - 1].spec.size
+    share = 0.0
+    for _ in range(_NEST_TRIES):
+        turn, towards = rng.uniform(0, 2 * math.pi, size=2)
+        distance = rng.uniform(0.1, 0.6) * min(*cast.cover.extent[:2], 2 * max(size))
+        off: Array = distance * np.array([np.cos(towards), np.sin(towards)])
+        poses = stage.nest(target, cast.covering, cast.cover, post, off, float(turn))
+        share = _seen(view, frame.scene(poses), frame.number_of[target]).fraction
+        if _NEST_WINDOW[0] < share < _NEST_WINDOW[1]:
+            return poses
+    raise Rejected("nest", f"{cast.cover.spec.name} leaves {share:.0%} in view")
+
+
+def _seen(view: View, scene: Scene, target: int) -> Visibility:
+    return view.visibility(scene, view.labels(scene), [target])[target]

@@ -1,0 +1,49 @@
+"""Turns poses on a stage into a Scene whose numbers tell nothing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.certify.cast import Cast
+from probe.certify.stage import Poses
+from probe.scene.scene import PlacedObject, Scene
+
+
+@dataclass(frozen=True, eq=False)
+class SceneFrame:
+    """Turns poses on a stage into a Scene: its numbers, its seed and its table.
+
+    Attributes:
+        seed, table: As in Scene.
+        ids: Object id of each instance on the stage.
+        number_of: Scene's number of each instance on the stage; candidates share one.
+    """
+
+    seed: int
+    table: str
+    ids: dict[int, str]
+    number_of: dict[int, int]
+
+    def scene(self, poses: Poses) -> Scene:
+        """The scene of these poses."""
+        placed = [
+            PlacedObject(self.number_of[number], self.ids[number], pose)
+            for number, pose in poses.items()
+        ]
+        return Scene(self.seed, self.table, tuple(sorted(placed, key=lambda o: o.instance)))
+
+
+def numbers(count: int, rng: np.random.Generator) -> list[int]:
+    """Instance numbers of a scene in random order, so that they tell nothing."""
+    return [int(number) + 1 for number in rng.permutation(count)]
+
+
+def frame_of(cast: Cast, seed: int, table: str, rng: np.random.Generator) -> SceneFrame:
+    """A frame that gives all candidates the same number, so that twins differ in nothing else."""
+    drawn = numbers(len(cast.others) + 2, rng)
+    number_of = dict.fromkeys(range(1, len(cast.candidates) + 1), drawn[0])
+    number_of |= dict(zip((cast.covering, *cast.crowd), drawn[1:], strict=True))
+    ids = {number: spec.id for number, spec in enumerate(cast.specs, start=1)}
+    return SceneFrame(seed, table, ids, number_of)

@@ -1,0 +1,40 @@
+"""One attempt to make a task of a given type, from a seed alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from probe.assets.library import Library
+from probe.certify.beneath import generate_beneath
+from probe.certify.count import generate_count
+from probe.certify.find import generate_find
+from probe.certify.plan import Plan, plan
+from probe.certify.result import Candidate, Rejected, Rejection
+from probe.render.renderer import Renderer
+from probe.tasks.task import QuestionKind
+
+Generator = Callable[[int, Plan, Library, Renderer, Sequence[str]], Candidate]
+
+GENERATORS: dict[QuestionKind, Generator] = {
+    "beneath": generate_beneath,
+    "count": generate_count,
+    "find": generate_find,
+}
+
+
+def generate(
+    kind: QuestionKind, seed: int, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> Candidate | Rejection:
+    """Make a scene for a question of this type and check it; the same seed gives the same.
+
+    Args:
+        kind: The type.
+        seed: Of this attempt; seeds with the same thousands belong to one episode (see plan()).
+        library: Objects to choose from.
+        renderer: Measures visibility; what was loaded in it is replaced.
+        tables: Ids of table materials to choose from.
+    """
+    try:
+        return GENERATORS[kind](seed, plan(kind, seed), library, renderer, tables)
+    except Rejected as failure:
+        return failure.rejection

@@ -1,0 +1,117 @@
+"""Scenes in which any of five alike things could be the one that is hidden."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.certify.cast import Cast
+from probe.certify.covers import Cover
+from probe.certify.frame import SceneFrame
+from probe.certify.result import Rejected
+from probe.certify.stage import Poses, Stage
+from probe.scene.scene import Scene
+from probe.types import Array
+from probe.world.model import Post
+
+_NEST_TRIES = 3
+_NEST_SHARE = 0.95
+_NEST_REACH = 0.06
+_AIM = 0.004
+
+
+@dataclass(frozen=True, eq=False)
+class Twin:
+    """A settled scene with one of the candidates in the hidden place.
+
+    Attributes:
+        candidate: Which one.
+        poses: Of everything, by instance on the stage.
+        scene: The same with the scene's own numbers.
+    """
+
+    candidate: int
+    poses: Poses
+    scene: Scene
+
+
+def draw_post(cover: Cover, wider: float, rng: np.random.Generator) -> Post:
+    """Draw where a cover goes: near the middle, so that the others lie all around it.
+
+    Args:
+        cover: What goes there.
+        wider: How much wider than the cover the disc is that the others are kept off.
+        rng: Draws the place.
+    """
+    x, y = (float(v) for v in rng.uniform(-_NEST_REACH, _NEST_REACH, size=2))
+    return Post(x, y, cover.reach * wider)
+
+
+def build_nest(
+    stage: Stage, target: int, covering: int, cover: Cover, at: Post, rng: np.random.Generator
+) -> Poses:
+    """Hide a target beneath a cover on the bare table.
+
+    Raises:
+        Rejected: It stays in the open; they don't fit each other.
+    """
+    share = 0.0
+    for _ in range(_NEST_TRIES):
+        off: Array = rng.uniform(-_AIM, _AIM, size=2)
+        turn = float(rng.uniform(0, 2 * math.pi))
+        poses = stage.nest(target, covering, cover, at, off, turn)
+        share = stage.covered_share(target, covering, poses)
+        if share >= _NEST_SHARE and not stage.jammed:
+            return poses
+    name = stage.items[target - 1].spec.name
+    raise Rejected("nest", f"{cover.spec.name} covers {share:.0%} of {name}")
+
+
+def draw_twins(
+    cast: Cast,
+    stage: Stage,
+    at: Post,
+    check: Callable[[Twin], None],
+    frame: SceneFrame,
+    rng: np.random.Generator,
+) -> tuple[Twin, ...]:
+    """Settle the scene with each candidate in the hidden place; all must pass.
+
+    The crowd is dropped around the first, which is held; then each in turn takes its place, as it
+    rests beneath the cover on a bare table, and everything settles freely.
+
+    Args:
+        cast: Who plays.
+        stage: Made of the cast's specs.
+        at: Where it is hidden.
+        check: Raises Rejected for a scene that breaks a rule.
+        frame: Makes scenes of poses.
+        rng: Draws spots, orientations and which candidate is first.
+
+    Returns:
+        The twins in the candidates' order.
+
+    Raises:
+        Rejected: Some twin doesn't settle or fails the check.
+    """
+    order = [int(index) for index in rng.permutation(len(cast.candidates))]
+    nests: dict[int, Poses] = {}
+    for index in order:
+        nests[index] = build_nest(stage, index + 1, cast.covering, cast.cover, at, rng)
+    poses = stage.heap(nests[order[0]], cast.crowd, rng)
+    crowd = {number: poses[number] for number in cast.crowd}
+    twins: dict[int, Twin] = {}
+    for index in order:
+        try:
+            settled = stage.settle({**crowd, **nests[index]})
+            twins[index] = Twin(index, settled, frame.scene(settled))
+            check(twins[index])
+        except Rejected as failure:
+            if index == order[0]:
+                raise
+            rejection = failure.rejection
+            raise Rejected(f"twin {rejection.check}", rejection.detail) from failure
+    return tuple(twins[index] for index in range(len(order)))

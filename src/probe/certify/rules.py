@@ -1,0 +1,37 @@
+"""Thresholds of visibility that all question types share. Numbers in, yes or no out."""
+
+from __future__ import annotations
+
+from probe.scene.visibility import Visibility
+
+HIDDEN_SHARE, HIDDEN_PX = 0.05, 200
+CLEAR_SHARE = 0.50
+SEEN_SHARE, SEEN_PX = 0.30, 400
+PARTLY = (0.05, 0.25)
+"""Find's easier third: visible shares."""
+
+REVEALED_SHARE = 0.60
+"""Visible share that the hidden object has once its cover is gone."""
+
+LARGEST_GAIN = 0.20
+"""Most that the visible share of any other object may grow by then."""
+
+
+def is_hidden(seen: Visibility) -> bool:
+    """Too little to notice."""
+    return seen.fraction <= HIDDEN_SHARE and seen.visible_px < HIDDEN_PX
+
+
+def is_clear(seen: Visibility) -> bool:
+    """Half of it or more shows."""
+    return seen.fraction >= CLEAR_SHARE
+
+
+def is_seen(seen: Visibility) -> bool:
+    """Perception may name it."""
+    return seen.fraction >= SEEN_SHARE and seen.visible_px >= SEEN_PX
+
+
+def is_partly_visible(seen: Visibility) -> bool:
+    """Noticeable, but not nameable."""
+    return PARTLY[0] < seen.fraction <= PARTLY[1]

@@ -1,0 +1,56 @@
+"""The solvable check: two unlike scripted agents with the same tools, three attempts each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import get_args
+
+from probe.agents.moves import Way
+from probe.agents.scripted import Scripted
+from probe.assets.library import Library
+from probe.assets.tables import TableMaterial
+from probe.episodes.play import play, score
+from probe.render.renderer import Renderer
+from probe.scene.seeds import generator
+from probe.tasks.task import Task
+
+ATTEMPTS = 3
+"""Attempts of each agent."""
+
+WAYS: tuple[Way, ...] = get_args(Way)
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One attempt of one scripted agent.
+
+    Attributes:
+        way: What the agent tries first.
+        attempt: From 0.
+        solved: Whether its answer was right; agents stop without one where they lack evidence.
+    """
+
+    way: Way
+    attempt: int
+    solved: bool
+
+
+def trials(
+    task: Task, library: Library, table: TableMaterial, renderer: Renderer
+) -> tuple[Trial, ...]:
+    """Attempts until one solves the task or all have been made.
+
+    The very first attempt is always made: its share of successes over all candidates is what
+    scripted agents achieve on tasks that were not selected by them.
+    """
+    made: list[Trial] = []
+    for attempt in range(ATTEMPTS):
+        for way in WAYS:
+            agent = Scripted(
+                task.kind, task.subject, generator(task.seed, "solve", way, attempt), way
+            )
+            record = play(task, agent, f"scripted-{way}", library, table, renderer, attempt)
+            made.append(Trial(way, attempt, score(task, record, renderer).correct))
+            if made[-1].solved:
+                return tuple(made)
+    return tuple(made)

@@ -1,0 +1,201 @@
+"""Puts things on a table so that some are beneath others, and lets physics settle them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from scipy.spatial import ConvexHull
+
+from probe.assets.library import Library
+from probe.assets.spec import ObjectSpec
+from probe.certify.covers import Cover
+from probe.certify.result import Rejected
+from probe.errors import Unsatisfiable
+from probe.scene.layout import WORK_AREA
+from probe.scene.sampling import Drop, draw_drop
+from probe.types import Array, Pose, Quaternion
+from probe.world.model import TIME_STEP, Item, Post
+from probe.world.pile import SINK_LIMIT, Pile
+from probe.world.settle import SETTLING_TIME, come_to_rest
+
+Poses = dict[int, Pose]
+"""world_from_object by instance of a stage."""
+
+_NEST_TIME = 2.0
+_NEST_CHECK_TIME = 0.1
+_FALL_TIME = 0.8
+_AWAKE_TIME = 0.2
+_LIFTED_TIME = 1.0
+_RESPOTS = 3
+_SPOT_TRIES = 40
+_NARROWEST = 0.08
+_REACH = 0.17
+_RESPOT_REACH = 0.11
+
+
+class Stage:
+    """All objects that any twin of a scene needs; only those given poses are on the table."""
+
+    def __init__(
+        self, specs: Sequence[ObjectSpec], library: Library, posts: Sequence[Post]
+    ) -> None:
+        self._posts = tuple(posts)
+        self.items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]
+        self._pile = Pile(self.items, posts)
+        self._corners = {
+            item.instance: np.concatenate([piece.vertices for piece in item.body.pieces])
+            for item in self.items
+        }
+
+    def nest(
+        self, target: int, covering: int, cover: Cover, at: Post, off: Array, turn: float
+    ) -> Poses:
+        """Put a target on the bare table and a cover over it; where both come to rest.
+
+        Args:
+            target: Instance of what is to be hidden.
+            covering: Instance of the cover.
+            cover: How it lies.
+            at: Middle of the target.
+            off: (x, y) in metres from there to where the cover's cavity is aimed.
+            turn: Of the cover about the vertical, radians; the target is turned at right angles
+                where that lays the long side of one along that of the other.
+        """
+        self._clear()
+        size = self.items[target - 1].spec.size
+        crosswise = (size[0] > size[1]) != (cover.extent[0] > cover.extent[1])
+        turned = about_z(turn + (math.pi / 2 if crosswise else 0.0))
+        self._pile.place(target, Pose((at.x, at.y, 0.0), turned))
+        wxyz = (Pose(wxyz=about_z(turn)) @ Pose(wxyz=cover.wxyz)).wxyz
+        middle = Pose(wxyz=about_z(turn)).apply(np.array([[*cover.middle, 0.0]]))[0, :2]
+        x, y = np.array([at.x, at.y]) + off - middle
+        self._pile.drop(covering, Drop(float(x), float(y), wxyz))
+        self._pile.fall(_NEST_TIME)
+        self._pile.stay_awake(awake=True)
+        self._pile.step(_NEST_CHECK_TIME)
+        self._pile.stay_awake(awake=False)
+        return self._poses()
+
+    @property
+    def jammed(self) -> bool:
+        """Whether things overlap more than things at rest may, after nest()."""
+        return self._pile.penetration() > SINK_LIMIT
+
+    def covered_share(self, target: int, covering: int, poses: Poses) -> float:
+        """Share of a target's corners that lie straight beneath a cover and lower than its top."""
+        low = poses[target].apply(self._corners[target])
+        high = poses[covering].apply(self._corners[covering])
+        edges = ConvexHull(high[:, :2]).equations
+        outside = (low[:, :2] @ edges[:, :2].T + edges[:, 2]).max(axis=1)
+        return float(((outside <= 0) & (low[:, 2] < high[:, 2].max())).mean())
+
+    def heap(self, placed: Poses, dropped: Sequence[int], rng: np.random.Generator) -> Poses:
+        """Drop more things around what is placed and held there; settle() still has to follow.
+
+        Args:
+            placed: Where some things are.
+            dropped: Instances that fall, in this order.
+            rng: Draws spots and orientations.
+
+        Raises:
+            Rejected: Not all of them rest on the table.
+        """
+        self._clear()
+        for instance, pose in placed.items():
+            self._pile.place(instance, pose)
+        self._pile.hold(*placed)
+        waiting = list(dropped)
+        for respot in range(_RESPOTS + 1):
+            reach = _RESPOT_REACH if respot else _REACH
+            self._pile.set_walls(standing=True)
+            for instance in waiting:
+                spec = self.items[instance - 1].spec
+                self._pile.drop(instance, draw_clear_drop(spec, self._posts, reach, rng))
+                self._pile.fall(_FALL_TIME)
+            self._pile.set_walls(standing=False)
+            self._pile.fall(SETTLING_TIME)
+            waiting = [instance for instance in dropped if not self._pile.is_inside(instance)]
+            if not waiting:
+                break
+            for instance in waiting:
+                self._pile.park(instance)
+        if waiting:
+            raise Rejected("settle", f"{len(waiting)} keep leaving the table")
+        return self._poses()
+
+    def settle(self, poses: Poses) -> Poses:
+        """Put things exactly here and let them come to rest by the rules of a scene.
+
+        Raises:
+            Rejected: They don't.
+        """
+        self._put(poses)
+        self._pile.step(_AWAKE_TIME)
+        try:
+            come_to_rest(self._pile)
+        except Unsatisfiable as failure:
+            raise Rejected("settle", str(failure)) from failure
+        finally:
+            self._pile.stay_awake(awake=False)
+        return self._poses()
+
+    def lift(self, poses: Poses, instance: int) -> Poses:
+        """Where the others end up when one thing vanishes."""
+        self._put({n: pose for n, pose in poses.items() if n != instance})
+        self._pile.step(_LIFTED_TIME)
+        self._pile.stay_awake(awake=False)
+        self._pile.fall(SETTLING_TIME)
+        return self._poses()
+
+    def _put(self, poses: Mapping[int, Pose]) -> None:
+        """Put things exactly here and nothing else on the table; none is asleep."""
+        self._clear()
+        for instance, pose in poses.items():
+            self._pile.place(instance, pose)
+        # Asleep, a thing that lost its support would hang in the air; and what tips over slowly
+        # counts as asleep.
+        self._pile.stay_awake(awake=True)
+
+    def _clear(self) -> None:
+        self._pile.hold()
+        for item in self.items:
+            self._pile.park(item.instance)
+        self._pile.set_walls(standing=False)
+        # The engine overlooks that a sleeping body has been moved; one step awake tells it.
+        self._pile.stay_awake(awake=True)
+        self._pile.step(TIME_STEP)
+        self._pile.stay_awake(awake=False)
+
+    def _poses(self) -> Poses:
+        return {instance: self._pile.pose(instance) for instance in self._pile.on_table}
+
+
+def draw_clear_drop(
+    spec: ObjectSpec, posts: Sequence[Post], reach: float, rng: np.random.Generator
+) -> Drop:
+    """Draw a drop that stays clear of walls and posts; the clearest of many if none does.
+
+    Args:
+        spec: What falls.
+        posts: Discs to keep off.
+        reach: How far from the table's middle its own may be along x and y, metres.
+        rng: Draws spots and orientations.
+    """
+    radius = math.hypot(*sorted(spec.size)[1:]) / 2
+    reach = max(_NARROWEST, min(reach, WORK_AREA / 2 - radius))
+    best, best_gap = draw_drop(rng, reach), -math.inf
+    for _ in range(_SPOT_TRIES):
+        drop = draw_drop(rng, reach)
+        gap = min(math.hypot(drop.x - p.x, drop.y - p.y) - p.radius - radius for p in posts)
+        if gap > best_gap:
+            best, best_gap = drop, gap
+        if gap >= 0:
+            break
+    return best
+
+
+def about_z(angle: float) -> Quaternion:
+    """A turn about the vertical, radians."""
+    return (math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2))

@@ -1,0 +1,30 @@
+"""The command line: `probe demo | scene | assets | suite | run | report`."""
+
+from __future__ import annotations
+
+import sys
+
+import tyro
+
+from probe.cli.assets import app as assets_app
+from probe.cli.demo import demo
+from probe.cli.run import report, run
+from probe.cli.scene import scene
+from probe.cli.suite import app as suite_app
+from probe.errors import ProbeError
+
+app = tyro.extras.SubcommandApp()
+for command in (demo, scene, run, report):
+    app.command(command)
+app.command(assets_app, name="assets")
+app.command(suite_app, name="suite")
+
+
+def main() -> None:
+    """Run the command line; expected failures become one line and exit status 1."""
+    try:
+        app.cli(prog="probe", description="Questions that only moving things can answer.")
+    except ProbeError as failure:
+        sys.exit(f"probe: {failure}")
+    except KeyboardInterrupt:
+        sys.exit("probe: interrupted")

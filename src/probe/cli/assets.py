@@ -1,0 +1,80 @@
+"""`probe assets`: what the object library holds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import tyro
+from rich.console import Console
+from rich.table import Column, Table
+
+from probe.assets.mesh import Surface, TexturedMesh
+from probe.cli.surroundings import Pool, library
+from probe.files import write_picture
+from probe.render.protocol import TableTop
+from probe.render.renderer import Renderer
+from probe.scene.scene import PlacedObject
+from probe.types import Array, Camera, Pose, looking_at
+
+app = tyro.extras.SubcommandApp()
+
+
+@app.command(name="list")
+def list_objects(pool: Pool = "procedural") -> None:
+    """List the objects of a pool.
+
+    Args:
+        pool: Which objects; scans need PROBE_ASSETS.
+    """
+    names = ("name", "category", "colours", "kg", "size in cm")
+    table = Table(Column("id", no_wrap=True), *names)
+    for spec in library(pool).specs:
+        size = " x ".join(f"{100 * edge:.1f}" for edge in spec.size)
+        colours = ", ".join(spec.colours)
+        table.add_row(spec.id, spec.name, spec.category, colours, f"{spec.mass:.2f}", size)
+    Console().print(table)
+
+
+@app.command
+def show(
+    object_id: Annotated[str, tyro.conf.Positional],
+    pool: Pool = "all",
+    out: Path = Path("outputs/object.png"),
+) -> None:
+    """Say what the catalogue knows of an object, and draw it.
+
+    Args:
+        object_id: As `probe assets list` prints it.
+        pool: Where to look; scans need PROBE_ASSETS.
+        out: File for the picture.
+    """
+    objects = library(pool)
+    spec, body = objects[object_id], objects.body(object_id)
+    facts = Table(show_header=False)
+    for name, value in vars(spec).items():
+        facts.add_row(name, str(value))
+    facts.add_row("triangles", str(len(body.mesh.faces)))
+    facts.add_row("collision pieces", str(len(body.pieces)))
+    Console().print(facts)
+    write_picture(out, _portrait(body.mesh))
+    print(f"Its picture is {out}")
+
+
+def _portrait(mesh: TexturedMesh) -> Array:
+    """An object on a plain ground from four sides and from above, shape (h, w, 3)."""
+    size = float(np.linalg.norm(mesh.extent))
+    middle = (0.0, 0.0, float(mesh.extent[2]) / 2)
+    ground = TableTop(Surface(np.full((1, 1, 3), 235, dtype=np.uint8)), 1.0, (20 * size, 20 * size))
+    eyes = [(1.0, 1.0, 0.8), (-1.0, 1.0, 0.8), (-1.0, -1.0, 0.8), (0.01, 0.0, 1.6)]
+    with Renderer() as renderer:
+        renderer.load({"it": mesh}, ground)
+        views: list[Array] = []
+        for direction in eyes:
+            eye = np.array(middle) + 1.15 * size * np.array(direction)
+            camera = Camera(looking_at(eye, np.array(middle)), 512, 512, fov_y_deg=38)
+            frame = renderer.draw([PlacedObject(1, "it", Pose())], camera, rgb=True)
+            assert frame.rgb is not None
+            views.append(frame.rgb)
+    return np.concatenate(views, axis=1)

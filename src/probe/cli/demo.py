@@ -1,0 +1,21 @@
+"""`probe demo`: six frozen tasks, solved by a scripted agent that really manipulates."""
+
+from __future__ import annotations
+
+from importlib import resources
+from pathlib import Path
+
+from probe.cli.run import run_suite, write_run_report
+from probe.tasks.suite_file import read_suite
+
+
+def demo(out: Path = Path("outputs/demo")) -> None:
+    """Let the scripted agent solve the six demo tasks, and write a page of what it did.
+
+    Args:
+        out: Folder for the records, pictures and the page.
+    """
+    with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
+        suite = read_suite(path)
+    run_suite(suite, "scripted", out, runs=1)
+    print(f"Open {write_run_report(out)} in a browser.")

@@ -1,0 +1,131 @@
+"""`probe run` and `probe report`: let an agent work on a suite, and show what it did."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import tyro
+from PIL import Image
+from rich.progress import track
+
+from probe.agents.random import Random
+from probe.agents.scripted import Scripted
+from probe.assets.library import Library, open_library
+from probe.assets.tables import load_table
+from probe.cli.surroundings import assets_folder, cache_folder
+from probe.episodes.files import append_record, read_records
+from probe.episodes.pictures import frames
+from probe.episodes.play import play, score
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.turns import Agent
+from probe.errors import BadData
+from probe.files import encode, write_bytes
+from probe.render.photograph import load_scene
+from probe.render.renderer import Renderer
+from probe.report.episode_view import EpisodeView
+from probe.report.page import write_report
+from probe.report.tally import rates
+from probe.scene.seeds import generator
+from probe.tasks.suite import Suite, check_objects
+from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.task import Task
+
+AgentName = Literal["scripted", "random"]
+
+RECORDS, SUITE = "records.jsonl", "suite.json"
+_PICTURE_PX = 512
+
+
+def run(
+    suite: Annotated[Path, tyro.conf.Positional],
+    agent: AgentName = "scripted",
+    out: Path = Path("outputs/run"),
+    runs: int = 1,
+) -> None:
+    """Let an agent work on every task of a suite; goes on where an earlier run stopped.
+
+    Args:
+        suite: A file that `probe suite build` wrote.
+        agent: Who acts; neither needs a model.
+        out: Folder for the records.
+        runs: Episodes of each task.
+    """
+    run_suite(read_suite(suite), agent, out, runs)
+    print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
+
+
+def report(out: Annotated[Path, tyro.conf.Positional]) -> None:
+    """Grade a run's records and write a page of them; needs no physics.
+
+    Args:
+        out: Folder that `probe run` wrote to.
+    """
+    print(f"The report is {write_run_report(out)}")
+
+
+def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int) -> None:
+    """Add the records that a folder doesn't hold yet, and the suite they are about."""
+    things = _everything()
+    check_objects(suite, things)
+    write_suite(out / SUITE, suite)
+    records = out / RECORDS
+    earlier = read_records(records) if records.exists() else []
+    done = {(record.task, record.agent, record.run) for record in earlier}
+    waiting = [
+        (task, number)
+        for task in suite.tasks
+        for number in range(runs)
+        if (task.id, agent, number) not in done
+    ]
+    with Renderer() as renderer:
+        for task, number in track(waiting, f"{agent} at work"):
+            table = load_table(task.scene.table, assets_folder())
+            actor = _agent(agent, task, number)
+            append_record(records, play(task, actor, agent, things, table, renderer, number))
+
+
+def write_run_report(out: Path) -> Path:
+    """Draw and grade every record of a folder; returns the page."""
+    suite = read_suite(out / SUITE)
+    tasks = {task.id: task for task in suite.tasks}
+    things = _everything()
+    views: list[EpisodeView] = []
+    with Renderer() as renderer:
+        for record in track(read_records(out / RECORDS), "Drawing and grading"):
+            if record.task not in tasks:
+                remedy = "Move one of them elsewhere"
+                raise BadData(out / RECORDS, f"{record.task} is not in {SUITE}", remedy)
+            views.append(_view(out, tasks[record.task], record, things, renderer))
+    page = out / "index.html"
+    write_report(page, f"PROBE: suite {suite.name}", views)
+    total = rates(views)[-1]
+    print(f"{total.right} of {total.n} right (95 % interval {total.low:.0%} to {total.high:.0%})")
+    return page
+
+
+def _view(
+    out: Path, task: Task, record: EpisodeRecord, things: Library, renderer: Renderer
+) -> EpisodeView:
+    load_scene(renderer, task.scene, things, load_table(task.scene.table, assets_folder()))
+    pictures: list[str] = []
+    for number, frame in enumerate(frames(record, renderer)):
+        name = f"pictures/{record.task}-{record.agent}-{record.run}/{number}.jpg"
+        assert frame.rgb is not None
+        small = Image.fromarray(frame.rgb).resize((_PICTURE_PX, _PICTURE_PX), Image.Resampling.BOX)
+        write_bytes(out / name, encode(small, "JPEG"))
+        pictures.append(name)
+    return EpisodeView(
+        task.kind, record, score(task, record, renderer), task.answer, tuple(pictures)
+    )
+
+
+def _everything() -> Library:
+    """All objects at hand: scans too where their folder is known."""
+    pool = "all" if assets_folder() else "procedural"
+    return open_library(pool, assets_folder(), cache_folder())
+
+
+def _agent(name: AgentName, task: Task, number: int) -> Agent:
+    rng = generator(task.seed, "run", name, number)
+    return Random(rng) if name == "random" else Scripted(task.kind, task.subject, rng)

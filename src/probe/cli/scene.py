@@ -1,0 +1,84 @@
+"""`probe scene`: a settled table from a seed, as pictures and JSON."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.progress import track
+
+from probe.assets.library import Library
+from probe.assets.tables import load_table, table_ids
+from probe.cli.surroundings import Pool, assets_folder, library
+from probe.files import encode, write_bytes, write_picture
+from probe.render.photograph import load_scene, measure, photograph
+from probe.render.renderer import Renderer
+from probe.report.gallery import GalleryEntry, write_gallery
+from probe.report.pictures import depth_image, label_image
+from probe.scene.document import write_scene
+from probe.scene.sampling import DEFAULT_COUNT
+from probe.scene.scene import Scene
+from probe.scene.visibility import Visibility
+from probe.world.scenes import make_scene
+
+
+def scene(
+    seed: Annotated[int, tyro.conf.Positional],
+    out: Path = Path("outputs/scene"),
+    pool: Pool = "procedural",
+    objects: int = DEFAULT_COUNT,
+    gallery: int = 0,
+) -> None:
+    """Settle a cluttered table from a seed and photograph it.
+
+    Writes picture.png, depth.png (16 bit, 0.1 mm), labels.png (value = instance) and scene.json.
+
+    Args:
+        seed: Any whole number; the same seed gives the same bytes.
+        out: Folder for the files.
+        pool: Which objects may appear; scans need PROBE_ASSETS.
+        objects: How many.
+        gallery: If above 0, write this many scenes, from this seed on, and a page of them.
+    """
+    things = library(pool)
+    with Renderer() as renderer:
+        if gallery == 0:
+            _write(out, _settle(seed, things, objects), things, renderer)
+            print(f"Picture, depth, labels and scene are in {out}")
+            return
+        entries: list[GalleryEntry] = []
+        for number in track(range(seed, seed + gallery), "Settling and drawing"):
+            settled = _settle(number, things, objects)
+            shares = _write(out / str(number), settled, things, renderer)
+            entries.append(_entry(settled, shares, things))
+        write_gallery(out / "index.html", entries)
+    print(f"{gallery} scenes are in {out / 'index.html'}")
+
+
+def _settle(seed: int, things: Library, count: int) -> Scene:
+    return make_scene(seed, things, table_ids(assets_folder()), count)
+
+
+def _write(
+    folder: Path, settled: Scene, things: Library, renderer: Renderer
+) -> dict[int, Visibility]:
+    """Draw one scene and write its files; the scene comes last and so marks a complete folder."""
+    load_scene(renderer, settled, things, load_table(settled.table, assets_folder()))
+    frame = photograph(renderer, settled)
+    assert frame.rgb is not None and frame.labels is not None
+    write_picture(folder / "picture.png", frame.rgb)
+    write_bytes(folder / "depth.png", encode(depth_image(frame.depth), "PNG"))
+    write_bytes(folder / "labels.png", encode(label_image(frame.labels), "PNG"))
+    write_scene(folder / "scene.json", settled)
+    return measure(renderer, settled)
+
+
+def _entry(settled: Scene, shares: dict[int, Visibility], things: Library) -> GalleryEntry:
+    objects = tuple(
+        (things[item.object_id].name, shares[item.instance].fraction) for item in settled.objects
+    )
+    folder = str(settled.seed)
+    return GalleryEntry(
+        f"Seed {settled.seed}", f"{folder}/picture.png", f"{folder}/labels.png", objects
+    )

@@ -1,0 +1,140 @@
+"""An EpisodeRecord on disk: one line of versioned JSON, checked when it is read."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import pydantic
+
+from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
+from probe.episodes.turns import Call, Question
+from probe.scene.document import SceneDocument
+from probe.toolshed.result import Answer, Status
+
+
+class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
+    pass
+
+
+class TableDocument(_Document):
+    """Every object's pose, and the arm's joints in radians."""
+
+    scene: SceneDocument
+    joints: tuple[float, ...]
+
+
+class CallDocument(_Document):
+    """A call as an agent made it; its arguments are JSON text, since they needn't be valid."""
+
+    name: str
+    arguments: str
+    words: str
+
+
+class StepDocument(_Document):
+    """One call; `after` is None where the table is as it was before."""
+
+    call: CallDocument
+    status: Status
+    text: str
+    point_px: tuple[int, int] | None
+    after: TableDocument | None
+
+
+class AnswerDocument(_Document):
+    """Letter, and (u, v) in pixels if a point was given."""
+
+    choice: str
+    point_px: tuple[float, float] | None
+
+
+class SecondsDocument(_Document):
+    """Wall time of each step."""
+
+    agent: tuple[float, ...]
+    tools: tuple[float, ...]
+
+
+class EpisodeDocument(_Document):
+    """One episode."""
+
+    version: Literal[1] = 1
+    task: str
+    agent: str
+    run: int
+    question: str
+    options: tuple[tuple[str, str], ...]
+    start: TableDocument
+    steps: tuple[StepDocument, ...]
+    answer: AnswerDocument | None
+    end: End
+    fault: str | None
+    seconds: SecondsDocument | None
+
+    @staticmethod
+    def of(record: EpisodeRecord, *, timed: bool = True) -> EpisodeDocument:
+        """The document of a record, on request without its timing."""
+        answer, times = record.answer, record.seconds
+        return EpisodeDocument(
+            task=record.task,
+            agent=record.agent,
+            run=record.run,
+            question=record.question.text,
+            options=record.question.options,
+            start=_table_document(record.start),
+            steps=_step_documents(record),
+            answer=answer and AnswerDocument(choice=answer.choice, point_px=answer.point_px),
+            end=record.end,
+            fault=record.fault,
+            seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
+        )
+
+    def record(self) -> EpisodeRecord:
+        """The record it describes."""
+        answer, times = self.answer, self.seconds
+        return EpisodeRecord(
+            task=self.task,
+            agent=self.agent,
+            run=self.run,
+            question=Question(self.question, self.options),
+            start=_table(self.start),
+            steps=_steps(self),
+            answer=answer and Answer(answer.choice, answer.point_px),
+            end=self.end,
+            fault=self.fault,
+            seconds=Seconds(times.agent, times.tools) if times else Seconds(),
+        )
+
+
+def _step_documents(record: EpisodeRecord) -> tuple[StepDocument, ...]:
+    before, documents = record.start, list[StepDocument]()
+    for step in record.steps:
+        call = step.call
+        documents.append(
+            StepDocument(
+                call=CallDocument(name=call.name, arguments=call.arguments, words=call.words),
+                status=step.status,
+                text=step.text,
+                point_px=step.point_px,
+                after=None if step.after == before else _table_document(step.after),
+            )
+        )
+        before = step.after
+    return tuple(documents)
+
+
+def _steps(document: EpisodeDocument) -> tuple[Step, ...]:
+    table, steps = _table(document.start), list[Step]()
+    for step in document.steps:
+        table = _table(step.after) if step.after else table
+        call = Call(step.call.name, step.call.arguments, step.call.words)
+        steps.append(Step(call, step.status, step.text, step.point_px, table))
+    return tuple(steps)
+
+
+def _table_document(table: Table) -> TableDocument:
+    return TableDocument(scene=SceneDocument.of(table.scene), joints=table.joints)
+
+
+def _table(document: TableDocument) -> Table:
+    return Table(document.scene.scene(), document.joints)

@@ -1,0 +1,49 @@
+"""Between a task and an episode: what is asked of an agent, and what its record is worth."""
+
+from __future__ import annotations
+
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.turns import Question
+from probe.errors import ProbeError
+from probe.tasks.grading import Answer, LastView, Score, grade
+from probe.tasks.task import LETTERS, Letter, Task
+from probe.types import Array
+
+
+class OtherTask(ProbeError):
+    """A record was to be graded by a task that it isn't about."""
+
+    def __init__(self, record: str, task: str) -> None:
+        super().__init__(
+            f"This episode is about {record!r}, not about {task!r}, or that task has changed "
+            "since. Grade it with the suite that it was run on."
+        )
+
+
+def question_of(task: Task, picture: Array | None = None) -> Question:
+    """What an agent is told of a task: its words and options, and the first picture."""
+    options = tuple((option.letter, option.text) for option in task.options)
+    return Question(task.question, options, picture)
+
+
+def grade_episode(task: Task, record: EpisodeRecord, labels: Array) -> Score:
+    """What an episode is worth by its task; needs no physics.
+
+    Args:
+        task: What it was about.
+        record: What happened.
+        labels: Of the table at the record's end, shape (h, w): drawn from its last scene.
+
+    Raises:
+        OtherTask: The record is about something else.
+    """
+    if record.task != task.id or record.question != question_of(task):
+        raise OtherTask(record.task, task.id)
+    answer = Answer(None)
+    if record.answer is not None:
+        answer = Answer(_letter(record.answer.choice), record.answer.point_px)
+    return grade(task, answer, LastView(labels, record.scenes[-1]))
+
+
+def _letter(choice: str) -> Letter | None:
+    return next((letter for letter in LETTERS if letter == choice), None)

@@ -1,0 +1,63 @@
+"""Puts an agent at a task's table in simulation and keeps the record."""
+
+from __future__ import annotations
+
+from probe import manipulation
+from probe.assets.library import Library
+from probe.assets.tables import TableMaterial
+from probe.episodes.grading import grade_episode, question_of
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.run import run_episode
+from probe.episodes.turns import Agent
+from probe.perception.oracle import Oracle
+from probe.render.photograph import load_scene, photograph
+from probe.render.renderer import Renderer
+from probe.scene.layout import BASKET_POSITION
+from probe.station.simulated import SimulatedStation
+from probe.tasks.grading import Score
+from probe.tasks.task import Task
+from probe.toolshed.toolshed import Toolshed
+from probe.world.world import World
+
+
+def set_table(
+    task: Task, library: Library, table: TableMaterial, renderer: Renderer, *, pictures: bool
+) -> tuple[Toolshed, SimulatedStation]:
+    """A task's table, fresh, with the tools over it and the station that the record watches."""
+    load_scene(renderer, task.scene, library, table)
+    station = SimulatedStation(World(task.scene, library), renderer)
+    words = {item.instance: library[item.object_id] for item in task.scene.objects}
+    tools = Toolshed(station, Oracle(words), manipulation, BASKET_POSITION, pictures=pictures)
+    return tools, station
+
+
+def play(
+    task: Task,
+    agent: Agent,
+    agent_name: str,
+    library: Library,
+    table: TableMaterial,
+    renderer: Renderer,
+    run: int = 0,
+) -> EpisodeRecord:
+    """Let an agent that needs no pictures work on a task.
+
+    Args:
+        task: What is asked, and of which table.
+        agent: Fresh for this episode.
+        agent_name: For the record.
+        library: Has the task's objects.
+        table: What the table is made of.
+        renderer: Draws what the station sees; what was loaded in it is replaced.
+        run: Number of the run, for the record.
+    """
+    tools, station = set_table(task, library, table, renderer, pictures=False)
+    question = question_of(task)
+    return run_episode(task.id, question, agent, tools, station, agent_name=agent_name, run=run)
+
+
+def score(task: Task, record: EpisodeRecord, renderer: Renderer) -> Score:
+    """Grade a record without physics; the renderer must have the task's objects loaded."""
+    labels = photograph(renderer, record.scenes[-1], rgb=False).labels
+    assert labels is not None
+    return grade_episode(task, record, labels)

@@ -1,0 +1,91 @@
+"""All that happened in one episode: enough to draw, grade and replay it without physics."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from probe.episodes.turns import Call, Question
+from probe.scene.scene import Scene
+from probe.toolshed.result import Answer, Status
+
+End = Literal["answered", "stopped", "out_of_turns", "fault"]
+
+
+@dataclass(frozen=True)
+class Table:
+    """How things stand: every object's pose, and the arm's joints in radians."""
+
+    scene: Scene
+    joints: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One call, what the agent read, and the table afterwards.
+
+    Attributes:
+        call: What the agent sent.
+        status: How it went, for statistics.
+        text: What the agent read.
+        point_px: (u, v) of what the call was about, if it was about one thing.
+        after: The table when it was over.
+    """
+
+    call: Call
+    status: Status
+    text: str
+    point_px: tuple[int, int] | None
+    after: Table
+
+
+@dataclass(frozen=True)
+class Seconds:
+    """Wall time of each step: the agent's and the tools'. Never the same twice."""
+
+    agent: tuple[float, ...] = ()
+    tools: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class EpisodeRecord:
+    """One episode.
+
+    Attributes:
+        task: Which task; the caller's name for it.
+        agent: Which agent; the caller's name for it.
+        run: Number of the run, if an agent tries a task several times.
+        question: What was asked.
+        start: The table at the start.
+        steps: One for each call.
+        answer: The final answer, if one was given.
+        end: Why it ended; "stopped" is the agent's own choice, "fault" is our failure.
+        fault: What failed, for the end "fault".
+        seconds: Timing, which no comparison takes into account.
+    """
+
+    task: str
+    agent: str
+    run: int
+    question: Question
+    start: Table
+    steps: tuple[Step, ...]
+    answer: Answer | None
+    end: End
+    fault: str | None = None
+    seconds: Seconds = Seconds()
+
+    @property
+    def scenes(self) -> tuple[Scene, ...]:
+        """The table at the start and after each step."""
+        return (self.start.scene, *(step.after.scene for step in self.steps))
+
+    @property
+    def manipulations(self) -> int:
+        """Grasps and pushes that were carried out, failed ones included."""
+        moving = [s for s in self.steps if s.call.name in ("grasp_and_remove", "push")]
+        return sum(step.status in ("done", "failed") for step in moving)
+
+    def untimed(self) -> EpisodeRecord:
+        """The record without what is never the same twice."""
+        return replace(self, seconds=Seconds())

@@ -1,0 +1,62 @@
+"""Does a recorded episode's calls again on a fresh table, and says where the two differ."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from probe.episodes.files import line_of
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.run import Witness, run_episode
+from probe.episodes.turns import Call, Question, Turn
+from probe.toolshed.toolshed import Toolshed
+
+_PARTS = ("call", "status", "text", "point_px", "after")
+
+
+class Recorded:
+    """Makes the same calls as in a record, whatever comes of them; an Agent."""
+
+    def __init__(self, record: EpisodeRecord) -> None:
+        self._calls = [step.call for step in record.steps]
+
+    def act(self, question: Question, history: Sequence[Turn]) -> Call | None:
+        """The call that was made at this point; None after the last one."""
+        return self._calls[len(history)] if len(history) < len(self._calls) else None
+
+
+def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> EpisodeRecord:
+    """Do an episode's calls again.
+
+    Args:
+        record: What happened the first time.
+        toolshed: Fresh, over a table that stands as at the record's start.
+        witness: Tells the new record where things are.
+    """
+    return run_episode(
+        record.task,
+        record.question,
+        Recorded(record),
+        toolshed,
+        witness,
+        agent_name=record.agent,
+        run=record.run,
+    )
+
+
+def differences(first: EpisodeRecord, second: EpisodeRecord) -> list[str]:
+    """Where two records differ, timing apart; empty exactly if their bytes are the same."""
+    found = [
+        name
+        for name in ("task", "agent", "run", "question", "start", "answer", "end", "fault")
+        if getattr(first, name) != getattr(second, name)
+    ]
+    if len(first.steps) != len(second.steps):
+        found.append(f"number of steps: {len(first.steps)} and {len(second.steps)}")
+    for number, (a, b) in enumerate(zip(first.steps, second.steps, strict=False), start=1):
+        parts = ("call", "status", "text", "point_px", "after")
+        found += [
+            f"step {number}: {part}" for part in parts if getattr(a, part) != getattr(b, part)
+        ]
+    if not found and line_of(first, timed=False) != line_of(second, timed=False):
+        found.append("the sign of a zero")
+    return found

@@ -1,0 +1,56 @@
+"""Everything PROBE raises on purpose; each message says what would have worked."""
+
+
+class ProbeError(Exception):
+    """Base of all expected failures; the command line prints it without a traceback."""
+
+
+class BadMesh(ProbeError):
+    """A mesh file can't be used as an object."""
+
+    def __init__(self, path: object, reason: str, remedy: str) -> None:
+        super().__init__(f"{path}: {reason}. {remedy}")
+
+
+class BadData(ProbeError):
+    """A data file is missing, truncated or breaks its schema."""
+
+    def __init__(self, path: object, reason: str, remedy: str) -> None:
+        super().__init__(f"{path}: {reason}. {remedy}")
+
+
+class UnknownName(ProbeError):
+    """A name that is not in a catalogue."""
+
+    def __init__(self, kind: str, name: str, known: list[str]) -> None:
+        shown = ", ".join(known[:12]) + (" ..." if len(known) > 12 else "")
+        super().__init__(f"There is no {kind} called {name!r}. Known: {shown}.")
+
+
+class Unsatisfiable(ProbeError):
+    """A scene that no draw could satisfy."""
+
+
+class NoGraphicsDriver(ProbeError):
+    """No Vulkan loader or driver on this machine."""
+
+
+class RenderFailed(ProbeError):
+    """The render worker died twice on the same request."""
+
+
+class ArmInView(ProbeError):
+    """A look at the table while the arm is in the way."""
+
+    def __init__(self) -> None:
+        super().__init__("The arm hides part of the table. Park it before looking.")
+
+
+class OutputFailed(ProbeError):
+    """Results can't be written (a full disk, a folder without permission)."""
+
+    def __init__(self, path: object, reason: str) -> None:
+        super().__init__(
+            f"{path}: {reason}. Free some space or choose another folder; "
+            "nothing half-written is left."
+        )

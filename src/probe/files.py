@@ -1,0 +1,52 @@
+"""Writes files so that none is ever found half-written."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import tempfile
+from pathlib import Path
+
+from PIL import Image
+
+from probe.errors import OutputFailed
+from probe.types import Array
+
+
+def write_bytes(path: Path, content: bytes) -> None:
+    """Write a whole file or none: a temporary file beside it takes its place when complete.
+
+    Raises:
+        OutputFailed: The disk is full, or the folder can't be written.
+    """
+    temporary = ""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except OSError as error:
+        if temporary:
+            with contextlib.suppress(OSError):
+                os.unlink(temporary)
+        raise OutputFailed(path, error.strerror or str(error)) from error
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a whole UTF-8 text file or none; see write_bytes."""
+    write_bytes(path, text.encode())
+
+
+def write_picture(path: Path, pixels: Array) -> None:
+    """Write an array as PNG: uint8 (h, w, 3) in colour, uint8 or uint16 (h, w) in grey."""
+    write_bytes(path, encode(Image.fromarray(pixels), "PNG"))
+
+
+def encode(image: Image.Image, layout: str) -> bytes:
+    """An image as the bytes of a file in that format ("PNG", "JPEG")."""
+    buffer = io.BytesIO()
+    image.save(buffer, layout)
+    return buffer.getvalue()

@@ -1,0 +1,86 @@
+"""Grasps that a mask's points suggest and whose way in is free. Knows no arm."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.manipulation.clearance import MARGINS, Room
+from probe.manipulation.closing import close
+from probe.manipulation.handshape import HandShape
+from probe.manipulation.pairs import Hands, around, opposed
+from probe.manipulation.target import Target
+from probe.manipulation.terrain import Terrain
+from probe.station.station import Hand
+from probe.types import Pose, Vector3, quaternion_of
+
+_SPARE = 0.010
+_WANTED = 16
+_CHUNK = 32
+_TIGHT_COST = 0.3
+
+
+@dataclass(frozen=True)
+class Grasp:
+    """A way to hold something.
+
+    Attributes:
+        hand: world_from_hand when the pads touch.
+        middle: Between the pads then, world, metres.
+        opening: Distance of the pads on the way in, metres.
+        width: Distance of the pads when they touch, metres.
+        tilt: Angle of the hand from straight down, radians.
+        merit: Higher is better; comparable within one call only.
+    """
+
+    hand: Pose
+    middle: Vector3
+    opening: float
+    width: float
+    tilt: float
+    merit: float
+
+
+def propose(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
+    """Grasps of a target, best first, whose straight way in touches nothing seen.
+
+    Tight fits are only looked for where there are few comfortable ones.
+    """
+    shape = HandShape(hand)
+    hands = around(opposed(target, hand.max_opening - _SPARE))
+    found: list[Grasp] = []
+    for number, margin in enumerate(MARGINS):
+        room = Room.of(shape, margin, terrain, target)
+        found += _fitting(room, hands, target, -_TIGHT_COST * number)
+        if len(found) >= _WANTED:
+            break
+    return sorted(found, key=lambda grasp: -grasp.merit)
+
+
+def _fitting(room: Room, hands: Hands, target: Target, bonus: float) -> list[Grasp]:
+    """The best few grasps that fit at one margin."""
+    hands = room.deepest(hands)
+    hands, merits = close(hands, target, room.shape.hand.pad_half, room.shape.hand.max_opening / 2)
+    merits = merits + bonus - 0.5 * (hands.tilts / np.radians(60.0)) ** 2
+    merits -= 0.4 * (hands.widths / room.shape.hand.max_opening) ** 2
+    merits[hands.widths > room.shape.hand.max_opening - _SPARE] = -np.inf
+    order = np.argsort(-merits, kind="stable")
+    order = order[np.isfinite(merits[order])]
+    found: list[Grasp] = []
+    for start in range(0, len(order), _CHUNK):
+        some = order[start : start + _CHUNK]
+        for index in some[room.way_free(hands[some])]:
+            found.append(_grasp(room, hands, int(index), float(merits[index])))
+        if len(found) >= _WANTED:
+            break
+    return found
+
+
+def _grasp(room: Room, hands: Hands, index: int, merit: float) -> Grasp:
+    width, rotation = float(hands.widths[index]), hands.rotations[index]
+    origin = hands.centres[index] - room.shape.hand.pad_reach(width) * rotation[:, 2]
+    opening = float(room.openings(hands.widths[index]))
+    pose = Pose.of(origin, quaternion_of(rotation))
+    x, y, z = (float(v) for v in hands.centres[index])
+    return Grasp(pose, (x, y, z), opening, width, float(hands.tilts[index]), merit)

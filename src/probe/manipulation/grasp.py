@@ -1,0 +1,139 @@
+"""The skill that takes a thing off the table and puts it into the basket. Knows no names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from probe.manipulation.candidates import Grasp, propose
+from probe.manipulation.handshape import HandShape
+from probe.manipulation.looking import still_there, tracked
+from probe.manipulation.removal import Removal, plan_removal, remove
+from probe.manipulation.target import target_of
+from probe.manipulation.terrain import survey
+from probe.station.station import Station
+from probe.types import Array, Frame, Vector3
+
+GraspStatus = Literal[
+    "removed", "no_candidate", "unreachable", "blocked", "slipped", "dropped", "moved"
+]
+"""What came of an attempt:
+
+removed: It was let go over the basket and its place is empty.
+no_candidate: No two sides of it that the open fingers get around.
+unreachable: The arm reaches none of the grasps without touching something.
+blocked: Something stopped the arm; it is still there.
+slipped: The fingers closed on nothing, or lost it while lifting; it is still there.
+dropped: It was lost on the way to the basket.
+moved: It isn't where it was, nor in the basket.
+"""
+
+TRIES = 3
+"""Grasps that one attempt may execute."""
+
+_STAYED = 0.5
+_ROUTES = 16
+_SAME_PLACE = 0.012
+_SAME_AXIS = np.cos(np.radians(25.0))
+
+
+@dataclass(frozen=True, eq=False)
+class GraspResult:
+    """What came of a grasp.
+
+    Attributes:
+        status: See GraspStatus.
+        frame: The table afterwards, without colours.
+        candidates: Grasps that fitted, at the first try.
+        tries: How many were executed.
+        width: Distance of the pads that was planned for the last one, metres; 0 without one.
+        tilt: Angle of the hand from straight down then, radians.
+        merit: How good it looked.
+    """
+
+    status: GraspStatus
+    frame: Frame
+    candidates: int
+    tries: int
+    width: float
+    tilt: float
+    merit: float
+
+
+def grasp_and_remove(station: Station, frame: Frame, mask: Array, drop_at: Vector3) -> GraspResult:
+    """Grasp what a mask shows, lift it and let it go over the basket.
+
+    A grasp that fails is followed by another one while the thing can still be found by its
+    shape. The arm starts and ends parked; what it touches stays as physics leaves it.
+
+    Args:
+        station: The arm, camera and table.
+        frame: The table as it is now.
+        mask: Which pixels show the thing, bool, shape (h, w).
+        drop_at: Middle of the basket's floor.
+    """
+    result = GraspResult("no_candidate", frame, 0, 0, 0.0, 0.0, 0.0)
+    failed: list[Grasp] = []
+    shape = HandShape(station.hand)
+    for number in range(TRIES):
+        status, removal, count = _plan(station, frame, mask, drop_at, shape, failed)
+        if number == 0:
+            result = replace(result, status=status, candidates=count)
+        if removal is None:
+            break
+        done = remove(station, removal, shape)
+        after = station.observe(rgb=False)
+        stayed = still_there(frame, after, mask)
+        failed.append(removal.grasp)
+        result = replace(
+            result,
+            status=_judged(done, stayed),
+            frame=after,
+            tries=number + 1,
+            width=removal.grasp.width,
+            tilt=removal.grasp.tilt,
+            merit=removal.grasp.merit,
+        )
+        found = None if result.status in ("removed", "dropped") else tracked(frame, after, mask)
+        if found is None:
+            break
+        frame, mask = after, found
+    return result
+
+
+def _plan(
+    station: Station,
+    frame: Frame,
+    mask: Array,
+    basket: Vector3,
+    shape: HandShape,
+    failed: Sequence[Grasp],
+) -> tuple[GraspStatus, Removal | None, int]:
+    """The best grasp unlike those that failed, with its paths; else why there is none."""
+    terrain = survey(frame, basket)
+    target = target_of(frame, mask, terrain)
+    grasps = propose(target, terrain, station.hand)
+    fresh = [g for g in grasps if not any(_alike(g, other) for other in failed)]
+    if not fresh:
+        return "no_candidate", None, len(grasps)
+    removal = plan_removal(station, terrain, target, fresh[:_ROUTES], shape, basket)
+    return "unreachable", removal, len(grasps)
+
+
+def _judged(done: GraspStatus, stayed: float) -> GraspStatus:
+    """The outcome as felt by the hand, corrected by what is seen."""
+    if done == "removed":
+        return "slipped" if stayed > _STAYED else "removed"
+    if done in ("blocked", "slipped") and stayed < _STAYED:
+        return "moved"
+    return done
+
+
+def _alike(one: Grasp, other: Grasp) -> bool:
+    """Whether two grasps hold about the same place from about the same side."""
+    apart = np.subtract(one.middle, other.middle)
+    turned = abs(float(one.hand.rotation[:, 1] @ other.hand.rotation[:, 1]))
+    return bool(np.linalg.norm(apart) < _SAME_PLACE and turned > _SAME_AXIS)

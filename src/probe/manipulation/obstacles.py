@@ -1,0 +1,61 @@
+"""Whether the arm, its hand and what it carries keep clear of the terrain. Plans nothing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.manipulation.kinematics import between
+from probe.manipulation.terrain import Terrain
+from probe.station.station import Arm
+from probe.types import Array
+
+_ARM_WIDTH = 0.05
+_SPARE = 0.005
+
+
+@dataclass(frozen=True, eq=False)
+class Obstacles:
+    """What the arm must not touch.
+
+    Attributes:
+        arm: Its kinematics.
+        terrain: Heights for the hand and what it carries.
+        wide: The same grown by half an arm's width, for the arm.
+    """
+
+    arm: Arm
+    terrain: Terrain
+    wide: Terrain
+
+    @staticmethod
+    def of(arm: Arm, terrain: Terrain) -> Obstacles:
+        """Obstacles that a terrain shows."""
+        return Obstacles(arm, terrain, terrain.widened(_ARM_WIDTH))
+
+    def free(self, path: Array, points: Array) -> bool:
+        """Whether a joint path, shape (m, n) with m > 1, is free for arm and hand.
+
+        Args:
+            path: Waypoints; checked in between as well.
+            points: On the hand and what it carries, in the hand's frame, shape (k, 3).
+        """
+        return all(self.free_at(joints, points) for joints in between(path))
+
+    def arm_free(self, joints: Array) -> bool:
+        """Whether the arm without its hand is free."""
+        spheres = self.arm.spheres(joints)
+        lowest = spheres[:, 2] - spheres[:, 3]
+        return bool((lowest > self.wide.below(spheres[:, :3]) + _SPARE).all())
+
+    def free_at(self, joints: Array, points: Array) -> bool:
+        """Whether arm and hand are free of the terrain and of each other."""
+        if not self.arm_free(joints):
+            return False
+        world = self.arm.forward(joints).apply(points)
+        if (world[:, 2] < self.terrain.below(world) + _SPARE).any():
+            return False
+        spheres = self.arm.spheres(joints)
+        apart = np.linalg.norm(world[::4, None] - spheres[None, :, :3], axis=2)
+        return bool((apart > spheres[:, 3]).all())

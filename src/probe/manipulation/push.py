@@ -1,0 +1,182 @@
+"""The skill that shoves a thing across the table with the closed gripper. Knows no names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import islice
+from typing import Literal
+
+import numpy as np
+
+from probe.manipulation.handshape import HandShape
+from probe.manipulation.kinematics import between, either_way, line, moved, reaching, straight
+from probe.manipulation.looking import still_there
+from probe.manipulation.obstacles import Obstacles
+from probe.manipulation.pushing import DESCENT, Push, pushes
+from probe.manipulation.room import room_ahead
+from probe.manipulation.routes import home, over
+from probe.manipulation.target import target_of
+from probe.manipulation.terrain import survey
+from probe.scene.layout import BASKET_POSITION
+from probe.station.station import Station
+from probe.types import Array, Frame
+
+Direction = Literal["up", "down", "left", "right"]
+"""In the picture of the fixed camera."""
+
+PushStatus = Literal["pushed", "unmoved", "no_space", "unreachable", "blocked"]
+"""What came of a push:
+
+pushed: The tool swept its whole path.
+unmoved: It did, but the thing looks as it did.
+no_space: There is no free spot behind the thing where the tool could come down.
+unreachable: The arm can't follow any such path.
+blocked: Something stopped the arm.
+"""
+
+SHORTEST, LONGEST = 0.03, 0.20
+"""Distances that may be asked for, metres."""
+
+_ALONG = {
+    "right": np.array([1.0, 0.0, 0.0]),
+    "left": np.array([-1.0, 0.0, 0.0]),
+    "up": np.array([0.0, 1.0, 0.0]),
+    "down": np.array([0.0, -1.0, 0.0]),
+}
+_TRIED = 40
+_PARTS = (1.0, 0.75, 0.5, 0.25)
+_LEAST = 0.02
+_STAYED = 0.9
+_SPARE = 0.005
+_CREEP = 0.004
+
+
+@dataclass(frozen=True, eq=False)
+class PushResult:
+    """What came of a push.
+
+    Attributes:
+        status: See PushStatus.
+        frame: The table afterwards, without colours.
+        gap: How far the tool moved until it should have touched, metres.
+        swept: How far it moved from there on, metres; less than asked for where the arm's
+            reach, the basket or an obstacle ended it.
+    """
+
+    status: PushStatus
+    frame: Frame
+    gap: float
+    swept: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Route:
+    push: Push
+    transit: Array
+    descent: Array
+    sweep: Array
+    travel: float
+
+
+def push(
+    station: Station, frame: Frame, mask: Array, direction: Direction, distance_m: float
+) -> PushResult:
+    """Push what a mask shows in a direction of the picture.
+
+    The arm starts and ends parked. What it touches stays as physics leaves it.
+
+    Args:
+        station: The arm, camera and table.
+        frame: The table as it is now.
+        mask: Which pixels show the thing, bool, shape (h, w).
+        direction: Of the fixed camera's picture.
+        distance_m: SHORTEST to LONGEST.
+
+    Raises:
+        ValueError: The distance lies outside that range.
+    """
+    if not SHORTEST <= distance_m <= LONGEST:
+        raise ValueError(f"a push goes {SHORTEST} to {LONGEST} m, not {distance_m} m")
+    terrain = survey(frame, BASKET_POSITION)
+    target = target_of(frame, mask, terrain)
+    shape, along = HandShape(station.hand), _ALONG[direction]
+    obstacles = Obstacles.of(station.arm, terrain)
+    distance = min(distance_m, room_ahead(target, terrain, along))
+    options = list(islice(pushes(target, terrain, shape, along, distance), _TRIED))
+    if not options:
+        return PushResult("no_space", station.observe(rgb=False), 0.0, 0.0)
+    best = None
+    if distance >= _LEAST:
+        best = _best(station, obstacles, options, along * distance, shape)
+    if best is None:
+        return PushResult("unreachable", station.observe(rgb=False), 0.0, 0.0)
+    swept = _execute(station, obstacles, best, shape, along)
+    after = station.observe(rgb=False)
+    status: PushStatus = "pushed" if swept > best.travel - _SPARE else "blocked"
+    if status == "pushed" and still_there(frame, after, mask) > _STAYED:
+        status = "unmoved"
+    return PushResult(status, after, best.push.gap, max(0.0, swept - best.push.gap))
+
+
+def _best(
+    station: Station, obstacles: Obstacles, options: Sequence[Push], way: Array, shape: HandShape
+) -> _Route | None:
+    """The first option that the arm can follow all the way, or else most of it."""
+    distance = float(np.linalg.norm(way))
+    for part in _PARTS:
+        for option in options:
+            travel = way * (option.gap / distance + part)
+            route = _route(station, obstacles, option, travel, shape)
+            if route is not None:
+                return route
+    return None
+
+
+def _route(
+    station: Station, obstacles: Obstacles, option: Push, travel: Array, shape: HandShape
+) -> _Route | None:
+    """A free path to the start of a push and along it; None if the arm has none."""
+    arm, parked = station.arm, station.joints()
+    for start in either_way(option.start):
+        end = reaching(arm, moved(start, travel), parked)
+        if not end:
+            continue
+        for joints in reaching(arm, start, parked)[:2]:
+            sweep = straight(arm, joints, line(start, travel))
+            rise = straight(arm, joints, line(start, (0.0, 0.0, DESCENT)))
+            if sweep is None or rise is None or not obstacles.arm_free(joints):
+                continue
+            transit = over(arm, parked, rise[-1], obstacles, shape.whole(0.0)[::3])
+            if transit is not None:
+                descent = np.vstack([rise[-2::-1], joints])
+                return _Route(option, transit, descent, sweep, float(np.linalg.norm(travel)))
+    return None
+
+
+def _execute(
+    station: Station, obstacles: Obstacles, route: _Route, shape: HandShape, along: Array
+) -> float:
+    """Push, lift, park; how far the tool went, metres."""
+    swept = 0.0
+    station.grip(0.0)
+    if station.follow(route.transit) and station.follow(route.descent):
+        begin = _place(station)
+        path = np.vstack([route.descent[-1], route.sweep])
+        for joints in between(path, _CREEP)[1:]:
+            if not station.follow(joints[None]):
+                break
+        swept = float((_place(station) - begin) @ along)
+    up = line(station.arm.forward(station.joints()), (0.0, 0.0, DESCENT))
+    lift = straight(station.arm, station.joints(), up)
+    if lift is not None:
+        station.follow(lift)
+    way = home(station.arm, obstacles, station.joints(), shape.whole(0.0)[::3])
+    station.follow(way)
+    station.wait(2.0)
+    station.grip(station.hand.max_opening)
+    return swept
+
+
+def _place(station: Station) -> Array:
+    return np.array(station.arm.forward(station.joints()).position)

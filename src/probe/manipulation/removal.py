@@ -1,0 +1,108 @@
+"""Carrying out one grasp, from the parked arm to the parked arm. Looks at nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from probe.manipulation.candidates import Grasp
+from probe.manipulation.handshape import HandShape
+from probe.manipulation.kinematics import line, straight
+from probe.manipulation.obstacles import Obstacles
+from probe.manipulation.routes import WayIn, WayOut, home, way_in, way_out
+from probe.manipulation.target import Target
+from probe.manipulation.terrain import Terrain
+from probe.station.station import Station
+from probe.types import Vector3
+
+EMPTY = 0.0015
+"""Metres between the pads under which they hold nothing."""
+
+_RETREAT = 0.12
+_RELEASE = 0.03
+
+
+@dataclass(frozen=True, eq=False)
+class Removal:
+    """A grasp with its paths.
+
+    Attributes:
+        grasp: How to hold it.
+        enter: From the parked place around it.
+        leave: Up and over the basket.
+        obstacles: All that stands on the table but the target.
+    """
+
+    grasp: Grasp
+    enter: WayIn
+    leave: WayOut
+    obstacles: Obstacles
+
+
+def plan_removal(
+    station: Station,
+    terrain: Terrain,
+    target: Target,
+    grasps: Sequence[Grasp],
+    shape: HandShape,
+    basket: Vector3,
+) -> Removal | None:
+    """Paths for the first grasp that has any; None if none has."""
+    full = Obstacles.of(station.arm, terrain)
+    bare = Obstacles.of(station.arm, terrain.without(target.cells))
+    for grasp in grasps:
+        enter = way_in(station.arm, station.joints(), full, grasp, shape)
+        if enter is None:
+            continue
+        points = shape.whole(grasp.opening)
+        leave = way_out(bare, enter.approach[-1], target, basket, points)
+        if leave is not None:
+            return Removal(grasp, enter, leave, bare)
+    return None
+
+
+def remove(
+    station: Station, removal: Removal, shape: HandShape
+) -> Literal["removed", "blocked", "slipped", "dropped"]:
+    """Close, lift, carry and let go; the arm is parked again whatever happens."""
+    status = _carry_out(station, removal)
+    _park(station, removal.obstacles, shape)
+    return status
+
+
+def _carry_out(
+    station: Station, removal: Removal
+) -> Literal["removed", "blocked", "slipped", "dropped"]:
+    enter, leave = removal.enter, removal.leave
+    station.grip(removal.grasp.opening)
+    if not station.follow(enter.transit) or not station.follow(enter.approach):
+        return "blocked"
+    if station.grip(0.0) < EMPTY:
+        return "slipped"
+    if not station.follow(leave.lift):
+        return "blocked"
+    if station.grip(0.0) < EMPTY:
+        return "slipped"
+    arrived = station.follow(leave.carry)
+    if station.grip(0.0) < EMPTY:
+        return "dropped"
+    if not arrived:
+        return "blocked"
+    if len(leave.lower):
+        station.follow(leave.lower)
+    station.grip(min(removal.grasp.width + _RELEASE, station.hand.max_opening))
+    return "removed"
+
+
+def _park(station: Station, obstacles: Obstacles, shape: HandShape) -> None:
+    """Open, lift straight up as far as it goes, and go home."""
+    station.grip(station.hand.max_opening)
+    hand = station.arm.forward(station.joints())
+    for height in (_RETREAT, _RETREAT / 2):
+        up = straight(station.arm, station.joints(), line(hand, (0.0, 0.0, height)))
+        if up is not None and station.follow(up):
+            break
+    points = shape.whole(station.hand.max_opening)[::3]
+    station.follow(home(station.arm, obstacles, station.joints(), points))
+    station.wait(2.0)

@@ -1,0 +1,166 @@
+"""Joint paths to a grasp, up with what was grasped, over the basket and home. Moves nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.manipulation.candidates import Grasp
+from probe.manipulation.clearance import BACK_OFF
+from probe.manipulation.handshape import HandShape
+from probe.manipulation.kinematics import either_way, line, moved, reaching, straight, turned
+from probe.manipulation.obstacles import Obstacles
+from probe.manipulation.target import Target
+from probe.scene.layout import BASKET_SIZE
+from probe.station.station import Arm
+from probe.types import Array, Pose, Vector3
+
+_HOVERS = (0.0, 0.08, 0.16, 0.24)
+_BRANCHES = 3
+_LEAST_LIFT, _MOST_LIFT = 0.08, 0.34
+_ABOVE = 0.05
+_LOWERINGS = (0.12, 0.08, 0.04)
+_TURNS = np.radians([0, -30, 30, -60, 60, -90, 90, -120, 120, 150, 180])
+_THINNED = 3
+
+
+@dataclass(frozen=True, eq=False)
+class WayIn:
+    """How the arm gets from its parked place around something.
+
+    Attributes:
+        transit: Joint angles to the beginning of the approach, shape (m, n).
+        approach: Straight on to the grasp, shape (k, n).
+    """
+
+    transit: Array
+    approach: Array
+
+
+@dataclass(frozen=True, eq=False)
+class WayOut:
+    """How the arm brings what it holds to the basket.
+
+    Attributes:
+        lift: Straight up, shape (m, n).
+        carry: To above the basket, shape (k, n).
+        lower: Into the basket, shape (l, n); empty where there is no room.
+    """
+
+    lift: Array
+    carry: Array
+    lower: Array
+
+
+def way_in(
+    arm: Arm, start: Array, obstacles: Obstacles, grasp: Grasp, shape: HandShape
+) -> WayIn | None:
+    """A free path to a grasp; None if it is out of reach or there is none."""
+    points = shape.whole(grasp.opening)[::_THINNED]
+    for pose in either_way(grasp.hand):
+        for joints in reaching(arm, pose, start)[:_BRANCHES]:
+            if not obstacles.arm_free(joints):
+                continue
+            back = straight(arm, joints, line(pose, -BACK_OFF * pose.rotation[:, 2]))
+            if back is None or not obstacles.arm_free(back[-1]):
+                continue
+            transit = over(arm, start, back[-1], obstacles, points)
+            if transit is not None:
+                return WayIn(transit, np.vstack([back[-2::-1], joints]))
+    return None
+
+
+def home(arm: Arm, obstacles: Obstacles, joints: Array, points: Array) -> Array:
+    """A path back to the parked place, free of what is known wherever there is such a path."""
+    path = over(arm, arm.parked, joints, obstacles, points)
+    return np.array([arm.parked]) if path is None else np.vstack([path[-2::-1], arm.parked])
+
+
+def way_out(
+    obstacles: Obstacles, joints: Array, target: Target, basket: Vector3, points: Array
+) -> WayOut | None:
+    """A path that lifts, carries and lowers; None if the arm can't lift that far.
+
+    Args:
+        obstacles: All but the target.
+        joints: The arm's, closed on the target.
+        target: What it holds.
+        basket: Middle of the basket's floor.
+        points: On the hand, in its frame, shape (k, 3).
+    """
+    arm, hand = obstacles.arm, obstacles.arm.forward(joints)
+    held = np.concatenate([target.top, target.walls])
+    held = held[:: max(1, len(held) // 150)]
+    lift = _lift(obstacles, joints, hand, held, basket)
+    if lift is None:
+        return None
+    carried = np.concatenate([points[::_THINNED], hand.inverse().apply(held)])
+    centre = hand.inverse().apply(target.centre[None])[0]
+    for need_free in (True, False):
+        for goal in _goals(arm, lift[-1], centre, carried, basket):
+            carry = np.array([lift[-1], goal])
+            if not need_free or obstacles.free(carry, carried):
+                return WayOut(lift, carry[1:], _lower(obstacles, goal, carried))
+    return None
+
+
+def _lift(
+    obstacles: Obstacles, joints: Array, hand: Pose, held: Array, basket: Vector3
+) -> Array | None:
+    """Straight up until what is held is above all nearby, or as far as the arm gets."""
+    ground = obstacles.terrain
+    around = obstacles.wide.below(held).max(initial=basket[2] + BASKET_SIZE[2])
+    beneath = float(np.maximum(ground.below(held), 0).min(initial=0.0))
+    base = max(float(held[:, 2].min()), beneath)
+    wanted = float(np.clip(around + _ABOVE - base, _LEAST_LIFT, _MOST_LIFT))
+    while wanted >= _LEAST_LIFT:
+        path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, wanted)))
+        if path is not None:
+            return path
+        wanted -= 0.04
+    return None
+
+
+def _goals(
+    arm: Arm, joints: Array, centre: Array, carried: Array, basket: Vector3
+) -> Sequence[Array]:
+    """Joint angles that hold the target's centre over the basket, nearest first."""
+    hand = arm.forward(joints)
+    lowest = float(hand.apply(carried)[:, 2].min())
+    rise = max(0.0, basket[2] + BASKET_SIZE[2] + _ABOVE - lowest)
+    found: list[Array] = []
+    for angle in _TURNS:
+        pose = turned(hand, float(angle))
+        over = np.array(basket) - pose.apply(centre[None])[0]
+        lifted = moved(pose, (over[0], over[1], rise))
+        found += reaching(arm, lifted, joints)[:1]
+    return sorted(found, key=lambda goal: float(np.abs(goal - joints).max()))
+
+
+def _lower(obstacles: Obstacles, joints: Array, carried: Array) -> Array:
+    hand = obstacles.arm.forward(joints)
+    for depth in _LOWERINGS:
+        path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, -depth)))
+        if path is not None and obstacles.free_at(path[-1], carried):
+            return path
+    return np.zeros((0, len(joints)))
+
+
+def over(arm: Arm, start: Array, goal: Array, obstacles: Obstacles, points: Array) -> Array | None:
+    """A free path from a start to a goal, both included, by way of a place above the goal.
+
+    Returns:
+        Joint angles, shape (m, n), or None if every such path meets something known.
+    """
+    for height in _HOVERS:
+        path = np.array([start, goal])
+        if height > 0:
+            rise = straight(arm, goal, line(arm.forward(goal), (0.0, 0.0, height)))
+            if rise is None:
+                return None
+            path = np.vstack([start[None], rise[::-1], goal[None]])
+        if obstacles.free(path, points):
+            return path
+    return None

@@ -1,0 +1,131 @@
+"""What a depth picture says of the table: heights on a grid. Knows neither arm nor gripper.
+
+Seen from above every thing hides what is beneath it, so each cell counts as filled from the table
+up to the highest point seen over it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import ndimage
+
+from probe.scene.layout import BASKET_SIZE, VIEW_SIZE
+from probe.types import Array, Frame, Vector3
+
+CELL = 0.002
+"""Edge of a cell in metres; a pixel of the fixed camera covers about a quarter of that."""
+
+_DENSITY = 0.6
+_MARGIN = 0.08
+_RIM = 0.012
+"""Thickness that the basket's walls are given, metres."""
+
+_SHADOW_SIZES = (31, 91)
+"""Windows, in cells, in which a cell that no ray reached looks for the lowest seen one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Terrain:
+    """Heights over the table.
+
+    Attributes:
+        heights: Highest point over each cell in metres, shape (nx, ny); its border is 0.
+        corner: x and y of the grid's lowest corner, shape (2,).
+    """
+
+    heights: Array
+    corner: Array
+
+    def cells(self, xy: Array) -> tuple[Array, Array]:
+        """Indices of the cells of points, shape (..., 2); beyond the grid those of its border."""
+        # Towards zero rather than down: what lies beyond the grid falls on its border anyway.
+        index = ((xy - self.corner) * (1 / CELL)).astype(np.int32)
+        nx, ny = self.heights.shape
+        rows = np.minimum(np.maximum(index[..., 0], 0), nx - 1)
+        return rows, np.minimum(np.maximum(index[..., 1], 0), ny - 1)
+
+    def below(self, points: Array) -> Array:
+        """Height of the terrain below points, shape (..., 3), in metres, shape (...)."""
+        return self.heights[self.cells(points[..., :2])]
+
+    def centres(self, rows: Array, columns: Array) -> Array:
+        """x and y of cells' middles, shape (n, 2)."""
+        return self.corner + (np.column_stack([rows, columns]) + 0.5) * CELL
+
+    def widened(self, metres: float) -> Terrain:
+        """The same with everything grown sideways by a margin."""
+        size = 2 * round(metres / CELL) + 1
+        return replace(self, heights=ndimage.maximum_filter(self.heights, size))
+
+    def without(self, cells: Array) -> Terrain:
+        """The same with some cells, bool of the grid's shape, empty down to the table."""
+        return replace(self, heights=np.where(cells, 0.0, self.heights))
+
+
+def survey(frame: Frame, basket: Vector3) -> Terrain:
+    """Heights of all that a frame shows, with the basket's walls beside it.
+
+    Cells in the shadow of something tall are as low as the lowest ones near them.
+
+    Args:
+        frame: From a camera above the table.
+        basket: Middle of the basket's floor.
+    """
+    half = np.array(BASKET_SIZE[:2]) / 2 + _RIM
+    reach = np.full(2, VIEW_SIZE / 2)
+    low = np.minimum(-reach, np.array(basket[:2]) - half) - _MARGIN
+    high = np.maximum(reach, np.array(basket[:2]) + half) + _MARGIN
+    shape = np.ceil((high - low) / CELL).astype(int)
+    empty = Terrain(np.full(tuple(shape.tolist()), -np.inf), low)
+    pixel = frame.camera.world_from_camera.position[2] / frame.camera.focal_px
+    everything = np.ones_like(frame.depth, bool)
+    seen = raster(empty, lifted(frame, everything, step=max(1, int(_DENSITY * CELL / pixel))))
+    heights = np.maximum(_shadows_filled(seen), 0.0)
+    terrain = replace(empty, heights=heights)
+    _stamp_basket(terrain, np.array(basket))
+    heights[[0, -1], :] = 0.0
+    heights[:, [0, -1]] = 0.0
+    return terrain
+
+
+def lifted(frame: Frame, mask: Array, step: int = 1) -> Array:
+    """World points, shape (n, 3), of a mask's pixels, or of every so many rows and columns."""
+    rows, columns = np.nonzero(mask[::step, ::step])
+    uv = np.column_stack([columns, rows]) * step + 0.5
+    return frame.camera.lift(uv, frame.depth[rows * step, columns * step])
+
+
+def raster(terrain: Terrain, points: Array) -> Array:
+    """Highest of the points, shape (n, 3), over each cell of a terrain's grid; -inf over none."""
+    heights = np.full(terrain.heights.shape, -np.inf)
+    np.maximum.at(heights, terrain.cells(points[:, :2]), points[:, 2])
+    return heights
+
+
+def _shadows_filled(seen: Array) -> Array:
+    """Unseen cells become as low as the lowest seen cell near them; the far ones 0."""
+    known = np.isfinite(seen)
+    filled = np.where(known, seen, 0.0)
+    share = ndimage.uniform_filter(known.astype(float), 3)
+    # A lone gap between seen cells is no shadow.
+    gap = ~known & (share > 0.85)
+    filled[gap] = ndimage.uniform_filter(filled, 3)[gap] / share[gap]
+    known |= gap
+    for size in _SHADOW_SIZES:
+        lowest = ndimage.minimum_filter(np.where(known, filled, np.inf), size)
+        found = ~known & np.isfinite(lowest)
+        filled[found] = lowest[found]
+        known |= found
+    return filled
+
+
+def _stamp_basket(terrain: Terrain, basket: Array) -> None:
+    inner = np.array(BASKET_SIZE[:2]) / 2
+    nx, ny = terrain.heights.shape
+    x = np.abs(terrain.corner[0] + (np.arange(nx) + 0.5) * CELL - basket[0])[:, None]
+    y = np.abs(terrain.corner[1] + (np.arange(ny) + 0.5) * CELL - basket[1])[None, :]
+    outside = (x > inner[0]) | (y > inner[1])
+    wall = outside & (x < inner[0] + _RIM) & (y < inner[1] + _RIM)
+    terrain.heights[wall] = basket[2] + BASKET_SIZE[2]

@@ -1,0 +1,1 @@
+"""A frame to named things. Knows no arm, no tools, no questions."""

@@ -1,0 +1,64 @@
+"""Where a mask is and what it is shaped like. Knows no objects."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.ndimage import distance_transform_edt
+
+from probe.types import Array
+
+_LONG = 2.2
+_SQUARISH = 1.35
+_BOXY_FILL = 0.88
+_ROUND_FILL = 0.72
+_FLAT = 0.008
+
+
+def box_of(mask: Array) -> tuple[int, int, int, int]:
+    """First and last column and row of a mask that isn't empty: left, top, right, bottom."""
+    columns, rows = np.flatnonzero(mask.any(axis=0)), np.flatnonzero(mask.any(axis=1))
+    return int(columns[0]), int(rows[0]), int(columns[-1]), int(rows[-1])
+
+
+def interior_point(mask: Array) -> tuple[int, int]:
+    """(u, v) of the pixel deepest inside a mask; the first in reading order if several are.
+
+    The picture's border counts as an edge, so the point keeps away from it.
+    """
+    left, top, right, bottom = box_of(mask)
+    patch = np.pad(mask[top : bottom + 1, left : right + 1], 1)
+    depth: Array = np.asarray(distance_transform_edt(patch))
+    v, u = divmod(int(depth.argmax()), patch.shape[1])
+    return u - 1 + left, v - 1 + top
+
+
+def shape_word(mask: Array, heights: Array) -> str:
+    """One or two words for the outline of what shows.
+
+    Args:
+        mask: Visible pixels, bool, shape (h, w).
+        heights: Heights of these pixels above the table in metres, shape (n,), to tell flat things.
+    """
+    elongation, fill = _proportions(mask)
+    if elongation >= _LONG:
+        return "long"
+    if fill >= _BOXY_FILL:
+        low, high = np.percentile(heights, (5, 95))
+        return "flat boxy" if high - low < _FLAT else "boxy"
+    if elongation < _SQUARISH and fill >= _ROUND_FILL:
+        return "round"
+    return "irregular"
+
+
+def _proportions(mask: Array) -> tuple[float, float]:
+    """Elongation along the principal axes, and the share of that oriented box that is filled."""
+    rows, columns = np.nonzero(mask)
+    centred = np.column_stack([columns, rows]) - [columns.mean(), rows.mean()]
+    _, axes = np.linalg.eigh(centred.T @ centred)
+    along = centred @ axes
+    extent = np.ptp(along, axis=0) + 1
+    long, short = float(extent.max()), float(extent.min())
+    # The principal axes of a square are arbitrary; its upright box then tells more.
+    upright = np.ptp(centred, axis=0) + 1
+    area = min(long * short, float(upright[0] * upright[1]))
+    return long / short, len(rows) / area

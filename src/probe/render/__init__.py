@@ -1,0 +1,1 @@
+"""Pictures and labels of a Scene, drawn in a worker process. No physics."""

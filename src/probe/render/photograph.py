@@ -1,0 +1,30 @@
+"""From a Scene to frames: hands a renderer what the scene needs and asks for pictures."""
+
+from __future__ import annotations
+
+from probe.assets.library import Library
+from probe.assets.tables import TableMaterial
+from probe.render.protocol import TableTop
+from probe.render.renderer import Renderer
+from probe.scene.layout import TABLE_SIZE, top_camera
+from probe.scene.scene import Scene
+from probe.scene.visibility import Visibility, visibilities
+from probe.types import Frame
+
+
+def load_scene(renderer: Renderer, scene: Scene, library: Library, table: TableMaterial) -> None:
+    """Give the renderer every object of the scene, and its table."""
+    meshes = {item.object_id: library.body(item.object_id).mesh for item in scene.objects}
+    renderer.load(meshes, TableTop(table.surface, table.tile_size, TABLE_SIZE))
+
+
+def photograph(renderer: Renderer, scene: Scene, *, rgb: bool = True) -> Frame:
+    """The fixed top-down camera's frame of a loaded scene."""
+    return renderer.draw(scene.objects, top_camera(), rgb=rgb)
+
+
+def measure(renderer: Renderer, scene: Scene) -> dict[int, Visibility]:
+    """Visibility of each object of a loaded scene, by ghost removal, in the top-down picture."""
+    labels = photograph(renderer, scene, rgb=False).labels
+    assert labels is not None
+    return visibilities(labels, renderer.outlines(scene.objects, top_camera()))

@@ -1,0 +1,69 @@
+"""What is said between a client and a render worker: plain values, no engine types."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from probe.assets.mesh import Surface, TexturedMesh
+from probe.scene.scene import PlacedObject
+from probe.types import Array, Camera
+
+
+@dataclass(frozen=True, eq=False)
+class TableTop:
+    """The table as it is drawn.
+
+    Attributes:
+        surface: Texture and material.
+        tile_size: Metres of table that one repeat of the texture covers.
+        extent: Size along x and y in metres.
+    """
+
+    surface: Surface
+    tile_size: float
+    extent: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Load:
+    """Keep these meshes by object id; replaces whatever was loaded before."""
+
+    meshes: dict[str, TexturedMesh]
+    table: TableTop
+
+
+@dataclass(frozen=True)
+class Draw:
+    """Draw the loaded objects at these poses; the answer is a Drawn."""
+
+    objects: tuple[PlacedObject, ...]
+    camera: Camera
+    rgb: bool
+
+
+@dataclass(frozen=True)
+class Outline:
+    """Draw each object as if it stood there alone; the answer is Outlines."""
+
+    objects: tuple[PlacedObject, ...]
+    camera: Camera
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """Arrays of a Frame: depth (h, w) float32 metres, labels (h, w) int32, rgb or None."""
+
+    depth: Array
+    labels: Array
+    rgb: Array | None
+
+
+@dataclass(frozen=True, eq=False)
+class Outlines:
+    """Masks by instance, bool, shape (h, w), of each object standing alone."""
+
+    masks: dict[int, Array]
+
+
+Request = Load | Draw | Outline
+Answer = Drawn | Outlines | None

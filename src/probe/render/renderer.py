@@ -1,0 +1,147 @@
+"""The caller's side of a render worker: load once, draw many times, survive its death once."""
+
+from __future__ import annotations
+
+import socket
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping, Sequence
+from multiprocessing.connection import Connection
+from types import TracebackType
+
+from probe.assets.mesh import TexturedMesh
+from probe.errors import RenderFailed
+from probe.render.driver import require_driver
+from probe.render.protocol import Answer, Draw, Drawn, Load, Outline, Outlines, Request, TableTop
+from probe.scene.scene import PlacedObject
+from probe.types import Array, Camera, Frame
+
+TIMEOUT = 120.0
+"""Seconds after which a silent worker counts as dead; a cold shader cache takes about 10."""
+
+
+class Renderer:
+    """Draws scenes in a worker process. Use it as a context manager, or call close().
+
+    The bytes of a frame depend only on what is loaded, where it stands and the camera; never on
+    what was drawn before.
+
+    Raises:
+        NoGraphicsDriver: On construction, when the machine has no Vulkan driver.
+    """
+
+    def __init__(self) -> None:
+        require_driver()
+        self._load: Load | None = None
+        self._worker: _Worker | None = None
+
+    def __enter__(self) -> Renderer:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End the worker."""
+        if self._worker:
+            self._worker.stop()
+        self._worker = None
+
+    @property
+    def pid(self) -> int | None:
+        """Process id of the worker, if one is running."""
+        return self._worker.pid if self._worker else None
+
+    def load(self, meshes: Mapping[str, TexturedMesh], table: TableTop) -> None:
+        """Hand over the objects that pictures may show, by object id; replaces earlier ones."""
+        self._load = Load(dict(meshes), table)
+        if self._worker:
+            self._ask(self._load)
+
+    def draw(self, objects: Sequence[PlacedObject], camera: Camera, *, rgb: bool) -> Frame:
+        """Depth and labels of loaded objects at their poses, and a picture if wanted.
+
+        Raises:
+            RenderFailed: The worker died twice on this request.
+        """
+        answer = self._ask(Draw(tuple(objects), camera, rgb))
+        assert isinstance(answer, Drawn)
+        return Frame(camera, answer.depth, answer.rgb, answer.labels)
+
+    def outlines(self, objects: Sequence[PlacedObject], camera: Camera) -> dict[int, Array]:
+        """Mask, bool (h, w), of each object as if it stood there alone, by instance."""
+        answer = self._ask(Outline(tuple(objects), camera))
+        assert isinstance(answer, Outlines)
+        return answer.masks
+
+    def _ask(self, request: Request) -> Answer:
+        reasons: list[str] = []
+        for _ in range(2):
+            try:
+                return (self._worker or self._start()).ask(request)
+            except (EOFError, OSError) as error:
+                reasons.append((self._worker and self._worker.last_words()) or repr(error))
+                self.close()
+        raise RenderFailed(
+            f"The render worker died twice on the same request: {reasons[-1]}. "
+            "Check free memory and the Vulkan driver (vulkaninfo)."
+        )
+
+    def _start(self) -> _Worker:
+        if self._load is None:
+            raise ValueError("load() before draw()")
+        worker = _Worker()
+        self._worker = worker
+        worker.ask(self._load)
+        return worker
+
+
+class _Worker:
+    """One worker process and the socket to it."""
+
+    def __init__(self) -> None:
+        ours, theirs = socket.socketpair()
+        # Filament reports its set-up on stdout and its faults on stderr.
+        self._errors = tempfile.TemporaryFile("w+")  # noqa: SIM115 - closed in stop()
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "probe.render.worker", str(theirs.fileno())],
+            pass_fds=[theirs.fileno()],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=self._errors,
+        )
+        theirs.close()
+        self._pipe = Connection(ours.detach())
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+    def ask(self, request: Request) -> Answer:
+        self._pipe.send(request)
+        if not self._pipe.poll(TIMEOUT):
+            raise TimeoutError(f"no answer in {TIMEOUT:.0f} s")
+        return self._pipe.recv()
+
+    def last_words(self) -> str:
+        self._process.kill()
+        self._process.wait()
+        self._errors.seek(0)
+        lines = [line.strip() for line in self._errors.read().splitlines() if line.strip()]
+        faults = [line for line in lines if "reason:" in line or "ERROR" in line] or lines
+        return faults[-1] if faults else ""
+
+    def stop(self) -> None:
+        self._pipe.close()
+        try:
+            self._process.wait(timeout=5)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._errors.close()

@@ -1,0 +1,1 @@
+"""Pages and pictures for people. Reads values and files; runs nothing."""

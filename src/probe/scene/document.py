@@ -1,0 +1,76 @@
+"""A Scene on disk: versioned JSON, checked when it is read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+import pydantic
+
+from probe.errors import BadData
+from probe.files import write_text
+from probe.scene.scene import PlacedObject, Scene
+from probe.types import Pose, Quaternion, Vector3
+
+
+class PlacedObjectDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
+    """One object: world_from_object in metres, rotation wxyz."""
+
+    instance: int = pydantic.Field(ge=1)
+    object_id: str
+    position: Vector3
+    wxyz: Quaternion
+
+
+class SceneDocument(pydantic.BaseModel, extra="forbid"):
+    """The whole table."""
+
+    version: Literal[1] = 1
+    seed: int
+    table: str
+    objects: list[PlacedObjectDocument]
+
+    @staticmethod
+    def of(scene: Scene) -> SceneDocument:
+        """The document of a scene."""
+        objects = [
+            PlacedObjectDocument(
+                instance=item.instance,
+                object_id=item.object_id,
+                position=item.pose.position,
+                wxyz=item.pose.wxyz,
+            )
+            for item in scene.objects
+        ]
+        return SceneDocument(seed=scene.seed, table=scene.table, objects=objects)
+
+    def scene(self) -> Scene:
+        """The scene it describes."""
+        objects = tuple(
+            PlacedObject(item.instance, item.object_id, Pose(item.position, item.wxyz))
+            for item in self.objects
+        )
+        return Scene(self.seed, self.table, objects)
+
+
+def write_scene(path: Path, scene: Scene) -> None:
+    """Write a scene as JSON; floats keep every bit."""
+    write_text(path, SceneDocument.of(scene).model_dump_json(indent=1) + "\n")
+
+
+def read_scene(path: Path) -> Scene:
+    """Read a scene that write_scene wrote.
+
+    Raises:
+        BadData: The file is missing, truncated or not a scene of this version.
+    """
+    try:
+        return SceneDocument.model_validate_json(path.read_bytes()).scene()
+    except OSError as error:
+        raise BadData(path, error.strerror or str(error), "Check the path") from error
+    except pydantic.ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(part) for part in first["loc"]) or "the file"
+        raise BadData(
+            path, f"{place}: {first['msg']}", "Write it again with `probe scene`"
+        ) from error

@@ -1,0 +1,125 @@
+"""The simulated station: a World to act in and a Renderer to look with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from probe.errors import ArmInView
+from probe.render.renderer import Renderer
+from probe.scene.layout import top_camera
+from probe.scene.scene import PlacedObject, Scene
+from probe.station.motion import smooth
+from probe.station.station import Arm, Hand
+from probe.station.ur5 import Gripper, Ur5
+from probe.types import Array, Frame
+from probe.world.world import TIME_STEP, World
+
+PEAK_SPEED = np.radians(90.0)
+"""Fastest turn of any joint, radians a second: half of what the arm can do."""
+
+BLOCKED = 0.06
+"""Radians by which a joint may trail its command before the arm stops, as a real one would."""
+
+_CHECK_EVERY = 5
+_STILL = 0.004
+_GRIP_TIME = 2.5
+_GRIP_STILL = 2e-4
+
+
+class SimulatedStation:
+    """A Station in simulation. The renderer must have the scene's objects loaded.
+
+    Only this one has snapshot(): no skill and no tool can ask a Station for the truth.
+    """
+
+    def __init__(self, world: World, renderer: Renderer) -> None:
+        self.arm: Arm = Ur5()
+        self.hand: Hand = Gripper()
+        self._world = world
+        self._renderer = renderer
+        self._goal = world.joints
+        self._alone_px: dict[PlacedObject, int] = {}
+
+    def observe(self, *, rgb: bool) -> Frame:
+        """Look at the table with the fixed camera.
+
+        Raises:
+            ArmInView: The arm isn't parked, so it would hide part of the table.
+        """
+        if np.abs(self._world.joints - self.arm.parked).max() > BLOCKED:
+            raise ArmInView
+        objects = self._world.scene().objects
+        frame = self._renderer.draw(objects, top_camera(), rgb=rgb)
+        assert frame.labels is not None
+        shown = set(np.unique(frame.labels).tolist()) - {0}
+        outlines = self._alone([placed for placed in objects if placed.instance in shown])
+        counts = np.bincount(frame.labels.ravel())
+        shares = {number: counts[number] / size for number, size in outlines.items()}
+        return replace(frame, shares=shares)
+
+    def snapshot(self) -> Scene:
+        """The table as it really is."""
+        return self._world.scene()
+
+    def joints(self) -> Array:
+        """Joint angles as measured, radians, shape (6,)."""
+        return self._world.joints
+
+    def follow(self, path: Array) -> bool:
+        """Move through joint angles, shape (m, 6), in one smooth motion, and come to rest.
+
+        Returns:
+            Whether the arm got there. It stops where it is as soon as something holds it back.
+        """
+        trajectory = smooth(np.vstack([self._goal, path]), float(PEAK_SPEED), TIME_STEP)
+        for step, (joints, velocities) in enumerate(
+            zip(trajectory.joints, trajectory.velocities, strict=True)
+        ):
+            self._world.command(joints, velocities)
+            self._world.step()
+            if step % _CHECK_EVERY == 0 and self._trails(joints):
+                self._hold()
+                return False
+        self._goal = trajectory.joints[-1]
+        self._world.step(10)
+        return not self._trails(self._goal)
+
+    def grip(self, opening: float) -> float:
+        """Open or close the gripper towards an opening in metres, and say what it reached."""
+        self._world.command_opening(opening)
+        before = self._world.opening
+        for _ in range(round(_GRIP_TIME / TIME_STEP / 25)):
+            self._world.step(25)
+            if abs(self._world.opening - before) < _GRIP_STILL:
+                break
+            before = self._world.opening
+        return self._world.opening
+
+    def wait(self, seconds: float) -> None:
+        """Let things come to rest, at most so many seconds."""
+        for _ in range(round(seconds / TIME_STEP / 25)):
+            self._world.step(25)
+            if self._world.object_speed() < _STILL:
+                return
+
+    def _alone(self, objects: Sequence[PlacedObject]) -> dict[int, int]:
+        """Pixels of each object if it stood there alone; drawn anew only for what has moved."""
+        new = [placed for placed in objects if placed not in self._alone_px]
+        if new:
+            outlines = self._renderer.outlines(new, top_camera())
+            for placed in new:
+                self._alone_px[placed] = int(np.count_nonzero(outlines[placed.instance]))
+        return {placed.instance: self._alone_px[placed] for placed in objects}
+
+    def _trails(self, joints: Array) -> bool:
+        return bool(np.abs(self._world.joints - joints).max() > BLOCKED)
+
+    def _hold(self) -> None:
+        """Stay where the arm is."""
+        self._goal = self._world.joints
+        self._world.command(self._goal, np.zeros_like(self._goal))
+        self._world.step(50)
+        self._goal = self._world.joints

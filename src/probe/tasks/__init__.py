@@ -1,0 +1,1 @@
+"""Questions about a table, their options, what is true and what counts as right. No tools."""

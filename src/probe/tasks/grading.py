@@ -1,0 +1,120 @@
+"""What an answer is worth. Pure functions over plain values: no tools, no physics."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from probe.scene.layout import BASKET_POSITION, BASKET_SIZE, TABLE_SIZE
+from probe.scene.scene import Scene
+from probe.tasks.task import Letter, Task
+from probe.types import Array, Pose
+
+POINT_TOLERANCE_PX = 2.0
+"""How far outside the visible part a point may lie."""
+
+FEWEST_PX = 25
+"""With fewer visible pixels an object can't be pointed at."""
+
+_BELOW_TABLE = -0.02
+"""Metres; an object that is lower fell off. Its origin is its lowest point when it stands."""
+
+Outcome = Literal["right", "wrong", "unanswered", "no point", "missed", "lost", "covered"]
+Whereabouts = Literal["table", "basket", "off the table"]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What the agent said at the end.
+
+    Attributes:
+        letter: None if it never answered.
+        point: Pixel coordinates (u, v) in the last picture it was given, or None.
+    """
+
+    letter: Letter | None
+    point: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class LastView:
+    """The last picture that the agent was given, and the table as it was then, at rest.
+
+    Attributes:
+        labels: Instance number of each pixel, shape (h, w).
+        scene: Where everything was.
+    """
+
+    labels: Array
+    scene: Scene
+
+
+@dataclass(frozen=True)
+class Score:
+    """Worth of an answer.
+
+    Attributes:
+        correct: The letter is right, and in Find the point too.
+        letter_correct: The letter alone.
+        outcome: Why.
+    """
+
+    correct: bool
+    letter_correct: bool
+    outcome: Outcome
+
+
+def grade(task: Task, answer: Answer, last: LastView) -> Score:
+    """Score an answer by the task's rules; only Find looks at the end.
+
+    Args:
+        task: What was asked.
+        answer: What was answered.
+        last: What the agent saw last; pictures are only taken of a table at rest.
+    """
+    if answer.letter is None:
+        return Score(False, False, "unanswered")
+    if answer.letter != task.answer:
+        return Score(False, False, "wrong")
+    if task.kind != "find" or task.answer == "E":
+        return Score(True, True, "right")
+    outcome = _grade_point(task.targets[0], answer.point, last)
+    return Score(outcome == "right", True, outcome)
+
+
+def whereabouts(pose: Pose) -> Whereabouts:
+    """Where an object at a pose (world_from_object) is."""
+    x, y, z = pose.position
+    basket_x, basket_y, _ = BASKET_POSITION
+    if abs(x - basket_x) <= BASKET_SIZE[0] / 2 and abs(y - basket_y) <= BASKET_SIZE[1] / 2:
+        return "basket" if z > _BELOW_TABLE else "off the table"
+    beside = abs(x) > TABLE_SIZE[0] / 2 or abs(y) > TABLE_SIZE[1] / 2
+    return "off the table" if beside or z < _BELOW_TABLE else "table"
+
+
+def _grade_point(target: int, point: tuple[float, float] | None, last: LastView) -> Outcome:
+    if point is None:
+        return "no point"
+    if whereabouts(last.scene[target].pose) != "table":
+        return "lost"
+    mask = last.labels == target
+    if np.count_nonzero(mask) < FEWEST_PX:
+        return "covered"
+    return "right" if distance_px(mask, point) <= POINT_TOLERANCE_PX else "missed"
+
+
+def distance_px(mask: Array, point: tuple[float, float]) -> float:
+    """Distance from (u, v) to the nearest pixel of a mask, shape (h, w); 0 inside of one.
+
+    Pixel (row, column) is the square from (column, row) to (column + 1, row + 1). Infinite for an
+    empty mask and for coordinates that are no numbers.
+    """
+    if not all(math.isfinite(value) for value in point):
+        return math.inf
+    rows, columns = np.nonzero(mask)
+    beside = np.maximum(np.abs(columns + 0.5 - point[0]) - 0.5, 0)
+    above = np.maximum(np.abs(rows + 0.5 - point[1]) - 0.5, 0)
+    return float(np.hypot(beside, above).min(initial=math.inf))

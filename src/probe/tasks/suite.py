@@ -1,0 +1,60 @@
+"""A frozen set of tasks, and the hashes that say whether it is still what it was."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.assets.mesh import Body
+from probe.errors import BadData, UnknownName
+from probe.tasks.task import Task
+
+
+@dataclass(frozen=True)
+class Suite:
+    """Tasks that are always run together.
+
+    Attributes:
+        name: "v1", "demo".
+        tasks: In a fixed order.
+        objects: Content hash of each object that appears, by id; see body_digest().
+    """
+
+    name: str
+    tasks: tuple[Task, ...]
+    objects: Mapping[str, str]
+
+
+def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
+    """A suite of these tasks, with the hashes of their objects as they are now."""
+    ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
+    return Suite(name, tasks, {id: body_digest(library.body(id)) for id in ids})
+
+
+def check_objects(suite: Suite, library: Library) -> None:
+    """Refuse a library whose objects aren't those that the suite was made with.
+
+    Raises:
+        BadData: An object is missing or differs.
+    """
+    remedy = "Use the assets and the release that the suite was made with, or build it anew"
+    for object_id, digest in suite.objects.items():
+        try:
+            body = library.body(object_id)
+        except UnknownName as error:
+            raise BadData(f"suite {suite.name}", f"there is no {object_id} here", remedy) from error
+        if body_digest(body) != digest:
+            raise BadData(f"suite {suite.name}", f"{object_id} has changed since", remedy)
+
+
+def body_digest(body: Body) -> str:
+    """Content hash of an object's mesh and collision pieces; 16 hex digits."""
+    content = hashlib.sha256(body.mesh.digest().encode())
+    for piece in body.pieces:
+        content.update(np.ascontiguousarray(piece.vertices, dtype=np.float64).tobytes())
+        content.update(b"/")
+    return content.hexdigest()[:16]

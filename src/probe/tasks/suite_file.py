@@ -1,0 +1,178 @@
+"""A Suite on disk: versioned JSON with a manifest, checked when it is read."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+from typing import Literal
+
+import pydantic
+
+from probe.errors import BadData
+from probe.files import write_text
+from probe.scene.document import SceneDocument
+from probe.scene.visibility import Visibility
+from probe.tasks.suite import Suite
+from probe.tasks.task import LETTERS, Certificate, Letter, Option, QuestionKind, Task
+
+CANARY = "PROBE SUITE; NOT FOR TRAINING; canary 6d0f1c52-6c0e-4e7c-9a53-0b6f2f8f7d41"
+"""Anyone who finds this text in training data knows that a suite got there."""
+
+_REMEDY = "Fetch the suite again, or build it with `probe suite build`"
+
+
+class VisibilityDocument(pydantic.BaseModel, extra="forbid"):
+    """Pixels of an object."""
+
+    visible_px: int = pydantic.Field(ge=0)
+    alone_px: int = pydantic.Field(ge=0)
+
+
+class CertificateDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
+    """What was measured."""
+
+    visibility: dict[int, VisibilityDocument]
+    measures: dict[str, float]
+    candidates: tuple[str, ...]
+
+
+class TaskDocument(pydantic.BaseModel, extra="forbid"):
+    """One task."""
+
+    id: str = pydantic.Field(pattern=r"^[a-z0-9-]+$")
+    kind: QuestionKind
+    seed: int
+    version: int
+    subject: str
+    question: str
+    options: tuple[str, str, str, str, str]
+    answer: Letter
+    targets: tuple[int, ...]
+    cover: int | None
+    certificate: CertificateDocument
+    scene: SceneDocument
+
+    @pydantic.model_validator(mode="after")
+    def _names_what_is_there(self) -> TaskDocument:
+        present = {placed.instance for placed in self.scene.objects}
+        named = {*self.targets, *([] if self.cover is None else [self.cover])}
+        if not named <= present:
+            raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
+        return self
+
+    @staticmethod
+    def of(task: Task) -> TaskDocument:
+        """The document of a task."""
+        proof = task.certificate
+        visibility = {
+            number: VisibilityDocument(visible_px=seen.visible_px, alone_px=seen.alone_px)
+            for number, seen in proof.visibility.items()
+        }
+        a, b, c, d, e = (option.text for option in task.options)
+        return TaskDocument(
+            id=task.id,
+            kind=task.kind,
+            seed=task.seed,
+            version=task.version,
+            subject=task.subject,
+            question=task.question,
+            options=(a, b, c, d, e),
+            answer=task.answer,
+            targets=task.targets,
+            cover=task.cover,
+            certificate=CertificateDocument(
+                visibility=visibility,
+                measures=dict(proof.measures),
+                candidates=proof.candidates,
+            ),
+            scene=SceneDocument.of(task.scene),
+        )
+
+    def task(self) -> Task:
+        """The task it describes."""
+        options = zip(LETTERS, self.options, strict=True)
+        proof = self.certificate
+        visibility = {
+            number: Visibility(seen.visible_px, seen.alone_px)
+            for number, seen in proof.visibility.items()
+        }
+        return Task(
+            id=self.id,
+            kind=self.kind,
+            seed=self.seed,
+            subject=self.subject,
+            question=self.question,
+            options=tuple(Option(letter, text) for letter, text in options),
+            answer=self.answer,
+            scene=self.scene.scene(),
+            targets=self.targets,
+            cover=self.cover,
+            certificate=Certificate(visibility, proof.measures, proof.candidates),
+            version=self.version,
+        )
+
+    def digest(self) -> str:
+        """Content hash; 16 hex digits."""
+        return hashlib.sha256(self.model_dump_json().encode()).hexdigest()[:16]
+
+
+class SuiteDocument(pydantic.BaseModel, extra="forbid"):
+    """A whole suite; the manifest holds a hash of every task and of every object."""
+
+    version: Literal[1] = 1
+    name: str = pydantic.Field(min_length=1)
+    canary: str = CANARY
+    objects: dict[str, str]
+    manifest: dict[str, str]
+    tasks: list[TaskDocument]
+
+    @pydantic.model_validator(mode="after")
+    def _is_whole(self) -> SuiteDocument:
+        if self.canary != CANARY:
+            raise ValueError("the canary string has been changed")
+        ids = [task.id for task in self.tasks]
+        if len(set(ids)) < len(ids):
+            raise ValueError("a task id is there twice")
+        if set(ids) != set(self.manifest):
+            odd = sorted(set(ids) ^ set(self.manifest))
+            raise ValueError(f"tasks and manifest differ in {odd[0]}")
+        for task in self.tasks:
+            if task.digest() != self.manifest[task.id]:
+                raise ValueError(f"task {task.id} isn't what it was when the suite was frozen")
+            unknown = {placed.object_id for placed in task.scene.objects} - set(self.objects)
+            if unknown:
+                raise ValueError(f"task {task.id} shows {sorted(unknown)[0]}, which has no hash")
+        return self
+
+
+def write_suite(path: Path, suite: Suite) -> None:
+    """Write a suite as JSON; floats keep every bit.
+
+    Raises:
+        OutputFailed: It can't be written; nothing half-written is left.
+    """
+    tasks = [TaskDocument.of(task) for task in suite.tasks]
+    document = SuiteDocument(
+        name=suite.name,
+        objects=dict(suite.objects),
+        manifest={task.id: task.digest() for task in tasks},
+        tasks=tasks,
+    )
+    write_text(path, document.model_dump_json(indent=1) + "\n")
+
+
+def read_suite(path: Path) -> Suite:
+    """Read a suite that write_suite wrote.
+
+    Raises:
+        BadData: The file is missing, truncated, changed, or not a suite of this version.
+    """
+    try:
+        document = SuiteDocument.model_validate_json(path.read_bytes())
+    except OSError as error:
+        raise BadData(path, error.strerror or str(error), "Check the path") from error
+    except pydantic.ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(part) for part in first["loc"]) or "the file"
+        raise BadData(path, f"{place}: {first['msg']}", _REMEDY) from error
+    return Suite(document.name, tuple(task.task() for task in document.tasks), document.objects)

@@ -1,0 +1,56 @@
+"""What perception made of a picture, as the YAML that agents read. Knows no truth."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+
+from probe.perception.things import Thing
+from probe.toolshed.regions import CLEAR, CLUTTERED, regions
+from probe.toolshed.relations import EDGE_PX, NEAR_PX, ON_SHARE, STEP, relations
+from probe.types import Frame
+
+_INTRODUCTION = """\
+# What shows in the picture, from top to bottom. Points and boxes are in pixels: [u, v] and
+# [left, top, right, bottom]. Numbers belong to this list alone; find_object gives object_ids."""
+
+_RELATIONS = f"""\
+# Between neighbours (boxes at most {NEAR_PX} px apart): left_of, right_of, above, below as seen in
+# the picture. Where outlines meet over at least {EDGE_PX} px: touching if the heights differ by
+# less than {STEP * 1000:.0f} mm; else the higher one is on the other if that is at least
+# {ON_SHARE:.0%} of its outline, or covering it if less."""
+
+_REGIONS = f"""\
+# Ninths of the picture that are at least {CLUTTERED:.0%} covered, and at most {CLEAR:.0%}."""
+
+
+def scene_text(things: Sequence[Thing], frame: Frame) -> str:
+    """Objects, relations and regions as YAML, the thresholds as its comments."""
+    parts = regions(things, (frame.depth.shape[0], frame.depth.shape[1]))
+    lines = [_INTRODUCTION, "objects:" if things else "objects: []"]
+    for number, thing in enumerate(things, start=1):
+        lines += [f"- number: {number}", *(f"  {line}" for line in thing_lines(thing))]
+    found = relations(things, frame)
+    lines += [_RELATIONS, "relations:" if found else "relations: []"]
+    lines += [f"- {first + 1} {kind} {second + 1}" for first, kind, second in found]
+    lines += [_REGIONS, f"cluttered: {_listed(parts.cluttered)}", f"clear: {_listed(parts.clear)}"]
+    return "\n".join(lines)
+
+
+def thing_lines(thing: Thing) -> list[str]:
+    """One thing as lines of YAML."""
+    name = [f"name: {_text(thing.words.name)}"] if thing.words.name is not None else []
+    return [
+        *name,
+        f"description: {_text(thing.words.description)}",
+        f"point: {list(thing.point_px)}",
+        f"box: {list(thing.box_px)}",
+    ]
+
+
+def _text(words: str) -> str:
+    return json.dumps(words, ensure_ascii=False)
+
+
+def _listed(names: Sequence[str]) -> str:
+    return f"[{', '.join(names)}]"

@@ -1,0 +1,80 @@
+"""Why a call did nothing, in words that an agent can act on; each costs the turn and no more."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+from probe.errors import ProbeError
+
+SHOWN = 60
+"""Characters of an agent's own words that a message repeats at most."""
+
+
+class Refusal(ProbeError):
+    """A call that did nothing."""
+
+    status: Literal["malformed", "refused"] = "malformed"
+
+
+class UnknownTool(Refusal):
+    """There is no tool of this name."""
+
+    def __init__(self, name: object, known: Sequence[str]) -> None:
+        super().__init__(f"There is no tool called {quoted(name)}. Tools: {', '.join(known)}.")
+
+
+class BadArguments(Refusal):
+    """The arguments aren't what the tool takes."""
+
+    def __init__(self, tool: str, problems: Sequence[str], usage: str) -> None:
+        super().__init__(f"{tool} did nothing: {'; '.join(problems)}. Call it like {usage}.")
+
+
+class UnknownHandle(Refusal):
+    """find_object never gave out this id."""
+
+    def __init__(self, name: str, known: Sequence[str]) -> None:
+        so_far = f"So far it has given out {', '.join(known)}" if known else "It has given out none"
+        super().__init__(
+            f"There is no object_id {quoted(name)}. An object_id comes from find_object. {so_far}."
+        )
+
+
+class StaleHandle(Refusal):
+    """What the id pointed at no longer looks as it did."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(
+            f"{name} is out of date: that place in the picture has changed since find_object "
+            "gave it out. Look again and call find_object for a new object_id."
+        )
+
+
+class BudgetSpent(Refusal):
+    """No manipulation is left."""
+
+    status = "refused"
+
+    def __init__(self, budget: int) -> None:
+        super().__init__(
+            f"Nothing was moved: all {budget} manipulations are used up. You can still call "
+            "perceive_scene, find_object and answer_question."
+        )
+
+
+class EpisodeOver(Refusal):
+    """A call after the end."""
+
+    status = "refused"
+
+    def __init__(self) -> None:
+        super().__init__("The episode has ended; no further call does anything.")
+
+
+def quoted(said: object) -> str:
+    """An agent's own word as it may be repeated: one line of ASCII, cut short."""
+    if not isinstance(said, str):
+        return f"a {type(said).__name__}"
+    whole = ascii(said[: SHOWN + 1])
+    return whole if len(said) <= SHOWN else ascii(said[:SHOWN]) + "..."

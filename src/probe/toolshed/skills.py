@@ -1,0 +1,40 @@
+"""What the tools need of the manipulation skills; `probe.manipulation` is one of these."""
+
+from __future__ import annotations
+
+from typing import Literal, Protocol
+
+from probe.station.station import Station
+from probe.types import Array, Frame, Vector3
+
+Direction = Literal["up", "down", "left", "right"]
+
+
+class Outcome(Protocol):
+    """How an attempt went."""
+
+    @property
+    def status(self) -> str:
+        """One word for it."""
+        ...
+
+    @property
+    def frame(self) -> Frame:
+        """The table afterwards."""
+        ...
+
+
+class Skills(Protocol):
+    """Grasping and pushing, given what a camera and a mask show."""
+
+    def grasp_and_remove(
+        self, station: Station, frame: Frame, mask: Array, drop_at: Vector3, /
+    ) -> Outcome:
+        """Grasp what the mask shows and let it go over the middle of the basket's floor."""
+        ...
+
+    def push(
+        self, station: Station, frame: Frame, mask: Array, direction: Direction, distance: float, /
+    ) -> Outcome:
+        """Push what the mask shows in a direction of the picture, so many metres."""
+        ...

@@ -1,0 +1,163 @@
+"""The tools' texts and arguments: product text, read by every agent. Knows no station."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal
+
+import pydantic
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
+
+from probe.scene.layout import PICTURE_PX
+
+ObjectId = Annotated[
+    str,
+    pydantic.Field(
+        max_length=40, description='What find_object called the object, such as "object_1".'
+    ),
+]
+Coordinate = Annotated[float, pydantic.Field(ge=0, lt=PICTURE_PX)]
+
+
+_Letter = Literal["A", "B", "C", "D", "E"]
+
+
+def _as_letter(said: object) -> object:
+    """A letter as a person might write it ("b ")."""
+    return said.strip().upper() if isinstance(said, str) and len(said) < 9 else said
+
+
+class _Arguments(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
+    pass
+
+
+class PerceiveScene(_Arguments):
+    """List what the camera sees right now, and get the current picture.
+
+    The list is YAML: every object that shows, with its name where enough of it shows to tell,
+    a description, a point on it and its box; relations between neighbours (left_of, right_of,
+    above, below as seen in the picture; on, covering, touching); which parts of the picture are
+    cluttered and which are clear. Points are (u, v) in pixels from the picture's top left corner.
+    It tells only what shows. Something that lies behind or under other objects is in no list
+    until they have been moved away.
+    """
+
+
+class FindObject(_Arguments):
+    """Locate one object in the current picture and get an object_id for it.
+
+    Say what it looks like ("red mug") or where it is ("the thing at (512, 300)"). The reply gives
+    its object_id, a point on it, its box, and the picture with the object outlined. Moving
+    an object takes an object_id, and this is the only place to get one. It stays good until the
+    object moves or something covers it; then call find_object again.
+    """
+
+    description: Annotated[
+        str,
+        pydantic.Field(
+            min_length=1,
+            max_length=300,
+            description="Name, colour or other looks of one object, or a place in the picture "
+            'as "(u, v)" in pixels. "left", "top", "largest" and the like choose among several.',
+        ),
+    ]
+
+
+class GraspAndRemove(_Arguments):
+    """Pick an object up with the gripper and drop it into the basket outside the picture.
+
+    Use it to uncover what lies beneath or behind. It can fail: no grasp may fit, other objects
+    may be in the way, the object may slip. The reply says what happened and comes with
+    the new picture. Neighbours may get moved. Each attempt counts as one manipulation, whether
+    it works or not. What is in the basket stays there.
+    """
+
+    object_id: ObjectId
+
+
+class Push(_Arguments):
+    """Push an object across the table in a straight line with the closed gripper.
+
+    Use it when a grasp fails, or to slide something aside and keep it on the table. The gripper
+    comes down in the nearest free spot behind the object; what stands ahead of it gets pushed
+    along. The reply says what happened and comes with the new picture. Each attempt counts as
+    one manipulation, whether it works or not.
+    """
+
+    object_id: ObjectId
+    direction: Annotated[
+        Literal["up", "down", "left", "right"],
+        pydantic.Field(description="Which way, as seen in the picture."),
+    ]
+    distance_cm: Annotated[
+        float,
+        pydantic.Field(
+            ge=3,
+            le=20,
+            description="How far, in centimetres. The picture is 58 cm wide.",
+        ),
+    ]
+
+
+class AnswerQuestion(_Arguments):
+    """Give the final answer. This ends the episode and can't be taken back.
+
+    Give a point only if the question asks you to point at something: a place on that object in
+    the last picture you were shown.
+    """
+
+    choice: Annotated[
+        _Letter,
+        pydantic.BeforeValidator(_as_letter, json_schema_input_type=_Letter),
+        pydantic.Field(description="Letter of the option that you choose."),
+    ]
+    point: Annotated[
+        tuple[Coordinate, Coordinate] | None,
+        pydantic.Field(description="[u, v] in pixels from the top left, if one is asked for."),
+    ] = None
+
+
+Request = PerceiveScene | FindObject | GraspAndRemove | Push | AnswerQuestion
+
+TOOLS: dict[str, type[Request]] = {
+    "perceive_scene": PerceiveScene,
+    "find_object": FindObject,
+    "grasp_and_remove": GraspAndRemove,
+    "push": Push,
+    "answer_question": AnswerQuestion,
+}
+
+
+@dataclass(frozen=True)
+class ToolSchema:
+    """A tool as a model is told of it.
+
+    Attributes:
+        name: What to call.
+        description: What it does.
+        parameters: JSON schema of its arguments.
+    """
+
+    name: str
+    description: str
+    parameters: dict[str, Any]
+
+
+def tool_schemas() -> tuple[ToolSchema, ...]:
+    """All five tools, in a fixed order."""
+    return tuple(_schema(name, model) for name, model in TOOLS.items())
+
+
+class _Untitled(GenerateJsonSchema):
+    """Leaves out the titles: they would only repeat the names in capitals."""
+
+    def field_title_should_be_set(self, schema: object) -> bool:
+        return False
+
+
+def _schema(name: str, model: type[Request]) -> ToolSchema:
+    parameters: JsonSchemaValue = model.model_json_schema(schema_generator=_Untitled)
+    description = str(parameters.pop("description"))
+    parameters.pop("title")
+    parameters.setdefault("properties", {})
+    return ToolSchema(name, description, parameters)

@@ -1,0 +1,173 @@
+"""The five tools over one station: checks a call, runs it, says in words what came of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import assert_never
+
+from probe.perception.matching import match
+from probe.perception.things import Detector, Thing
+from probe.station.station import Station
+from probe.toolshed.graph import scene_text, thing_lines
+from probe.toolshed.handles import Handles
+from probe.toolshed.outcomes import grasp_words, push_words
+from probe.toolshed.parse import parse
+from probe.toolshed.pictures import outlined
+from probe.toolshed.refusals import BudgetSpent, EpisodeOver, Refusal
+from probe.toolshed.result import Answer, ToolResult
+from probe.toolshed.skills import Skills
+from probe.toolshed.tools import (
+    AnswerQuestion,
+    FindObject,
+    GraspAndRemove,
+    PerceiveScene,
+    Push,
+    Request,
+)
+from probe.toolshed.view import View
+from probe.types import Array, Vector3
+
+TURNS = 40
+"""Calls in an episode, malformed ones included."""
+
+MANIPULATIONS = 10
+"""Grasps and pushes in an episode, failed ones included."""
+
+_NOT_FOUND = (
+    "Nothing that shows in the picture fits this description. It may be hidden by other objects "
+    "or not be there at all. Other words, or a place like (512, 300), may help."
+)
+_LAST_TURN = "This was the last turn; the episode has ended."
+
+
+class Toolshed:
+    """One episode's tools.
+
+    It asks the station for frames alone, and the detector for what shows in them. Errors that
+    are not the agent's (a dead renderer, an arm left in view) are raised.
+    """
+
+    def __init__(
+        self,
+        station: Station,
+        detector: Detector,
+        skills: Skills,
+        basket: Vector3,
+        *,
+        pictures: bool = True,
+    ) -> None:
+        """Set up the tools and look at the table once.
+
+        Args:
+            station: The arm, camera and table.
+            detector: Names what shows.
+            skills: Grasps and pushes.
+            basket: Middle of the basket's floor, metres.
+            pictures: Whether results carry pictures; texts are the same without.
+        """
+        self.answer: Answer | None = None
+        self.ended = False
+        self.turns = 0
+        self.manipulations = 0
+        self._station = station
+        self._skills = skills
+        self._basket = basket
+        self._pictures = pictures
+        self._view = View(station, detector)
+        self._handles = Handles()
+
+    def first_picture(self) -> Array | None:
+        """The picture that comes with the question; None if nobody looks at pictures."""
+        return self._picture()
+
+    def call(self, name: object, arguments: object) -> ToolResult:
+        """Run one call; whatever it is, it takes a turn.
+
+        Args:
+            name: Should be the name of a tool.
+            arguments: Should be a mapping of its arguments, as parsed from JSON.
+        """
+        try:
+            if self.ended:
+                raise EpisodeOver
+            self.turns += 1
+            result = self._run(parse(name, arguments))
+        except Refusal as refusal:
+            result = ToolResult(str(refusal), status=refusal.status)
+        if self.turns >= TURNS and self.answer is None and not self.ended:
+            result = replace(result, text=f"{result.text}\n{_LAST_TURN}")
+        self.ended = self.ended or self.answer is not None or self.turns >= TURNS
+        return replace(result, ended=self.ended)
+
+    def _run(self, request: Request) -> ToolResult:
+        match request:
+            case PerceiveScene():
+                return ToolResult(scene_text(self._view.things, self._view.frame), self._picture())
+            case FindObject(description=description):
+                return self._find(description)
+            case GraspAndRemove():
+                return self._grasp(request)
+            case Push():
+                return self._push(request)
+            case AnswerQuestion(choice=choice, point=point):
+                self.answer = Answer(choice, point)
+                return ToolResult("Your answer is recorded; the episode has ended.")
+            case _:
+                assert_never(request)
+
+    def _find(self, description: str) -> ToolResult:
+        found = match(description, self._view.things)
+        if found is None:
+            return ToolResult(_NOT_FOUND, self._picture(), status="failed")
+        handle = self._handles.issue(found.thing, self._view.frame)
+        lines = [f"object_id: {handle}", *thing_lines(found.thing)]
+        if found.others:
+            places = ", ".join(str(list(other.point_px)) for other in found.others)
+            lines.append(f"others_that_fit_as_well: [{places}]")
+        picture = outlined(self._view.rgb, found.thing) if self._pictures else None
+        return ToolResult("\n".join(lines), picture, point_px=found.thing.point_px)
+
+    def _grasp(self, request: GraspAndRemove) -> ToolResult:
+        thing = self._take_up(request.object_id)
+        outcome = self._skills.grasp_and_remove(
+            self._station, self._view.frame, thing.mask, self._basket
+        )
+        self._view.show(outcome.frame)
+        worked, words = grasp_words(outcome.status, request.object_id)
+        return self._told(worked, words, thing.point_px)
+
+    def _push(self, request: Push) -> ToolResult:
+        thing = self._take_up(request.object_id)
+        outcome = self._skills.push(
+            self._station,
+            self._view.frame,
+            thing.mask,
+            request.direction,
+            request.distance_cm / 100,
+        )
+        self._view.show(outcome.frame)
+        worked, words = push_words(outcome.status, request.object_id)
+        return self._told(worked, words, thing.point_px)
+
+    def _take_up(self, object_id: str) -> Thing:
+        """The thing that a manipulation is about; from here on it counts.
+
+        Raises:
+            BudgetSpent: No manipulation is left.
+            UnknownHandle: find_object never gave out this id.
+            StaleHandle: Its pixels have changed.
+        """
+        if self.manipulations >= MANIPULATIONS:
+            raise BudgetSpent(MANIPULATIONS)
+        thing = self._handles.resolve(object_id, self._view)
+        self.manipulations += 1
+        return thing
+
+    def _told(self, worked: bool, words: str, point_px: tuple[int, int]) -> ToolResult:
+        left = MANIPULATIONS - self.manipulations
+        text = f"{'Done' if worked else 'Failed'}: {words} Manipulations left: {left}."
+        status = "done" if worked else "failed"
+        return ToolResult(text, self._picture(), status=status, point_px=point_px)
+
+    def _picture(self) -> Array | None:
+        return self._view.rgb if self._pictures else None

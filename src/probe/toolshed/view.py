@@ -1,0 +1,43 @@
+"""What the camera sees now; colours are drawn and things detected when somebody asks."""
+
+from __future__ import annotations
+
+from probe.perception.things import Detector, Thing
+from probe.station.station import Station
+from probe.types import Array, Frame
+
+
+class View:
+    """The current frame of a station, until the next one is shown."""
+
+    def __init__(self, station: Station, detector: Detector) -> None:
+        self._station = station
+        self._detector = detector
+        self._frame = station.observe(rgb=False)
+        self._things: tuple[Thing, ...] | None = None
+
+    def show(self, frame: Frame) -> None:
+        """The table may have changed: this is what it looks like from now on."""
+        self._frame, self._things = frame, None
+
+    @property
+    def frame(self) -> Frame:
+        """Depth and labels; colours only if they have been drawn already."""
+        return self._frame
+
+    @property
+    def rgb(self) -> Array:
+        """The picture, sRGB uint8, shape (h, w, 3)."""
+        if self._frame.rgb is None:
+            self._frame = self._station.observe(rgb=True)
+        assert self._frame.rgb is not None
+        return self._frame.rgb
+
+    @property
+    def things(self) -> tuple[Thing, ...]:
+        """What perception makes of it."""
+        if self._things is None:
+            if self._frame.rgb is None and self._detector.needs_rgb(self._frame):
+                self._frame = self._station.observe(rgb=True)
+            self._things = self._detector.detect(self._frame)
+        return self._things

@@ -1,0 +1,1 @@
+"""Physics: the only folder that knows MuJoCo's engine. No pictures, no questions."""

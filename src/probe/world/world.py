@@ -1,0 +1,107 @@
+"""The table with the robot at it, in motion: step, command, look at poses, save and restore."""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from probe.assets.library import Library
+from probe.scene.scene import PlacedObject, Scene
+from probe.types import Array, Pose
+from probe.world.model import TIME_STEP, Item, build_cell
+from probe.world.robot.arm_model import servo_command
+from probe.world.robot.gripper import joint_for, opening
+from probe.world.robot.robot import ARM_JOINTS, GRIPPER_DRIVE, GRIPPER_JOINT, PARKED
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshot:
+    """Everything the physics needs to go on exactly as it would have; for the world it is of."""
+
+    data: mujoco.MjData
+
+
+class World:
+    """A Scene brought to life, the arm parked and the gripper open."""
+
+    def __init__(self, scene: Scene, library: Library) -> None:
+        items = [
+            Item(placed.instance, library[placed.object_id], library.body(placed.object_id))
+            for placed in scene.objects
+        ]
+        self._scene = scene
+        self._model = build_cell(items, {o.instance: o.pose for o in scene.objects})
+        self._data = mujoco.MjData(self._model)
+        self._arm_qpos = [int(self._model.joint(name).qposadr[0]) for name in ARM_JOINTS]
+        self._arm_servo = [int(self._model.actuator(name).id) for name in ARM_JOINTS]
+        self._grip_qpos = int(self._model.joint(GRIPPER_JOINT).qposadr[0])
+        self._grip_drive = int(self._model.actuator(GRIPPER_DRIVE).id)
+        self._object_qpos = {
+            item.instance: int(self._model.joint(item.name).qposadr[0]) for item in items
+        }
+        self._data.qpos[self._arm_qpos] = PARKED
+        self._data.ctrl[self._arm_servo] = PARKED
+        mujoco.mj_forward(self._model, self._data)
+
+    @property
+    def time(self) -> float:
+        """Simulated seconds since the beginning."""
+        return float(self._data.time)
+
+    @property
+    def joints(self) -> Array:
+        """Angles of the arm's joints, radians, shape (6,)."""
+        return self._data.qpos[self._arm_qpos].copy()
+
+    @property
+    def opening(self) -> float:
+        """Distance between the pads, metres."""
+        return opening(float(self._data.qpos[self._grip_qpos]))
+
+    def command(self, joints: Array, velocities: Array) -> None:
+        """Where the arm should be now and how fast it should move, shapes (6,)."""
+        self._data.ctrl[self._arm_servo] = servo_command(joints, velocities)
+
+    def command_opening(self, metres: float) -> None:
+        """Distance between the pads that the gripper should take up."""
+        self._data.ctrl[self._grip_drive] = joint_for(metres)
+
+    def step(self, count: int = 1) -> None:
+        """Advance by so many time steps of TIME_STEP seconds."""
+        mujoco.mj_step(self._model, self._data, count)
+
+    def object_speed(self) -> float:
+        """Fastest linear speed of any object, metres a second."""
+        speeds = [
+            float(np.linalg.norm(self._data.body(f"object/{number}").cvel[3:]))
+            for number in self._object_qpos
+        ]
+        return max(speeds, default=0.0)
+
+    def scene(self) -> Scene:
+        """The table as it is now."""
+        objects = tuple(
+            PlacedObject(placed.instance, placed.object_id, self._pose(placed.instance))
+            for placed in self._scene.objects
+        )
+        return Scene(self._scene.seed, self._scene.table, objects)
+
+    def save(self) -> Snapshot:
+        """The exact state; restoring it gives the same future, bit for bit."""
+        # All of it, not the engine's state vector: a body that falls asleep keeps the frame it had
+        # one step earlier, and its neighbours' contacts depend on that.
+        return Snapshot(copy.copy(self._data))
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Go back to a saved state of this world."""
+        mujoco.mj_copyData(self._data, self._model, snapshot.data)
+
+    def _pose(self, instance: int) -> Pose:
+        at = self._object_qpos[instance]
+        return Pose.of(self._data.qpos[at : at + 3], self._data.qpos[at + 3 : at + 7])
+
+
+__all__ = ["TIME_STEP", "Snapshot", "World"]

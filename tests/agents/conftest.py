@@ -1,0 +1,25 @@
+"""Runs an agent on a painted table."""
+
+from __future__ import annotations
+
+import pytest
+
+from probe.episodes.run import run_episode
+from probe.episodes.turns import Question
+from probe.perception.oracle import Oracle
+from probe.toolshed.toolshed import Toolshed
+from tabletops import Obedient, PaintedStation
+
+
+@pytest.fixture
+def play():
+    """A function: agent, options, specs and blocks to an episode's record."""
+
+    def run(agent, options, specs, blocks, skills=None):
+        station = PaintedStation(blocks)
+        skills = skills or Obedient()
+        tools = Toolshed(station, Oracle(specs), skills, (0, 0, 0), pictures=False)
+        question = Question("?", tuple(zip("ABCDE", options, strict=False)))
+        return run_episode("t", question, agent, tools, station, agent_name="a")
+
+    return run

@@ -1,0 +1,179 @@
+import hashlib
+import subprocess
+import sys
+from collections import Counter
+from functools import cache
+
+import numpy as np
+import pytest
+import trimesh
+
+from probe.assets.mesh import Body
+from probe.assets.procedural import build, specs
+from probe.assets.procedural.paint.colours import rgb
+from probe.assets.procedural.tables import entries
+from probe.assets.spec import ObjectSpec
+from probe.errors import UnknownName
+from probe.types import Array
+
+SOME = (
+    "proc_blue_mug",
+    "proc_straw_hat",
+    "proc_wooden_tray",
+    "proc_banana",
+    "proc_cracker_box",
+    "proc_jam_jar",
+    "proc_masking_tape",
+    "proc_green_car",
+)
+ALL = [pytest.param(i, marks=() if i in SOME else pytest.mark.slow) for i in entries()]
+
+
+def spec_of(object_id: str) -> ObjectSpec:
+    return next(spec for spec in specs() if spec.id == object_id)
+
+
+@cache
+def built(object_id: str) -> Body:
+    return build(object_id)
+
+
+def surface_colours(body: Body, count: int = 4000) -> Array:
+    """Texture colours at points spread evenly over the surface, 0-1, shape (n, 3)."""
+    mesh = body.mesh
+    solid = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
+    points, faces = trimesh.sample.sample_surface(solid, count, seed=0)[:2]
+    weights = trimesh.triangles.points_to_barycentric(solid.triangles[faces], points)
+    uvs = (weights[..., None] * mesh.uvs[mesh.faces[faces]]).sum(axis=1)
+    height, width = mesh.surface.texture.shape[:2]
+    rows = np.clip((uvs[:, 1] * height).astype(int), 0, height - 1)
+    columns = np.clip((uvs[:, 0] * width).astype(int), 0, width - 1)
+    return mesh.surface.texture[rows, columns] / 255
+
+
+def lab(srgb: Array) -> Array:
+    """CIELAB (D65) of sRGB in 0-1, shape (..., 3); IEC 61966-2-1 and CIE 15."""
+    linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+    to_xyz = np.array(
+        [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
+    )
+    xyz = linear @ to_xyz.T / [0.9505, 1.0, 1.089]
+    f = np.where(xyz > 0.008856, np.cbrt(xyz), 7.787 * xyz + 16 / 116)
+    x, y, z = np.moveaxis(f, -1, 0)
+    return np.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], axis=-1)
+
+
+def test_enough_of_everything() -> None:
+    all_specs = specs()
+    assert len(all_specs) >= 60
+    assert len({spec.category for spec in all_specs}) >= 25
+    covers = [s for s in all_specs if s.hollow and min(s.size[:2]) >= 0.10]
+    assert len(covers) >= 12
+    small = sorted(max(s.size) for s in all_specs if max(s.size) <= 0.08)
+    assert len(small) >= 16
+    twins = [sum(abs(a - b) <= 0.1 * a for b in small) - 1 for a in small]
+    assert sum(count >= 4 for count in twins) >= 16
+
+
+def test_words() -> None:
+    all_specs = specs()
+    assert max(Counter(s.name for s in all_specs).values()) == 1
+    assert max(Counter(s.id for s in all_specs).values()) == 1
+    for spec in all_specs:
+        assert spec.id.startswith("proc_")
+        assert spec.name == spec.name.lower()
+        assert spec.description.endswith(".")
+        assert spec.description.count(".") == 1
+        for colour in spec.colours:
+            rgb(colour)
+            assert not colour.startswith("#")
+
+
+def test_members_of_a_category_differ_in_main_colour_or_kind() -> None:
+    shared = Counter((s.category, s.colours[0]) for s in specs())
+    assert {pair: n for pair, n in shared.items() if n > 1} == {}
+
+
+def test_everyday_sizes_and_densities() -> None:
+    for spec in specs():
+        assert 0.03 <= max(spec.size) <= 0.26, spec.id
+        box = float(np.prod(spec.size))
+        assert 15 < spec.mass / box < 2600, spec.id  # kg / m^3 of the bounding box
+
+
+def test_an_unknown_object_is_refused() -> None:
+    with pytest.raises(UnknownName, match="proc_unicorn"):
+        build("proc_unicorn")
+
+
+@pytest.mark.parametrize("object_id", ALL)
+def test_mesh(object_id: str) -> None:
+    mesh, spec = built(object_id).mesh, spec_of(object_id)
+    np.testing.assert_allclose(mesh.extent, spec.size, atol=1e-3)
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    np.testing.assert_allclose((low + high)[:2] / 2, 0, atol=1e-4)
+    assert abs(low[2]) < 1e-5
+    np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1, atol=1e-4)
+    assert mesh.uvs.min() >= 0
+    assert mesh.uvs.max() <= 1
+    assert 200 <= len(mesh.faces) <= 20_000
+    kinds = (mesh.vertices.dtype, mesh.normals.dtype, mesh.uvs.dtype, mesh.faces.dtype)
+    assert kinds == (np.float32, np.float32, np.float32, np.int32)
+    assert mesh.surface.texture.dtype == np.uint8
+
+
+@pytest.mark.parametrize("object_id", ALL)
+def test_faces_look_outward(object_id: str) -> None:
+    mesh = built(object_id).mesh
+    solid = trimesh.Trimesh(mesh.vertices, mesh.faces)
+    solid.merge_vertices(merge_tex=True, merge_norm=True)
+    assert solid.volume > 0
+    corners = mesh.vertices[mesh.faces].astype(float)
+    directed = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    along = (directed * mesh.normals[mesh.faces].mean(axis=1)).sum(axis=1)
+    areas = np.linalg.norm(directed, axis=1)
+    assert areas[along <= 0].sum() < 1e-3 * areas.sum()
+
+
+@pytest.mark.parametrize("object_id", ALL)
+def test_main_colour(object_id: str) -> None:
+    spec = spec_of(object_id)
+    seen = lab(surface_colours(built(object_id)))
+    distance = np.linalg.norm(seen - lab(rgb(spec.colours[0]).astype(float)), axis=1)
+    if len(spec.colours) == 1:
+        mean = np.linalg.norm(seen.mean(axis=0) - lab(rgb(spec.colours[0]).astype(float)))
+        assert mean < 25, f"{mean:.1f} from {spec.colours[0]}"
+    else:
+        assert np.mean(distance < 30) > 0.15
+
+
+@pytest.mark.parametrize("object_id", ["proc_red_apple", "proc_wicker_basket"])
+def test_same_bytes_in_another_process(object_id: str) -> None:
+    body = build(object_id)
+    program = (
+        "import hashlib; from probe.assets.procedural import build; "
+        f"b = build({object_id!r}); "
+        "h = hashlib.sha256(b''.join(p.vertices.tobytes() for p in b.pieces)).hexdigest(); "
+        "print(b.mesh.digest(), h)"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    pieces = hashlib.sha256(b"".join(p.vertices.tobytes() for p in body.pieces)).hexdigest()
+    assert run.stdout.split() == [body.mesh.digest(), pieces]
+
+
+def test_variants_differ_in_look_but_not_in_form() -> None:
+    red, blue = build("proc_red_mug").mesh, built("proc_blue_mug").mesh
+    np.testing.assert_array_equal(red.vertices, blue.vertices)
+    assert red.digest() != blue.digest()
+
+
+def test_object_spec_types() -> None:
+    for spec in specs():
+        assert isinstance(spec, ObjectSpec)
+        assert (spec.origin, spec.licence, spec.source) == (
+            "procedural",
+            "Apache-2.0",
+            "PROBE procedural",
+        )

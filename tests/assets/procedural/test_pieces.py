@@ -1,0 +1,114 @@
+"""Convex pieces against the mesh that one sees, and cavities against a ball dropped in."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import trimesh
+from scipy.spatial import ConvexHull, cKDTree
+
+from probe.assets.procedural.assembly import assemble, rng_of
+from probe.assets.procedural.form.sheet import Sheet
+from probe.assets.procedural.parts.hollow import Hollow
+from probe.assets.procedural.tables import Entry, entries
+from probe.types import Array
+
+TIGHT = 0.003
+SOME = ("mug", "bowl", "tray", "banana", "book", "can", "apple")
+
+
+@cache
+def first_of_each_shape() -> dict[str, Entry]:
+    found: dict[str, Entry] = {}
+    for entry in entries().values():
+        found.setdefault(entry.shape, entry)
+    return found
+
+
+ALL = [pytest.param(s, marks=() if s in SOME else pytest.mark.slow) for s in first_of_each_shape()]
+
+
+@cache
+def pieces_of(shape: str) -> list[Array]:
+    return assemble(first_of_each_shape()[shape])[1]
+
+
+@cache
+def closed_parts(shape: str) -> list[tuple[trimesh.Trimesh, bool]]:
+    """Each part's closed surface, at rest, and whether it has convex pieces."""
+    entry = first_of_each_shape()[shape]
+    sheets = [sheet for sheet, _ in assemble(entry)[0]]
+    found: list[tuple[trimesh.Trimesh, bool]] = []
+    for k, part in enumerate(entry.parts):
+        count = len(part.placed_surfaces(rng_of(f"{entry.shape} {k}")))
+        found.append((joined(sheets[:count]), part.solid))
+        sheets = sheets[count:]
+    return found
+
+
+def joined(sheets: list[Sheet]) -> trimesh.Trimesh:
+    points = [sheet.points.reshape(-1, 3) for sheet in sheets]
+    starts = np.cumsum([0, *(len(p) for p in points)])
+    faces = [sheet.faces + k for sheet, k in zip(sheets, starts[:-1], strict=True)]
+    return trimesh.Trimesh(np.vstack(points), np.vstack(faces), process=False)
+
+
+@pytest.mark.parametrize("shape", ALL)
+def test_each_piece_is_convex_and_small_enough(shape: str) -> None:
+    pieces = pieces_of(shape)
+    assert 1 <= len(pieces) <= 40
+    for corners in pieces:
+        assert corners.dtype == np.float64
+        assert 4 <= len(corners) <= 64
+        assert len(ConvexHull(corners).vertices) == len(corners)
+        assert trimesh.convex.convex_hull(corners).is_watertight
+        assert ConvexHull(corners).volume > 1e-9
+
+
+@pytest.mark.parametrize("shape", ALL)
+def test_pieces_cover_the_mesh(shape: str) -> None:
+    planes = [ConvexHull(corners).equations for corners in pieces_of(shape)]
+    for mesh, solid in closed_parts(shape):
+        if solid:
+            outside = [(mesh.vertices @ p[:, :3].T + p[:, 3]).max(axis=1) for p in planes]
+            assert np.min(outside, axis=0).max() < TIGHT
+
+
+@pytest.mark.parametrize("shape", ALL)
+def test_pieces_keep_to_the_mesh(shape: str) -> None:
+    samples = np.vstack(
+        [trimesh.convex.convex_hull(c).sample(300, seed=0) for c in pieces_of(shape)]
+    )
+    inside = np.zeros(len(samples), dtype=bool)
+    nearest = np.full(len(samples), np.inf)
+    for mesh, _ in closed_parts(shape):
+        inside |= mesh.ray.contains_points(samples)
+        spread = mesh.sample(60_000, seed=1)
+        nearest = np.minimum(nearest, cKDTree(spread).query(samples)[0])
+    # A millimetre more for the distance between neighbouring sample points of the mesh.
+    assert np.where(inside, 0, nearest).max() < TIGHT + 0.001
+
+
+HOLLOW = list(dict.fromkeys(e.shape for e in entries().values() if e.hollow))
+
+
+@pytest.mark.parametrize("shape", HOLLOW)
+def test_a_ray_down_the_cavity_meets_its_floor(shape: str) -> None:
+    entry = first_of_each_shape()[shape]
+    profile = next(part for part in entry.parts if isinstance(part, Hollow))
+    floor, rim = (profile.inner[k][1] * entry.scale for k in (0, -1))
+    mouth_down = profile.place.turn[0] == 180
+    parts = closed_parts(shape)
+    cavity = next(m for (m, _), p in zip(parts, entry.parts, strict=True) if p is profile)
+    middle = cavity.bounds.mean(axis=0)[:2]
+    planes = [ConvexHull(corners).equations for corners in pieces_of(shape)]
+    bottom, top = cavity.bounds[:, 2]
+    # Heights at which the middle of the cavity is free: from just above the floor to the rim.
+    free = np.linspace(floor + 0.003, rim, 30)
+    heights = top - free if mouth_down else bottom + free
+    points = np.column_stack([np.tile(middle, (30, 1)), heights])
+    filled = [(points @ p[:, :3].T + p[:, 3]).max(axis=1) < 0 for p in planes]
+    assert not np.any(filled)
+    under = floor / 2
+    point = np.array([*middle, top - under if mouth_down else bottom + under])
+    assert any((p[:, :3] @ point + p[:, 3]).max() < 0.001 for p in planes)

@@ -1,0 +1,88 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from probe.assets.tables import PAINTED, load_table, table_ids
+from probe.assets.tabletops.noise import SIZE, normals_of
+from probe.errors import BadData, UnknownName
+
+
+def _material(folder, name="Wood001", **maps):
+    place = folder / "textures" / f"{name}_1K-JPG"
+    place.mkdir(parents=True)
+    for kind, colour in maps.items():
+        Image.new("RGB", (16, 16), colour).save(place / f"{name}_1K-JPG_{kind}.jpg", quality=100)
+    return place
+
+
+def test_there_are_tables_without_assets():
+    assert len(PAINTED) >= 8
+    assert table_ids(None) == PAINTED
+
+
+@pytest.mark.parametrize("id", PAINTED)
+def test_a_painted_table_repeats_without_a_seam(id):
+    table = load_table(id, None)
+    texture = table.texture.astype(int)
+    assert texture.shape == (SIZE, SIZE, 3) and table.texture.dtype == np.uint8
+    assert 0.05 <= table.tile_size <= 2 and 0 <= table.roughness <= 1
+    for axis in (0, 1):
+        step = np.abs(np.diff(texture, axis=axis)).mean(axis=(1 - axis, 2))
+        seam = np.abs(texture.take(0, axis) - texture.take(-1, axis)).mean()
+        # Joints between planks are as sharp as it gets.
+        assert seam <= step.max() * 1.1 + 0.5
+    assert 0.01 < np.percentile(texture, 99) / 255 <= 1
+
+
+def test_a_painted_table_is_the_same_each_time():
+    first = load_table("slate", None)
+    load_table.cache_clear()
+    assert (load_table("slate", None).texture == first.texture).all()
+
+
+def test_a_slope_up_the_picture_is_green():
+    rows = np.arange(SIZE)[:, None] * np.ones((1, SIZE))
+    rising = normals_of(-0.001 * rows, texel=0.001)[500, 500].astype(int)
+    # Height grows upwards in the picture, so the normal leans down: less green than flat.
+    assert rising[0] == pytest.approx(128, abs=1)
+    assert rising[1] < 64 and rising[2] > 190
+
+
+def test_a_material_from_disk(tmp_path):
+    _material(tmp_path, Color=(120, 80, 40), NormalGL=(128, 128, 255), Roughness=(102, 102, 102))
+    assert table_ids(tmp_path) == (*PAINTED, "Wood001")
+    table = load_table("Wood001", tmp_path)
+    assert table.texture[3, 3] == pytest.approx([120, 80, 40], abs=3)
+    assert table.roughness == pytest.approx(0.4, abs=0.01)
+    assert table.normal is not None and table.tile_size == 0.8
+    assert table.surface.texture is table.texture
+
+
+def test_maps_may_be_missing_but_not_the_colour(tmp_path):
+    _material(tmp_path, "Odd01", Color=(1, 2, 3))
+    assert load_table("Odd01", tmp_path).normal is None
+    _material(tmp_path, "Odd02", Roughness=(1, 2, 3))
+    with pytest.raises(BadData, match="Odd02.*no colour map"):
+        load_table("Odd02", tmp_path)
+
+
+def test_a_broken_picture_is_named(tmp_path):
+    place = _material(tmp_path, "Odd03")
+    (place / "Odd03_1K-JPG_Color.jpg").write_bytes(b"\xff\xd8 no picture")
+    with pytest.raises(BadData, match=r"Odd03_1K-JPG_Color\.jpg"):
+        load_table("Odd03", tmp_path)
+
+
+def test_an_unknown_table_is_refused(tmp_path):
+    with pytest.raises(UnknownName, match="lava"):
+        load_table("lava", None)
+    with pytest.raises(UnknownName, match="lava"):
+        load_table("lava", tmp_path)
+
+
+def test_all_materials_of_the_assets_load(assets):
+    for id in table_ids(assets)[len(PAINTED) :]:
+        table = load_table(id, assets)
+        assert table.texture.ndim == 3 and table.normal is not None

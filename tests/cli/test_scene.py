@@ -1,0 +1,74 @@
+"""`probe scene` from outside: files, bytes, errors."""
+
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from PIL import Image
+
+
+def probe(*arguments, cache, **environment):
+    return subprocess.run(
+        [sys.executable, "-m", "probe", *map(str, arguments)],
+        env={**os.environ, "XDG_CACHE_HOME": str(cache), **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory, cache):
+    folder = tmp_path_factory.mktemp("scene")
+    result = probe("scene", 5, "--objects", 6, "--out", folder, cache=cache)
+    assert result.returncode == 0, result.stderr
+    return folder
+
+
+def test_the_four_files_agree_with_one_another(written):
+    assert sorted(path.name for path in written.iterdir()) == [
+        "depth.png",
+        "labels.png",
+        "picture.png",
+        "scene.json",
+    ]
+    picture = np.asarray(Image.open(written / "picture.png"))
+    depth = np.asarray(Image.open(written / "depth.png"))
+    labels = np.asarray(Image.open(written / "labels.png"))
+    scene = json.loads((written / "scene.json").read_text())
+    assert picture.shape == (1024, 1024, 3)
+    assert depth.shape == labels.shape == (1024, 1024)
+    assert set(np.unique(labels)) <= {0} | {item["instance"] for item in scene["objects"]}
+    assert len(scene["objects"]) == 6
+    assert np.median(depth[labels == 0]) == pytest.approx(12_000, abs=2)
+    assert depth[labels > 0].max() < 12_010
+
+
+@pytest.mark.slow
+def test_another_process_writes_the_same_bytes(written, tmp_path, cache):
+    result = probe("scene", 5, "--objects", 6, "--out", tmp_path, cache=cache)
+    assert result.returncode == 0, result.stderr
+    for path in written.iterdir():
+        assert path.read_bytes() == (tmp_path / path.name).read_bytes(), path.name
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environment", "words"),
+    [
+        (["--objects", 5000], {}, "Ask for fewer objects"),
+        (["--pool", "scans"], {"PROBE_ASSETS": ""}, "Set PROBE_ASSETS"),
+        ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
+        (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),
+    ],
+    ids=["unsatisfiable", "no scans", "no driver", "unwritable"],
+)
+def test_failures_are_one_line_with_a_remedy(tmp_path, cache, arguments, environment, words):
+    out = [] if "--out" in arguments else ["--out", tmp_path / "out"]
+    result = probe("scene", 5, *arguments, *out, cache=cache, **environment)
+    assert result.returncode == 1
+    assert words in result.stderr
+    assert len(result.stderr.strip().splitlines()) == 1
+    assert not (tmp_path / "out").exists()

@@ -1,0 +1,30 @@
+"""What all tests share: where the extra assets and the cache lie."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+@pytest.fixture(scope="session")
+def assets() -> Path:
+    """The folder of extra assets (scans, textures, robots), which no checkout contains."""
+    folder = os.environ.get("PROBE_ASSETS")
+    if not folder:
+        pytest.skip("PROBE_ASSETS names no folder of extra assets")
+    path = Path(folder).resolve()
+    if not path.is_dir():
+        pytest.fail(f"PROBE_ASSETS={folder} is not a folder")
+    return path
+
+
+@pytest.fixture(scope="session")
+def cache() -> Path:
+    """Where costly results, named by content, are kept over runs; workers may share it."""
+    path = ROOT / ".cache" / "probe"
+    path.mkdir(parents=True, exist_ok=True)
+    return path

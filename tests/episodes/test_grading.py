@@ -1,0 +1,59 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from probe.episodes.grading import OtherTask, grade_episode, question_of
+from probe.tasks.task import Certificate, Option, Task
+
+
+def task_of(record, **changes):
+    task = Task(
+        id="t-1",
+        kind="count",
+        seed=1,
+        subject="ball",
+        question="Where is the ball?",
+        options=(Option("A", "here"), Option("B", "there")),
+        answer="B",
+        scene=record.start.scene,
+        targets=(9,),
+        cover=None,
+        certificate=Certificate({}, {}, ()),
+    )
+    return replace(task, **changes)
+
+
+LABELS = np.zeros((8, 8), np.int32)
+
+
+def test_the_letter_is_graded_from_the_record_alone(play):
+    record = play()
+    assert grade_episode(task_of(record), record, LABELS).correct
+    assert not grade_episode(task_of(record, answer="A"), record, LABELS).correct
+
+
+def test_find_looks_at_the_point(play):
+    record = play()
+    task = task_of(record, kind="find")
+    labels = np.zeros((1024, 1024), np.int32)
+    labels[480:500, 630:650] = 9
+    assert grade_episode(task, record, labels).outcome == "right"
+    assert grade_episode(task, record, np.roll(labels, 100, axis=1)).outcome == "missed"
+
+
+def test_no_answer_is_unanswered(play):
+    record = replace(play(), answer=None, end="stopped")
+    assert grade_episode(task_of(record), record, LABELS).outcome == "unanswered"
+
+
+def test_another_task_is_refused(play):
+    record = play()
+    with pytest.raises(OtherTask, match="suite that it was run on"):
+        grade_episode(task_of(record, id="t-2"), record, LABELS)
+
+
+def test_an_agent_is_told_words_and_options_alone(play):
+    question = question_of(task_of(play()))
+    assert question.options == (("A", "here"), ("B", "there"))
+    assert set(vars(question)) == {"text", "options", "picture"}

@@ -1,0 +1,192 @@
+"""Both skills with real physics."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import pytest
+import trimesh
+
+from bodies import at, box_item, shelf, spec_of
+from probe.assets.mesh import Body, ConvexPiece
+from probe.manipulation.grasp import GraspResult, grasp_and_remove
+from probe.manipulation.push import LONGEST, push
+from probe.render.renderer import Renderer
+from probe.scene.layout import BASKET_POSITION, BASKET_SIZE
+from probe.scene.scene import PlacedObject, Scene
+from probe.station.simulated import SimulatedStation
+from probe.station.ur5 import Ur5
+from probe.types import Array, Pose
+from probe.world.model import Item
+from probe.world.world import World
+from shapes import grey_table, plain, textured
+
+RED = box_item(1, "red box", (0.09, 0.05, 0.06), mass=0.2)
+
+
+@pytest.fixture(scope="module")
+def renderer() -> Iterator[Renderer]:
+    with Renderer() as drawing:
+        yield drawing
+
+
+def stand(renderer: Renderer, items: Sequence[Item], poses: Sequence[Pose]) -> SimulatedStation:
+    library = shelf(items)
+    placed = [
+        PlacedObject(item.instance, item.spec.id, pose)
+        for item, pose in zip(items, poses, strict=True)
+    ]
+    renderer.load({item.spec.id: item.body.mesh for item in items}, grey_table())
+    return SimulatedStation(World(Scene(1, "grey", tuple(placed)), library), renderer)
+
+
+def grasp_first(station: SimulatedStation) -> GraspResult:
+    frame = station.observe(rgb=False)
+    assert frame.labels is not None
+    return grasp_and_remove(station, frame, frame.labels == 1, BASKET_POSITION)
+
+
+def position(station: SimulatedStation, instance: int = 1) -> Array:
+    return np.array(station.snapshot()[instance].pose.position)
+
+
+def is_in_basket(point: Array) -> bool:
+    offset = np.abs(point - BASKET_POSITION)
+    return bool((offset[:2] < np.array(BASKET_SIZE[:2]) / 2).all() and offset[2] < BASKET_SIZE[2])
+
+
+def is_parked(station: SimulatedStation) -> bool:
+    return bool(np.abs(station.joints() - station.arm.parked).max() < 0.01)
+
+
+def mug(instance: int) -> Item:
+    """An open cylinder of 16 staves with a floor and a handle, 8 cm wide and 9 cm high."""
+    parts = [trimesh.creation.cylinder(0.037, 0.005, sections=16)]
+    parts[0].apply_translation((0, 0, 0.0025))
+    for angle in np.arange(16) * np.pi / 8:
+        stave = trimesh.creation.box((0.004, 0.0165, 0.085))
+        stave.apply_translation((0.038, 0, 0.0475))
+        stave.apply_transform(trimesh.transformations.rotation_matrix(float(angle), (0, 0, 1)))
+        parts.append(stave)
+    for size, place in (
+        ((0.025, 0.012, 0.010), (0.052, 0, 0.075)),
+        ((0.025, 0.012, 0.010), (0.052, 0, 0.025)),
+        ((0.010, 0.012, 0.060), (0.066, 0, 0.050)),
+    ):
+        part = trimesh.creation.box(size)
+        part.apply_translation(place)
+        parts.append(part)
+    pieces = tuple(ConvexPiece(np.asarray(part.vertices, float)) for part in parts)
+    whole = trimesh.util.concatenate(parts)
+    assert isinstance(whole, trimesh.Trimesh)
+    mesh = textured(whole, plain(60, 90, 180))
+    return Item(instance, spec_of("blue mug", (0.12, 0.08, 0.09), 0.25), Body(mesh, pieces))
+
+
+@pytest.mark.slow
+def test_a_box_among_others_ends_in_the_basket_and_the_arm_is_parked(renderer: Renderer) -> None:
+    green = box_item(2, "green box", (0.06, 0.06, 0.10))
+    station = stand(renderer, [RED, green], [at(0.05, 0.08), at(0.05, 0.17)])
+    result = grasp_first(station)
+    assert result.status == "removed" and result.tries == 1
+    assert is_in_basket(position(station)) and is_parked(station)
+    assert position(station, 2) == pytest.approx([0.05, 0.17, 0.0], abs=0.005)
+    assert result.frame.labels is not None and not (result.frame.labels == 1).any()
+    sides = (0.05, 0.09)
+    assert min(abs(result.width - side) for side in sides) < 0.005
+
+
+@pytest.mark.slow
+def test_a_mug_ends_in_the_basket(renderer: Renderer) -> None:
+    station = stand(renderer, [mug(1)], [at(-0.1, 0.1)])
+    assert grasp_first(station).status == "removed"
+    assert is_in_basket(position(station)) and is_parked(station)
+
+
+def test_what_is_too_wide_is_left_alone(renderer: Renderer) -> None:
+    slab = box_item(1, "red slab", (0.2, 0.2, 0.04))
+    station = stand(renderer, [slab], [at(0.0, 0.0)])
+    result = grasp_first(station)
+    assert (result.status, result.tries, result.candidates) == ("no_candidate", 0, 0)
+    assert position(station) == pytest.approx([0.0, 0.0, 0.0], abs=1e-6)
+
+
+class Lame(Ur5):
+    """An arm that reaches nothing."""
+
+    def inverse(self, world_from_tool: Pose) -> list[Array]:
+        return []
+
+
+def test_an_arm_that_reaches_nothing_says_so(renderer: Renderer) -> None:
+    station = stand(renderer, [RED], [at(0.0, 0.0)])
+    station.arm = Lame()
+    assert grasp_first(station).status == "unreachable"
+    frame = station.observe(rgb=False)
+    assert frame.labels is not None
+    assert push(station, frame, frame.labels == 1, "up", 0.1).status == "unreachable"
+    assert is_parked(station)
+
+
+class Stuck(SimulatedStation):
+    """A station whose arm is held back on its third motion."""
+
+    moves = 0
+
+    def follow(self, path: Array) -> bool:
+        self.moves += 1
+        return self.moves % 5 != 2 and super().follow(path)
+
+
+def test_an_arm_that_is_stopped_goes_home_and_says_so(renderer: Renderer) -> None:
+    plain_station = stand(renderer, [RED], [at(0.0, 0.0)])
+    station = Stuck(plain_station._world, renderer)
+    result = grasp_first(station)
+    assert result.status == "blocked" and result.tries > 1
+    assert is_parked(station)
+    assert position(station) == pytest.approx([0.0, 0.0, 0.0], abs=0.005)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("direction", "along"),
+    [("right", (1, 0)), ("left", (-1, 0)), ("up", (0, 1)), ("down", (0, -1))],
+)
+@pytest.mark.parametrize("distance", [0.04, 0.12])
+def test_a_box_goes_as_far_as_it_is_pushed(renderer, direction, along, distance) -> None:
+    station = stand(renderer, [RED], [at(0.02, 0.05)])
+    frame = station.observe(rgb=False)
+    assert frame.labels is not None
+    result = push(station, frame, frame.labels == 1, direction, distance)
+    assert result.status == "pushed" and is_parked(station)
+    way = position(station)[:2] - [0.02, 0.05]
+    assert way @ np.array(along) == pytest.approx(distance, abs=0.01)
+    # One narrow contact turns a box a little, and so it strays.
+    assert np.linalg.norm(way - (way @ np.array(along)) * np.array(along)) < 0.02
+    assert result.swept == pytest.approx(distance, abs=0.008)
+
+
+def test_without_room_behind_nothing_is_pushed(renderer: Renderer) -> None:
+    wall = box_item(2, "green wall", (0.06, 0.30, 0.15), mass=1.0)
+    station = stand(renderer, [RED, wall], [at(0.02, 0.05), at(-0.056, 0.05)])
+    frame = station.observe(rgb=False)
+    assert frame.labels is not None
+    assert push(station, frame, frame.labels == 1, "right", 0.1).status == "no_space"
+    assert position(station) == pytest.approx([0.02, 0.05, 0.0], abs=1e-6)
+
+
+def test_a_push_into_the_basket_stops_before_its_wall(renderer: Renderer) -> None:
+    station = stand(renderer, [RED], [at(-0.1, -0.16)])
+    frame = station.observe(rgb=False)
+    assert frame.labels is not None
+    result = push(station, frame, frame.labels == 1, "down", LONGEST)
+    assert result.status == "pushed" and result.swept < LONGEST
+    assert -0.33 < position(station)[1] - 0.025 < -0.28
+
+
+def test_a_push_has_limits(renderer: Renderer) -> None:
+    station = stand(renderer, [RED], [at(0.0, 0.0)])
+    frame = station.observe(rgb=False)
+    with pytest.raises(ValueError, match=r"0\.03 to 0\.2"):
+        push(station, frame, np.ones(frame.depth.shape, bool), "up", 0.5)

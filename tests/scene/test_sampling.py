@@ -1,0 +1,54 @@
+"""What a scene holds and how it falls."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from probe.assets.spec import ObjectSpec
+from probe.errors import Unsatisfiable
+from probe.scene.sampling import draw_drop, draw_objects
+from probe.scene.seeds import generator
+
+
+def spec(number: int, name: str, category: str, colour: str) -> ObjectSpec:
+    return ObjectSpec(
+        f"o{number}", name, category, (colour,), "", 0.1, 0.5, (0.1, 0.1, 0.1), False,
+        "procedural", "Apache-2.0", "test",
+    )  # fmt: skip
+
+
+LIBRARY = [
+    spec(8 * n + k, f"{colour} {category}", category, colour)
+    for n, category in enumerate(("mug", "bowl", "book", "box"))
+    for k, colour in enumerate(("red", "red", "blue", "green", "green", "tan", "tan", "black"))
+]
+
+
+@given(st.integers(0, 10_000), st.integers(1, 20))
+def test_names_are_unique_and_categories_differ_in_colour(seed, count):
+    drawn = draw_objects(LIBRARY, count, np.random.default_rng(seed))
+    assert len(drawn) == count
+    assert len({s.name for s in drawn}) == count
+    assert len({(s.category, s.colours[0]) for s in drawn}) == count
+
+
+def test_too_many_is_refused_with_the_numbers():
+    with pytest.raises(Unsatisfiable, match="Only 20 of 21"):
+        draw_objects(LIBRARY, 21, np.random.default_rng(0))
+
+
+@given(st.integers(0, 10_000))
+def test_drops_stay_in_reach_with_unit_rotations(seed):
+    drop = draw_drop(np.random.default_rng(seed), reach=0.1)
+    assert max(abs(drop.x), abs(drop.y)) <= 0.1
+    assert np.linalg.norm(drop.wxyz) == pytest.approx(1)
+
+
+def test_generators_depend_on_seed_and_purpose_alone():
+    def first(*key: int | str) -> float:
+        seed, *purpose = key
+        return generator(int(seed), *purpose).random()
+
+    assert first(1, "table") == first(1, "table")
+    assert len({first(1, "table"), first(2, "table"), first(1, "pile"), first(1, "pile", 0)}) == 4

@@ -1,0 +1,145 @@
+"""Painted frames: a table with upright boxes, as a camera without perspective would see them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from probe.assets.spec import ObjectSpec
+from probe.scene.layout import CAMERA_HEIGHT, top_camera
+from probe.scene.scene import PlacedObject, Scene
+from probe.station.station import Arm, Hand
+from probe.station.ur5 import Gripper, Ur5
+from probe.types import Array, Frame, Pose
+
+
+@dataclass(frozen=True)
+class Block:
+    """A box seen from above: left, top, right, bottom in pixels (inclusive), height in metres."""
+
+    instance: int
+    box: tuple[int, int, int, int]
+    height: float = 0.05
+    colour: tuple[int, int, int] = (150, 30, 30)
+    share: float = 1.0
+
+    @property
+    def pixels(self) -> tuple[slice, slice]:
+        left, top, right, bottom = self.box
+        return slice(top, bottom + 1), slice(left, right + 1)
+
+
+def paint(blocks: Sequence[Block], *, rgb: bool = True) -> Frame:
+    """A frame of blocks; where two overlap the higher one shows."""
+    labels = np.zeros((1024, 1024), np.int32)
+    heights = np.zeros((1024, 1024))
+    picture = np.full((1024, 1024, 3), 120, np.uint8)
+    for block in sorted(blocks, key=lambda b: b.height):
+        labels[block.pixels] = block.instance
+        heights[block.pixels] = block.height
+        picture[block.pixels] = block.colour
+    depth = (CAMERA_HEIGHT - heights).astype(np.float32)
+    shares = {b.instance: b.share for b in blocks if (labels == b.instance).any()}
+    return Frame(top_camera(), depth, picture if rgb else None, labels, shares)
+
+
+class PaintedStation:
+    """A Station that can only be looked at; a test moves the blocks by hand."""
+
+    def __init__(self, blocks: Sequence[Block]) -> None:
+        self.arm: Arm = Ur5()
+        self.hand: Hand = Gripper()
+        self.blocks = list(blocks)
+        self.drawn = 0
+
+    def observe(self, *, rgb: bool) -> Frame:
+        self.drawn += rgb
+        return paint(self.blocks, rgb=rgb)
+
+    def joints(self) -> Array:
+        return self.arm.parked
+
+    def follow(self, path: Array) -> bool:
+        raise NotImplementedError
+
+    def grip(self, opening: float) -> float:
+        raise NotImplementedError
+
+    def wait(self, seconds: float) -> None:
+        raise NotImplementedError
+
+    def snapshot(self) -> Scene:
+        """Where the blocks are; their ids are secret."""
+        placed = [PlacedObject(b.instance, f"id_{b.instance}", _pose(b)) for b in self.blocks]
+        return Scene(12345, "table", tuple(placed))
+
+    def remove(self, mask: Array) -> None:
+        """Take away whatever shows most under a mask."""
+        labels = paint(self.blocks).labels
+        assert labels is not None
+        hit = int(np.bincount(labels[mask]).argmax())
+        self.blocks = [b for b in self.blocks if b.instance != hit]
+
+    def shift(self, mask: Array, du: int, dv: int) -> None:
+        """Move whatever shows most under a mask."""
+        labels = paint(self.blocks).labels
+        assert labels is not None
+        hit = int(np.bincount(labels[mask]).argmax())
+        moved = (du, dv, du, dv)
+        self.blocks = [
+            replace(b, box=tuple(c + d for c, d in zip(b.box, moved, strict=True)))
+            if b.instance == hit
+            else b
+            for b in self.blocks
+        ]
+
+
+@dataclass(frozen=True)
+class Done:
+    status: str
+    frame: Frame
+
+
+@dataclass
+class Obedient:
+    """Skills that take away or shift whatever they are pointed at; `status` is what they say."""
+
+    status: str = ""
+    calls: list[tuple[object, ...]] = field(default_factory=list[tuple[object, ...]])
+
+    def grasp_and_remove(self, station, frame: Frame, mask: Array, drop_at) -> Done:
+        self.calls.append(("grasp", int(mask.sum()), drop_at))
+        if not self.status:
+            station.remove(mask)
+        return Done(self.status or "removed", station.observe(rgb=False))
+
+    def push(self, station, frame: Frame, mask: Array, direction, distance_m) -> Done:
+        self.calls.append(("push", direction, distance_m))
+        if not self.status:
+            station.shift(mask, 60, 0)
+        return Done(self.status or "pushed", station.observe(rgb=False))
+
+
+def spec(name: str, *colours: str, category: str = "", description: str = "") -> ObjectSpec:
+    """A catalogue entry whose id must never reach an agent."""
+    return ObjectSpec(
+        id=f"secret_{name.replace(' ', '_')}_77",
+        name=name,
+        category=category or name.split()[-1],
+        colours=colours or ("red",),
+        description=description or f"A {name}.",
+        mass=0.1234,
+        friction=0.5,
+        size=(0.1, 0.1, 0.05),
+        hollow=False,
+        origin="procedural",
+        licence="CC0-1.0",
+        source="made here",
+    )
+
+
+def _pose(block: Block) -> Pose:
+    left, top, right, bottom = block.box
+    return Pose(((left + right) / 2000, (top + bottom) / 2000, block.height / 3))

@@ -1,0 +1,113 @@
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from probe.scene.scene import PlacedObject, Scene
+from probe.tasks.grading import Answer, LastView, Score, distance_px, grade, whereabouts
+from probe.types import Pose
+from task_examples import FIND, SCENE, with_answer
+
+ROWS, COLUMNS = slice(40, 60), slice(100, 130)
+"""Where the target shows at the end."""
+
+
+def last(rows=ROWS, columns=COLUMNS, position=(0.1, 0.2, 0.0), labels_of=2) -> LastView:
+    """A last picture in which the target covers some rows and columns."""
+    labels = np.zeros((200, 200), np.int32)
+    labels[rows, columns] = labels_of
+    placed = tuple(
+        PlacedObject(2, o.object_id, Pose(position)) if o.instance == 2 else o
+        for o in SCENE.objects
+    )
+    return LastView(labels, Scene(7, "oak", placed))
+
+
+RIGHT = Score(True, True, "right")
+WRONG = Score(False, False, "wrong")
+
+
+@pytest.mark.parametrize(
+    ("answer", "seen", "score"),
+    [
+        (Answer("B", (115, 50)), last(), RIGHT),
+        (Answer("B", (98.0, 50)), last(), RIGHT),  # two pixels beside the edge
+        (Answer("B", (97.9, 50)), last(), Score(False, True, "missed")),
+        (Answer("B", (132.0, 50)), last(), RIGHT),
+        (Answer("B", (132.1, 50)), last(), Score(False, True, "missed")),
+        (Answer("B", (98.5, 38.5)), last(), Score(False, True, "missed")),  # 2.1 px off a corner
+        (Answer("B", (98.6, 38.6)), last(), RIGHT),
+        (Answer("B", (math.nan, 50)), last(), Score(False, True, "missed")),
+        (Answer("B", (math.inf, 50)), last(), Score(False, True, "missed")),
+        (Answer("B"), last(), Score(False, True, "no point")),
+        (Answer("C", (115, 50)), last(), WRONG),
+        (Answer("E", (115, 50)), last(), WRONG),
+        (Answer(None), last(), Score(False, False, "unanswered")),
+        (Answer(None, (115, 50)), last(), Score(False, False, "unanswered")),
+        # Stale: right when the target was still there, but it has been moved since.
+        (Answer("B", (115, 50)), last(columns=slice(150, 180)), Score(False, True, "missed")),
+        (Answer("B", (165, 50)), last(columns=slice(150, 180)), RIGHT),
+        # In the basket, on the floor.
+        (Answer("B", (115, 50)), last(position=(-0.2, -0.5, 0.02)), Score(False, True, "lost")),
+        (Answer("B", (115, 50)), last(position=(0.9, 0.0, -0.75)), Score(False, True, "lost")),
+        # 24 and 25 visible pixels.
+        (
+            Answer("B", (101, 41)),
+            last(slice(40, 44), slice(100, 106)),
+            Score(False, True, "covered"),
+        ),
+        (Answer("B", (101, 41)), last(slice(40, 45), slice(100, 105)), RIGHT),
+        (Answer("B", (115, 50)), last(labels_of=3), Score(False, True, "covered")),
+    ],
+)
+def test_find_where_the_target_is_listed(answer, seen, score):
+    assert grade(FIND, answer, seen) == score
+
+
+@pytest.mark.parametrize("point", [None, (0, 0), (115, 50)])
+def test_find_where_none_is_listed_ignores_points(point):
+    assert grade(with_answer("E"), Answer("E", point), last()) == RIGHT
+    assert grade(with_answer("E"), Answer("B", point), last()) == WRONG
+
+
+@pytest.mark.parametrize("kind", ["beneath", "count"])
+@pytest.mark.parametrize("position", [(0.1, 0.2, 0.0), (-0.2, -0.5, 0.02), (2.0, 0.0, -0.75)])
+def test_other_types_look_at_the_letter_alone(kind, position):
+    task = replace(FIND, kind=kind)
+    seen = last(position=position)
+    assert grade(task, Answer("B"), seen) == RIGHT
+    assert grade(task, Answer("A", (115, 50)), seen) == WRONG
+    assert grade(task, Answer(None), seen).outcome == "unanswered"
+
+
+@pytest.mark.parametrize(
+    ("position", "place"),
+    [
+        ((0.0, 0.0, 0.0), "table"),
+        ((0.75, 0.65, 0.1), "table"),
+        ((0.81, 0.0, 0.1), "off the table"),
+        ((0.0, 0.0, -0.7), "off the table"),
+        ((-0.20, -0.51, 0.01), "basket"),
+        ((-0.36, -0.34, 0.3), "basket"),
+        ((-0.39, -0.51, 0.0), "table"),
+    ],
+)
+def test_whereabouts(position, place):
+    assert whereabouts(Pose(position)) == place
+
+
+@given(st.floats(-20, 60), st.floats(-20, 60))
+def test_distance_is_that_to_the_nearest_corner_or_side(u, v):
+    mask = np.zeros((40, 40), dtype=bool)
+    mask[10:20, 5:25] = True
+    nearest = min(max(u, 5), 25), min(max(v, 10), 20)
+    assert distance_px(mask, (u, v)) == pytest.approx(math.dist((u, v), nearest))
+
+
+def test_nothing_is_near_an_empty_mask():
+    assert distance_px(np.zeros((4, 4), dtype=bool), (1, 1)) == math.inf

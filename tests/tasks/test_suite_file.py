@@ -1,0 +1,88 @@
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from probe.errors import BadData
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.task import LETTERS
+from task_examples import FIND, SCENE, with_answer
+
+HASHES = {placed.object_id: "0123456789abcdef" for placed in SCENE.objects}
+SUITE = Suite(
+    "small",
+    (FIND, replace(with_answer("E"), id="count-1", kind="count", subject="lime", cover=1)),
+    HASHES,
+)
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    path = tmp_path / "small.json"
+    write_suite(path, SUITE)
+    return path
+
+
+def test_a_suite_comes_back_bit_for_bit(path: Path):
+    assert read_suite(path) == SUITE
+    written = path.read_bytes()
+    write_suite(path, read_suite(path))
+    assert path.read_bytes() == written
+
+
+def test_it_carries_a_canary(path: Path):
+    assert "canary" in json.loads(path.read_text())["canary"]
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.9, 0.999])
+def test_a_truncated_file_is_refused(path: Path, share):
+    content = path.read_bytes()
+    path.write_bytes(content[: int(len(content) * share)])
+    with pytest.raises(BadData, match=r"small\.json: .*probe suite build"):
+        read_suite(path)
+
+
+def test_a_missing_file_is_refused(tmp_path: Path):
+    with pytest.raises(BadData, match="No such file"):
+        read_suite(tmp_path / "none.json")
+
+
+def edit(path: Path, place: list, value: object) -> None:
+    """Change one value of a JSON file."""
+    content = json.loads(path.read_text())
+    inner = content
+    for part in place[:-1]:
+        inner = inner[part]
+    inner[place[-1]] = value
+    path.write_text(json.dumps(content))
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "reason"),
+    [
+        (["version"], 2, "version"),
+        (["canary"], "", "canary"),
+        (["tasks", 0, "answer"], "C", "find-0123abcd isn't what it was"),
+        (["tasks", 0, "scene", "objects", 1, "position", 0], 0.11, "isn't what it was"),
+        (["tasks", 0, "answer"], "F", "tasks.0.answer"),
+        (["tasks", 0, "kind"], "guess", "tasks.0.kind"),
+        (["tasks", 0, "targets"], [9], r"tasks.0: .*instances \[9\]"),
+        (["tasks", 1, "id"], "find-0123abcd", "twice"),
+        (["manifest"], {}, "manifest differ"),
+        (["objects"], {}, "which has no hash"),
+    ],
+)
+def test_an_edited_suite_is_refused_by_place(path: Path, place, value, reason):
+    edit(path, place, value)
+    with pytest.raises(BadData, match=reason):
+        read_suite(path)
+
+
+def test_letters_keep_their_texts(path: Path):
+    task = read_suite(path).tasks[0]
+    assert [option.letter for option in task.options] == list(LETTERS)
+    assert task.options[1].text == "lime"

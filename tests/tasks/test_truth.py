@@ -1,0 +1,58 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from probe.scene.scene import PlacedObject, Scene
+from probe.tasks.truth import Silhouette, how_many, lies_under, which_beneath, which_on_table
+from probe.types import Pose
+
+
+def scene_of(*object_ids: str) -> Scene:
+    placed = [PlacedObject(n, id, Pose()) for n, id in enumerate(object_ids, start=1)]
+    return Scene(0, "oak", tuple(placed))
+
+
+def strip(start: int, stop: int, top: float) -> Silhouette:
+    mask = np.zeros((4, 100), dtype=bool)
+    mask[1:3, start:stop] = True
+    return Silhouette(mask, top)
+
+
+@pytest.mark.parametrize(("object_id", "number"), [("lime", 2), ("mug", 1), ("plum", 0)])
+def test_how_many(object_id, number):
+    assert how_many(scene_of("lime", "mug", "lime"), object_id) == number
+
+
+def test_the_one_candidate_on_the_table_is_found():
+    found = which_on_table(scene_of("mug", "plum", "book"), {"lime", "plum", "egg"})
+    assert (found.instance, found.object_id) == (2, "plum")
+
+
+@pytest.mark.parametrize("on_table", [("mug",), ("lime", "plum"), ("plum", "plum")])
+def test_anything_but_one_is_ambiguous(on_table):
+    with pytest.raises(ValueError, match="Exactly one"):
+        which_on_table(scene_of(*on_table), {"lime", "plum"})
+
+
+@pytest.mark.parametrize(
+    ("item", "cover", "under"),
+    [
+        (strip(20, 30, 0.05), strip(10, 40, 0.08), True),
+        (strip(20, 30, 0.08), strip(10, 40, 0.08), False),  # not lower
+        (strip(3, 13, 0.05), strip(6, 40, 0.08), True),  # exactly 70 %
+        (strip(2, 12, 0.05), strip(6, 40, 0.08), False),  # 60 %
+        (strip(5, 5, 0.05), strip(6, 40, 0.08), False),  # nothing of it in the picture
+    ],
+)
+def test_lies_under(item, cover, under):
+    assert lies_under(item, cover) is under
+
+
+def test_beneath_names_the_candidate_under_the_cover_and_no_other():
+    scene = scene_of("bowl", "lime", "mug")
+    silhouettes = {1: strip(10, 40, 0.08), 2: strip(20, 30, 0.05)}
+    assert which_beneath(scene, {"lime", "plum"}, 1, silhouettes).instance == 2
+    beside = silhouettes | {2: strip(60, 70, 0.05)}
+    with pytest.raises(ValueError, match="not 0"):
+        which_beneath(scene, {"lime", "plum"}, 1, beside)

@@ -1,0 +1,113 @@
+"""The checks of `make check` fail on code that breaks the architecture."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+BIN = Path(sys.executable).parent
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    """A copy of the code and of what configures its checks."""
+    ignore = shutil.ignore_patterns("__pycache__", "*.so")
+    shutil.copytree(ROOT / "src", tmp_path / "src", ignore=ignore)
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, tmp_path)
+    return tmp_path
+
+
+def plant(checkout: Path, module: str, line: str) -> None:
+    """Add a module with one import to the copy, and its package if there is none yet."""
+    path = checkout / "src" / "probe" / f"{module}.py"
+    path.parent.mkdir(exist_ok=True)
+    init = path.parent / "__init__.py"
+    if not init.exists():
+        init.write_text('"""A package."""\n')
+    path.write_text(f'"""A module."""\n\n{line}\n')
+
+
+def run(checkout: Path, *command: str) -> tuple[int, str]:
+    """Exit status and output of a checking tool, run on the copy as `make check` runs it."""
+    tool = [str(BIN / command[0]), *command[1:]]
+    environment = os.environ | {"PYTHONPATH": str(checkout / "src"), "COLUMNS": "200"}
+    done = subprocess.run(tool, cwd=checkout, env=environment, capture_output=True, text=True)
+    return done.returncode, done.stdout + done.stderr
+
+
+def test_make_check_runs_these_commands():
+    recipe = (ROOT / "Makefile").read_text()
+    assert "$(BIN)/ruff check\n" in recipe
+    assert "$(BIN)/lint-imports\n" in recipe
+
+
+def test_the_code_as_it_is_keeps_the_architecture(checkout: Path):
+    status, output = run(checkout, "lint-imports")
+    assert status == 0, output
+    status, output = run(checkout, "ruff", "check", "--select", "TID251")
+    assert status == 0, output
+
+
+@pytest.mark.parametrize("folder", ["tasks", "toolshed", "scene", "assets"])
+def test_mujoco_is_kept_out(checkout: Path, folder: str):
+    plant(checkout, f"{folder}/planted", "import mujoco  # noqa: F401")
+
+    status, output = run(checkout, "ruff", "check")
+    assert status != 0
+    assert "TID251" in output
+    assert f"src/probe/{folder}/planted.py" in output
+
+    status, output = run(checkout, "lint-imports")
+    assert status != 0
+    assert f"probe.{folder}.planted" in output
+    assert "mujoco" in output
+
+
+@pytest.mark.parametrize(
+    ("module", "imported"),
+    [
+        ("toolshed/planted", "probe.tasks"),
+        ("tasks/planted", "probe.toolshed"),
+        ("scene/planted", "probe.world"),
+        ("render/planted", "probe.world"),
+    ],
+)
+def test_forbidden_directions_are_refused(checkout: Path, module: str, imported: str):
+    plant(checkout, f"{imported.removeprefix('probe.')}/other", "import math")
+    plant(checkout, module, f"import {imported}")
+
+    status, output = run(checkout, "lint-imports")
+    assert status != 0
+    assert f"probe.{module.replace('/', '.')}" in output
+    assert f"-> {imported}" in output
+
+
+def test_questions_get_no_physics_through_others(checkout: Path):
+    plant(checkout, "world/engine", "import mujoco")
+    plant(checkout, "tasks/planted", "import probe.world.engine")
+    status, output = run(checkout, "lint-imports")
+    assert status != 0
+    assert "probe.tasks.planted" in output
+    assert "probe.world.engine" in output
+
+
+def test_mujoco_is_let_into_its_homes(checkout: Path):
+    plant(checkout, "world/planted", "import mujoco\n\nEngine = mujoco.MjModel")
+    status, output = run(checkout, "ruff", "check", "src/probe/world/planted.py")
+    assert status == 0, output
+    status, output = run(checkout, "lint-imports")
+    assert status == 0, output
+
+
+def test_a_folder_without_a_place_is_refused(checkout: Path):
+    plant(checkout, "utils/planted", "import math")
+    status, output = run(checkout, "lint-imports")
+    assert status != 0
+    assert "utils" in output

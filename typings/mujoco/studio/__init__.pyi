@@ -1,0 +1,1 @@
+"""MuJoCo's viewer; only importing its modules matters here."""

@@ -1,0 +1,1 @@
+"""Imported for what it registers; nothing of it is used by name."""
