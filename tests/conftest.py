@@ -6,6 +6,11 @@ import os
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
+
+# The same examples in every run: what a change is judged by mustn't depend on luck.
+settings.register_profile("same", derandomize=True, database=None)
+settings.load_profile("same")
 
 ROOT = Path(__file__).resolve().parents[1]
 

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from manipulation.views import Block, view
@@ -24,6 +24,7 @@ def seen(*blocks: Block) -> Target:
     length=st.floats(0.03, 0.15),
     height=st.floats(0.01, 0.15),
 )
+@example(x=0.0, y=0.09375, length=0.125, height=0.0625)
 def test_walls_lie_on_the_sides_and_their_normals_point_outwards(x, y, length, height) -> None:
     block = Block(x, y, (length, 0.04, height))
     target = seen(block)

@@ -19,6 +19,9 @@ _LEVELS = 16
 _BLUR = 2.0
 _SURFACE = 0.003
 _MARGIN = 12
+# A drop to the next cell deeper than this is a wall, else a slope. A wall that the camera sees
+# from aside may show its topmost millimetres in that cell, so the one after it is asked too.
+_STEEP = 0.005
 _SIDES = ((1, 0), (-1, 0), (0, 1), (0, -1))
 
 
@@ -105,9 +108,11 @@ def _contour(own: Array, heights: Array, level: float) -> tuple[Array, Array]:
             continue
         across: Array = outward[rows, columns] + outward[rows + side[0], columns + side[1]]
         across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-9)
-        # The drop to the next cell tells a slope from a wall, where it is deeper than 5 mm.
         drop = own[rows, columns] - beside[rows, columns]
-        rise = np.where(drop > 0.005, 0.0, CELL / np.maximum(drop, 1e-4))
+        beyond = np.roll(heights, (-2 * side[0], -2 * side[1]), axis=(0, 1))
+        fall = own[rows, columns] - beyond[rows, columns]
+        steep = (drop > _STEEP) | (fall > 2 * _STEEP)
+        rise = np.where(steep, 0.0, CELL / np.maximum(drop, 1e-4))
         normal = np.column_stack([across, rise])
         normals.append(normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9))
         middle = np.column_stack([rows, columns]) + 0.5 * np.array(side)
