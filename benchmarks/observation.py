@@ -25,7 +25,7 @@ from probe.world.scenes import make_scene
 
 REPEATS = 7
 SCENES = 20
-WARM_UP = 40
+EACH = 2
 
 
 def seconds(act: Callable[[], object]) -> float:
@@ -82,18 +82,25 @@ def main(observations: int) -> None:
         print(f"  RGB + depth + labels      {whole:.2f} ({whole / bare:.2f})")
         print(f"  depth + labels            {labels:.2f} ({labels / bare:.2f})")
         print(f"  15 outlines               {outlines:.2f} ({outlines / bare:.2f})")
-        used: list[float] = []
-        for number in range(observations):
-            scene = scenes[number * SCENES // observations]
-            if number * SCENES % observations < SCENES:
-                load_scene(renderer, scene, things, load_table(scene.table, assets_folder()))
+        passes = max(2, observations // (SCENES * EACH))
+        used = [one_pass(renderer, scenes, things) for _ in range(passes)]
+    print(f"Memory of all processes, MB, mean of {SCENES} scenes x {EACH} observations a pass")
+    for number, mean in enumerate(used, start=1):
+        print(f"  pass {number}  {mean:.0f} ({mean / used[0]:.2f})")
+
+
+def one_pass(renderer: Renderer, scenes: list[Scene], things: Library) -> float:
+    """Load every scene in turn and observe it; mean memory after an observation, MB.
+
+    Scenes differ in the size of their textures, so that only whole passes compare.
+    """
+    used: list[float] = []
+    for scene in scenes:
+        load_scene(renderer, scene, things, load_table(scene.table, assets_folder()))
+        for _ in range(EACH):
             photograph(renderer, scene)
             used.append(memory())
-    late = np.array(used[WARM_UP:])
-    print(
-        f"Memory over {observations} observations of {SCENES} scenes, after the first {WARM_UP}: "
-        f"{late.min():.0f} to {late.max():.0f} MB, last/first {late[-1] / late[0]:.2f}"
-    )
+    return float(np.mean(used))
 
 
 if __name__ == "__main__":

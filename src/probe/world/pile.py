@@ -120,6 +120,11 @@ class Pile:
             at = self._dof(instance)
             self.data.qvel[at + 2] -= 1e-6
 
+    def freeze(self) -> None:
+        """Forget all speeds and what the solver remembers, as if built anew from the poses."""
+        self.data.qvel[:] = 0.0
+        self.data.qacc_warmstart[:] = 0.0
+
     def stay_awake(self, *, awake: bool) -> None:
         """Switch the engine's sleeping off or on again."""
         bit = int(mujoco.mjtEnableBit.mjENBL_SLEEP)
