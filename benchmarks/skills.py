@@ -2,7 +2,8 @@
 
 Needs PROBE_ASSETS. Scenes of 15 scans from fresh seeds; targets are drawn evenly from the objects
 that are seen (30 % and 400 pixels), at most five a scene, each from the same restored state.
-A grasp works if its object ends in the basket, by the simulator's truth. CPU seconds are those of
+A grasp works if its object ends in the basket, by the simulator's truth. A push was executed if
+the tool swept the distance asked for, less 1 cm at most. CPU seconds are those of
 this process; the render worker's are not in them.
 """
 
@@ -37,6 +38,7 @@ from probe.world.world import World
 PER_SCENE = 5
 SEEN_SHARE, SEEN_PX = 0.30, 400
 MOVED = 0.03
+FELL_SHORT = 0.01
 ALONG: dict[Direction, tuple[int, int, int]] = {
     "left": (-1, 0, 0),
     "right": (1, 0, 0),
@@ -183,7 +185,7 @@ def pushed(trial: Trial) -> Outcome:
     return Outcome(
         trial.seed,
         ratio >= 0.5,
-        result.status in ("pushed", "unmoved"),
+        result.swept > distance - FELL_SHORT,
         result.status,
         (direction, f"asked {band(distance, 0.08, 0.14)}"),
         moved,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Literal
 
@@ -50,6 +50,8 @@ _LEAST = 0.02
 _STAYED = 0.9
 _SPARE = 0.005
 _CREEP = 0.004
+_STARTS = 3
+_SAME_START = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,17 +108,27 @@ def push(
     options = list(islice(pushes(target, terrain, shape, along, distance), _TRIED))
     if not options:
         return PushResult("no_space", station.observe(rgb=False), 0.0, 0.0)
-    best = None
-    if distance >= _LEAST:
-        best = _best(station, obstacles, options, along * distance, shape)
-    if best is None:
+    if distance < _LEAST:
         return PushResult("unreachable", station.observe(rgb=False), 0.0, 0.0)
-    swept = _execute(station, obstacles, best, shape, along)
-    after = station.observe(rgb=False)
-    status: PushStatus = "pushed" if swept > best.travel - _SPARE else "blocked"
-    if status == "pushed" and still_there(frame, after, mask) > _STAYED:
-        status = "unmoved"
-    return PushResult(status, after, best.push.gap, max(0.0, swept - best.push.gap))
+    result = PushResult("unreachable", station.observe(rgb=False), 0.0, 0.0)
+    for _ in range(_STARTS):
+        best = _best(station, obstacles, options, along * distance, shape)
+        if best is None:
+            break
+        result = _execute(station, obstacles, best, shape, along)
+        stayed = still_there(frame, result.frame, mask)
+        if result.status == "pushed" or result.swept > 0 or stayed < _STAYED:
+            break
+        # Stopped before it met the thing, which is still where it was: from elsewhere, then.
+        options = [option for option in options if not _close(option, best.push)]
+    if result.status == "pushed" and still_there(frame, result.frame, mask) > _STAYED:
+        return replace(result, status="unmoved")
+    return result
+
+
+def _close(one: Push, other: Push) -> bool:
+    apart = np.subtract(one.start.position, other.start.position)
+    return float(np.linalg.norm(apart)) < _SAME_START
 
 
 def _best(
@@ -156,8 +168,8 @@ def _route(
 
 def _execute(
     station: Station, obstacles: Obstacles, route: _Route, shape: HandShape, along: Array
-) -> float:
-    """Push, lift, park; how far the tool went, metres."""
+) -> PushResult:
+    """Push, lift, park and look."""
     swept = 0.0
     station.grip(0.0)
     if station.follow(route.transit) and station.follow(route.descent):
@@ -175,7 +187,9 @@ def _execute(
     station.follow(way)
     station.wait(2.0)
     station.grip(station.hand.max_opening)
-    return swept
+    status: PushStatus = "pushed" if swept > route.travel - _SPARE else "blocked"
+    beyond = max(0.0, swept - route.push.gap)
+    return PushResult(status, station.observe(rgb=False), route.push.gap, beyond)
 
 
 def _place(station: Station) -> Array:

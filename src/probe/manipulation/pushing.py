@@ -18,7 +18,7 @@ from probe.types import Array, Pose, quaternion_of
 DESCENT = 0.10
 """Length of the straight way down, metres."""
 
-_GAPS = np.array([4, 8, 12, 18, 25, 35, 45, 60, 80, 100, 125]) / 1000
+_GAPS = np.array([4, 8, 12, 18, 25, 35, 45, 60, 80, 100, 125, 160, 200, 250]) / 1000
 _ASIDE = np.array([0, 8, -8, 16, -16, 26, -26, 38, -38, 52, -52]) / 1000
 _DOWN = np.array([0.0, 0.03, DESCENT])
 _AHEAD = np.array([0.3, 0.6, 1.0])
@@ -162,8 +162,10 @@ def _heights(own: Array, around: _Surroundings) -> list[float]:
     at = own @ around.along
     rear = own[at < at.min() + _REAR]
     behind = rear[:, :3] - around.along * (_REAR + 0.005)
-    ground = float(np.percentile(around.bare.below(behind), 30))
     top = float(rear[:, 2].max())
+    # What stands behind it may be taller than it is: then it stands no higher than its own edge.
+    ground = min(float(np.percentile(around.bare.below(behind), 30)), top - 2 * _OVERLAP)
+    ground = max(ground, 0.0)
     low = ground + float(np.clip(0.35 * (top - ground), _LOWEST, _HIGHEST))
     skim = top - _OVERLAP
     return [low] if skim < low + 0.004 else [low, (low + skim) / 2, skim]

@@ -1,0 +1,129 @@
+"""Draw an episode as a strip, as in the README: `python examples/strip.py --help`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib import resources
+from pathlib import Path
+
+import numpy as np
+import tyro
+from PIL import Image, ImageDraw, ImageFont
+
+from probe.agents.reading import Box, read_graph
+from probe.agents.scripted import Scripted
+from probe.assets.tables import load_table
+from probe.cli.surroundings import library
+from probe.episodes.grading import question_of
+from probe.episodes.play import score, set_table
+from probe.episodes.run import run_episode
+from probe.episodes.turns import Call, Question, Turn
+from probe.render.renderer import Renderer
+from probe.scene.seeds import generator
+from probe.tasks.suite_file import read_suite
+from probe.types import Array
+
+TASK = "beneath-8af85510"
+SIDE, GAP, TOP, BELOW, CLOSE = 512, 16, 120, 178, 440
+WIDTH = 3 * SIDE + 4 * GAP
+INK, SOFT, GOOD, BAD, MARK, RIM = "#1f2328", "#5b6470", "#1a7f37", "#b42318", "#ff28c8", "white"
+
+
+class Watched:
+    """The scripted agent, and what it has been shown: a record keeps poses, not pictures."""
+
+    def __init__(self, agent: Scripted) -> None:
+        self._agent = agent
+        self.turns: Sequence[Turn] = ()
+
+    def act(self, question: Question, history: Sequence[Turn]) -> Call | None:
+        """What the agent does."""
+        self.turns = history
+        return self._agent.act(question, history)
+
+
+def write(pen: ImageDraw.ImageDraw, at: tuple[int, int], words: str, size: int, ink: str) -> int:
+    """Write words in lines that fit a panel, or the whole width from its left edge; next y."""
+    font, lines = ImageFont.load_default(size), [""]
+    room = WIDTH - 2 * GAP if at[1] < TOP else SIDE
+    for word in words.split():
+        longer = f"{lines[-1]} {word}".strip()
+        if pen.textlength(longer, font) <= room:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    for number, line in enumerate(lines):
+        pen.text((at[0], at[1] + round(1.3 * size) * number), line, ink, font)
+    return at[1] + round(1.3 * size) * len(lines)
+
+
+def ringed(picture: Array, box: Box) -> Array:
+    """The picture with a ring around a box; it isn't in what the agent was given."""
+    image = Image.fromarray(picture)
+    left, top, right, bottom = box
+    u, v, reach = (left + right) / 2, (top + bottom) / 2, max(right - left, bottom - top) / 2
+    for radius, ink, width in ((reach + 17, RIM, 8), (reach + 15, MARK, 4)):
+        bounds = (u - radius, v - radius, u + radius, v + radius)
+        ImageDraw.Draw(image).ellipse(bounds, outline=ink, width=width)
+    return np.asarray(image)
+
+
+def panel(picture: Array, middle: tuple[int, int] | None) -> Image.Image:
+    """The whole picture, or a close-up of a place."""
+    image = Image.fromarray(picture)
+    if middle:
+        left, top = (min(max(at - CLOSE // 2, 0), image.width - CLOSE) for at in middle)
+        image = image.crop((left, top, left + CLOSE, top + CLOSE))
+    return image.resize((SIDE, SIDE), Image.Resampling.LANCZOS)
+
+
+def said(call: Call) -> str:
+    """A call as one would write it in Python."""
+    return f"{call.name}({', '.join(f'{key}={value!r}' for key, value in call.values.items())})"
+
+
+def main(out: Path = Path("outputs/examples/strip.jpg")) -> None:
+    """Let the scripted agent solve one demo task, and draw what it was shown."""
+    with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
+        task = next(task for task in read_suite(path).tasks if task.id == TASK)
+    things, table = library("procedural"), load_table(task.scene.table, None)
+    # The luck that `probe demo` gives it.
+    agent = Watched(Scripted(task.kind, task.subject, generator(task.seed, "run", "scripted", 0)))
+    with Renderer() as renderer:
+        tools, station = set_table(task, things, table, renderer, pictures=True)
+        question = question_of(task, tools.first_picture())
+        record = run_episode(task.id, question, agent, tools, station, agent_name="scripted")
+        outcome = score(task, record, renderer).outcome
+    grasp = next(t for t in agent.turns if t.call.name == "grasp_and_remove")
+    find = agent.turns[agent.turns.index(grasp) - 1]
+    assert record.answer and question.picture is not None
+    assert find.result.picture is not None and grasp.result.picture is not None
+    chosen = dict(question.options)[record.answer.choice]
+    seen = read_graph(agent.turns[-1].result.text).called(chosen)[0]
+    place = grasp.result.point_px
+
+    image = Image.new("RGB", (WIDTH, TOP + SIDE + BELOW), "white")
+    pen = ImageDraw.Draw(image)
+    y = write(pen, (GAP, 18), question.text, 34, INK)
+    options = "     ".join(f"{letter}  {text}" for letter, text in question.options)
+    pen.text((GAP, y + 4), options, SOFT, ImageFont.load_default(25))
+    told = find.result.text.splitlines()
+    panels = (
+        (panel(question.picture, None), "The first picture", "What the mug covers can't be seen."),
+        (panel(find.result.picture, place), said(find.call), ", ".join(told[:2])),
+        (panel(ringed(grasp.result.picture, seen.box), place), said(grasp.call), grasp.result.text),
+    )
+    for number, (picture, title, words) in enumerate(panels):
+        x = GAP + number * (SIDE + GAP)
+        image.paste(picture, (x, TOP))
+        y = write(pen, (x, TOP + SIDE + 12), title, 22, INK)
+        y = write(pen, (x, y), words, 22, SOFT)
+    y = write(pen, (x := GAP + 2 * (SIDE + GAP), y + 6), said(record.steps[-1].call), 22, INK)
+    write(pen, (x, y), f"{chosen}: {outcome}", 22, GOOD if outcome == "right" else BAD)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    image.save(out, quality=88)
+    print(f"{outcome}; {out} is {image.width} x {image.height}, {out.stat().st_size // 1024} KB")
+
+
+if __name__ == "__main__":
+    tyro.cli(main)

@@ -1,0 +1,77 @@
+"""Every example runs as a reader would run it, and says what is true."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from probe.episodes.files import read_records
+from probe.tasks.suite_file import read_suite
+
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+
+
+@pytest.fixture
+def example(tmp_path, cache):
+    """Runs an example in an empty folder; gives its output."""
+
+    def run(name, *arguments):
+        result = subprocess.run(
+            [sys.executable, str(EXAMPLES / name), *map(str, arguments)],
+            env={**os.environ, "XDG_CACHE_HOME": str(cache.parent)},
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert result.returncode == 0, result.stderr
+        return result.stdout
+
+    return run
+
+
+def test_scene_draws_what_it_lists(example, tmp_path):
+    told = example("scene.py", "--seed", 5, "--objects", 4, "--out", tmp_path / "scene.png")
+    shares = [int(line.split("%")[0]) for line in told.splitlines() if line.endswith(" shows")]
+    assert len(shares) == 4 and shares == sorted(shares) and shares[0] >= 0 and shares[-1] <= 100
+    picture = np.asarray(Image.open(tmp_path / "scene.png"))
+    assert picture.shape == (1024, 1024, 3) and picture.std() > 10
+
+
+@pytest.mark.slow
+def test_play_uncovers_the_answer(example, tmp_path):
+    told = example("play.py", "--out", tmp_path / "play")
+    before, after = told.split("> grasp_and_remove(object_id='object_1')\n")
+    assert after.startswith("Done:")
+    assert 'name: "black tape"' not in before and 'name: "black tape"' in after
+    assert told.endswith("Right is C.\n")
+    first, outlined, revealed = (
+        np.asarray(Image.open(tmp_path / "play" / name))
+        for name in ("1-perceive_scene.png", "2-find_object.png", "3-grasp_and_remove.png")
+    )
+    assert first.shape == (1024, 1024, 3)
+    assert (first != outlined).any() and (first != revealed).any()
+
+
+@pytest.mark.slow
+def test_an_agent_is_scored_and_its_record_replays(example, tmp_path):
+    told = example("agent.py", "--out", tmp_path / "run")
+    (record,) = read_records(tmp_path / "run" / "records.jsonl")
+    task = read_suite(tmp_path / "run" / "suite.json").tasks[0]
+    assert record.task == task.id and record.answer and record.answer.choice == task.answer
+    assert record.manipulations == 1 and "right, 1 manipulation(s)" in told
+    again = example("replay.py", "--folder", tmp_path / "run")
+    assert "Replayed byte for byte.\nGraded: right. The replay: right.\n" in again
+
+
+@pytest.mark.slow
+def test_the_strip_is_wide_and_light_enough_for_the_readme(example, tmp_path):
+    told = example("strip.py", "--out", tmp_path / "strip.jpg")
+    assert told.startswith("right; ")
+    with Image.open(tmp_path / "strip.jpg") as image:
+        assert image.format == "JPEG" and image.width == 1600
+    assert (tmp_path / "strip.jpg").stat().st_size < 400_000
