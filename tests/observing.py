@@ -19,5 +19,6 @@ def digest(seed: int, assets: Path, cache: Path) -> str:
     with Renderer() as own:
         load_scene(own, scene, things, load_table(scene.table, assets))
         frame = photograph(own, scene)
+    assert frame.rgb is not None and frame.labels is not None
     pixels = (frame.rgb.tobytes(), frame.depth.tobytes(), frame.labels.tobytes())
     return hashlib.sha256(b"".join((repr(scene).encode(), *pixels))).hexdigest()

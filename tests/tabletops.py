@@ -100,6 +100,7 @@ class PaintedStation:
 class Done:
     status: str
     frame: Frame
+    moved: float | None = 0.07
 
 
 @dataclass

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from manipulation.views import Block, view
@@ -24,7 +25,17 @@ def test_a_thing_that_slid_is_found(dx: float, dy: float) -> None:
     before, (mask, _) = view([BLOCK, OTHER])
     after, (expected, _) = view([Block(BLOCK.x + dx, BLOCK.y + dy, BLOCK.size), OTHER])
     found = tracked(before, after, mask)
-    assert found is not None and overlap(found, expected) > 0.85
+    assert found is not None and overlap(found.mask, expected) > 0.85
+    assert found.shift == pytest.approx([dx, dy, 0.0], abs=0.002)
+
+
+@pytest.mark.parametrize("dx", [0.02, 0.07, 0.15])
+def test_a_thing_that_was_pushed_is_found_where_it_stopped(dx: float) -> None:
+    before, (mask, _) = view([BLOCK, OTHER])
+    after, (expected, _) = view([Block(BLOCK.x + dx, BLOCK.y + 0.01, BLOCK.size), OTHER])
+    found = tracked(before, after, mask, np.array([0.15, 0.0, 0.0]))
+    assert found is not None and overlap(found.mask, expected) > 0.85
+    assert found.shift == pytest.approx([dx, 0.01, 0.0], abs=0.003)
 
 
 def test_a_thing_that_is_gone_is_not_taken_for_its_like() -> None:

@@ -60,5 +60,5 @@ def test_the_hand_starts_free_of_all_that_is_seen(along: Array) -> None:
 
 
 def test_there_is_no_push_without_room_behind() -> None:
-    wall = Block(-0.075, 0.05, (0.10, 0.4, 0.15))
+    wall = Block(-0.195, 0.05, (0.34, 0.4, 0.15))
     assert first_pushes(ALONG[0], BOX, wall) == []

@@ -165,11 +165,12 @@ def test_a_box_goes_as_far_as_it_is_pushed(renderer, direction, along, distance)
     # One narrow contact turns a box a little, and so it strays.
     assert np.linalg.norm(way - (way @ np.array(along)) * np.array(along)) < 0.02
     assert result.swept == pytest.approx(distance, abs=0.008)
+    assert result.moved == pytest.approx(way @ np.array(along), abs=0.006)
 
 
 def test_without_room_behind_nothing_is_pushed(renderer: Renderer) -> None:
-    wall = box_item(2, "green wall", (0.06, 0.30, 0.15), mass=1.0)
-    station = stand(renderer, [RED, wall], [at(0.02, 0.05), at(-0.056, 0.05)])
+    wall = box_item(2, "green wall", (0.34, 0.30, 0.15), mass=1.0)
+    station = stand(renderer, [RED, wall], [at(0.02, 0.05), at(-0.196, 0.05)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
     assert push(station, frame, frame.labels == 1, "right", 0.1).status == "no_space"
@@ -181,7 +182,7 @@ def test_a_push_into_the_basket_stops_before_its_wall(renderer: Renderer) -> Non
     frame = station.observe(rgb=False)
     assert frame.labels is not None
     result = push(station, frame, frame.labels == 1, "down", LONGEST)
-    assert result.status == "pushed" and result.swept < LONGEST
+    assert result.status == "short" and result.swept < LONGEST
     assert -0.33 < position(station)[1] - 0.025 < -0.28
 
 

@@ -36,6 +36,7 @@ def seen_and_cast(tabletop, renderer):
 
 def test_labels_and_depth_agree_with_a_ray_cast(tabletop, renderer):
     frame, labels, depth = seen_and_cast(tabletop, renderer)
+    assert frame.labels is not None and frame.depth is not None
     on_objects = (labels > 0) | (frame.labels > 0)
     assert on_objects.sum() > 100_000
     assert (frame.labels == labels)[on_objects].mean() > 0.995

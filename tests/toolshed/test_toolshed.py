@@ -74,7 +74,8 @@ def test_grasp_removes_and_shows_the_new_table(shed, station, skills):
 def test_push_hands_on_direction_and_metres(shed, skills):
     name = handle(shed, "white ball")
     arguments = {"object_id": name, "direction": "left", "distance_cm": 7.5}
-    assert shed.call("push", arguments).text.startswith("Done:")
+    text = shed.call("push", arguments).text
+    assert text.startswith("Done:") and f"{name} moved about 7 cm that way" in text
     assert skills.calls == [("push", "left", 0.075)]
 
 

@@ -100,7 +100,7 @@ def grasp_and_remove(station: Station, frame: Frame, mask: Array, drop_at: Vecto
         found = None if result.status in ("removed", "dropped") else tracked(frame, after, mask)
         if found is None:
             break
-        frame, mask = after, found
+        frame, mask = after, found.mask
     return result
 
 

@@ -21,10 +21,10 @@ _FOUND = 0.55
 _SLACK = 0.15
 _SLACK_LIMITS = (0.002, 0.008)
 _SHIFT_COST = 4.0
-_COARSE = np.arange(-8, 9) * 0.005
-_FINE = np.arange(-3, 4) * 0.002
-_COARSE_TURNS = np.radians([-30.0, -15.0, 0.0, 15.0, 30.0])
-_FINE_TURNS = np.radians([-8.0, -4.0, 0.0, 4.0, 8.0])
+_ROUGHLY = (np.arange(-8, 9) * 0.005, np.radians([-30.0, -15.0, 0.0, 15.0, 30.0]))
+_FINELY = (np.arange(-3, 4) * 0.002, np.radians([-8.0, -4.0, 0.0, 4.0, 8.0]))
+_STOPS = 0.06
+_NOWHERE = np.zeros(3)
 
 
 def still_there(before: Frame, after: Frame, mask: Array) -> float:
@@ -33,16 +33,31 @@ def still_there(before: Frame, after: Frame, mask: Array) -> float:
     return float(np.mean(change < SAME)) if change.size else 0.0
 
 
-def tracked(before: Frame, after: Frame, mask: Array) -> Array | None:
-    """The mask of a thing that may have slid and turned a little on the table.
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A thing seen again.
+
+    Attributes:
+        mask: Which pixels show it, bool, shape (h, w).
+        shift: How its middle moved over the table, metres, shape (3,).
+    """
+
+    mask: Array
+    shift: Array
+
+
+def tracked(before: Frame, after: Frame, mask: Array, way: Array = _NOWHERE) -> Found | None:
+    """Find a thing again that may have slid and turned a little on the table.
 
     Args:
         before: Where the mask is known.
-        after: Where it is looked for, up to 4 cm and 40 degrees away.
+        after: Where it is looked for, up to 40 degrees turned and 4 cm beside the way.
         mask: bool, shape (h, w).
+        way: A straight line from where it was, on which it may have stopped anywhere, metres,
+            shape (3,).
 
     Returns:
-        Its mask afterwards, bool, shape (h, w); None if most of it isn't found.
+        None if most of it isn't found.
     """
     points = lifted(before, mask)
     if len(points) == 0:
@@ -53,15 +68,17 @@ def tracked(before: Frame, after: Frame, mask: Array) -> Array | None:
     # What showed something else before, and shows it still, isn't the thing.
     possible = mask | (np.abs(after.depth - before.depth) > SAME)
     look = _Look(after, possible, few.mean(axis=0), slack)
-    best, _ = look.search(few, (0.0, 0.0, 0.0), (_COARSE, _COARSE_TURNS))
-    best, share = look.search(few, best, (_FINE, _FINE_TURNS))
+    stops = math.ceil(float(np.linalg.norm(way)) / _STOPS) + 1
+    places = [look.search(few, (*stop, 0.0), _ROUGHLY) for stop in np.linspace(0, way[:2], stops)]
+    best, _ = max(places, key=lambda place: place[1])
+    best, share = look.search(few, best, _FINELY)
     if share < _FOUND:
         return None
     uv, same = look.compared(points, best)
     found = np.zeros_like(mask, bool)
     columns, rows = uv[same].T
     found[rows, columns] = True
-    return ndimage.binary_closing(found, iterations=2)
+    return Found(ndimage.binary_closing(found, iterations=2), np.array([*best[:2], 0.0]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,11 +104,11 @@ class _Look:
         best, best_merit, best_share = start, -math.inf, 0.0
         shifts, turns = steps
         for turn in start[2] + turns:
-            for x in start[0] + shifts:
-                for y in start[1] + shifts:
-                    motion = (float(x), float(y), float(turn))
+            for x in shifts:
+                for y in shifts:
+                    motion = (start[0] + float(x), start[1] + float(y), float(turn))
                     share = float(self.compared(points, motion)[1].mean())
-                    merit = share - _SHIFT_COST * math.hypot(motion[0], motion[1])
+                    merit = share - _SHIFT_COST * math.hypot(x, y)
                     if merit > best_merit:
                         best, best_merit, best_share = motion, merit, share
         return best, best_share

@@ -2,34 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import islice
 from typing import Literal
 
 import numpy as np
 
-from probe.manipulation.handshape import HandShape
-from probe.manipulation.kinematics import between, either_way, line, moved, reaching, straight
-from probe.manipulation.looking import still_there
-from probe.manipulation.obstacles import Obstacles
-from probe.manipulation.pushing import DESCENT, Push, pushes
-from probe.manipulation.room import room_ahead
-from probe.manipulation.routes import home, over
-from probe.manipulation.target import target_of
-from probe.manipulation.terrain import survey
-from probe.scene.layout import BASKET_POSITION
+from probe.manipulation.looking import still_there, tracked
+from probe.manipulation.stroke import Stroke, stroke
 from probe.station.station import Station
 from probe.types import Array, Frame
 
 Direction = Literal["up", "down", "left", "right"]
 """In the picture of the fixed camera."""
 
-PushStatus = Literal["pushed", "unmoved", "no_space", "unreachable", "blocked"]
+PushStatus = Literal["pushed", "short", "unmoved", "no_space", "unreachable", "blocked"]
 """What came of a push:
 
-pushed: The tool swept its whole path.
-unmoved: It did, but the thing looks as it did.
+pushed: The tool swept as far as was asked for.
+short: It swept less: the basket or the arm's reach ended it.
+unmoved: It swept, but the thing looks as it did.
 no_space: There is no free spot behind the thing where the tool could come down.
 unreachable: The arm can't follow any such path.
 blocked: Something stopped the arm.
@@ -38,20 +29,19 @@ blocked: Something stopped the arm.
 SHORTEST, LONGEST = 0.03, 0.20
 """Distances that may be asked for, metres."""
 
+STROKES = 3
+"""Sweeps that one push may take: what rolls, tips or turns aside is pushed on from where it is."""
+
 _ALONG = {
     "right": np.array([1.0, 0.0, 0.0]),
     "left": np.array([-1.0, 0.0, 0.0]),
     "up": np.array([0.0, 1.0, 0.0]),
     "down": np.array([0.0, -1.0, 0.0]),
 }
-_TRIED = 40
-_PARTS = (1.0, 0.75, 0.5, 0.25)
-_LEAST = 0.02
 _STAYED = 0.9
-_SPARE = 0.005
-_CREEP = 0.004
-_STARTS = 3
-_SAME_START = 0.02
+_SHORT = 0.01
+_FAR_ENOUGH = 0.8
+_LEAST = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,24 +51,16 @@ class PushResult:
     Attributes:
         status: See PushStatus.
         frame: The table afterwards, without colours.
-        gap: How far the tool moved until it should have touched, metres.
-        swept: How far it moved from there on, metres; less than asked for where the arm's
-            reach, the basket or an obstacle ended it.
+        swept: How far the tool came along the push from where the thing was, metres.
+        moved: How far the thing went that way, by its looks, metres; None if lost from sight.
+        strokes: Sweeps that were begun.
     """
 
     status: PushStatus
     frame: Frame
-    gap: float
-    swept: float
-
-
-@dataclass(frozen=True, eq=False)
-class _Route:
-    push: Push
-    transit: Array
-    descent: Array
-    sweep: Array
-    travel: float
+    swept: float = 0.0
+    moved: float | None = 0.0
+    strokes: int = 0
 
 
 def push(
@@ -86,7 +68,8 @@ def push(
 ) -> PushResult:
     """Push what a mask shows in a direction of the picture.
 
-    The arm starts and ends parked. What it touches stays as physics leaves it.
+    The arm starts and ends parked. What it touches stays as physics leaves it. A thing that has
+    fallen well behind is pushed on from where it lies, if it can be told by its shape.
 
     Args:
         station: The arm, camera and table.
@@ -100,97 +83,27 @@ def push(
     """
     if not SHORTEST <= distance_m <= LONGEST:
         raise ValueError(f"a push goes {SHORTEST} to {LONGEST} m, not {distance_m} m")
-    terrain = survey(frame, BASKET_POSITION)
-    target = target_of(frame, mask, terrain)
-    shape, along = HandShape(station.hand), _ALONG[direction]
-    obstacles = Obstacles.of(station.arm, terrain)
-    distance = min(distance_m, room_ahead(target, terrain, along))
-    options = list(islice(pushes(target, terrain, shape, along, distance), _TRIED))
-    if not options:
-        return PushResult("no_space", station.observe(rgb=False), 0.0, 0.0)
-    if distance < _LEAST:
-        return PushResult("unreachable", station.observe(rgb=False), 0.0, 0.0)
-    result = PushResult("unreachable", station.observe(rgb=False), 0.0, 0.0)
-    for _ in range(_STARTS):
-        best = _best(station, obstacles, options, along * distance, shape)
-        if best is None:
+    along = _ALONG[direction]
+    result, place = PushResult("no_space", frame), mask
+    while result.strokes < STROKES and result.moved is not None:
+        left = distance_m - result.moved
+        if left < max(_LEAST, (1 - _FAR_ENOUGH) * distance_m):
             break
-        result = _execute(station, obstacles, best, shape, along)
-        stayed = still_there(frame, result.frame, mask)
-        if result.status == "pushed" or result.swept > 0 or stayed < _STAYED:
-            break
-        # Stopped before it met the thing, which is still where it was: from elsewhere, then.
-        options = [option for option in options if not _close(option, best.push)]
+        done = stroke(station, result.frame, place, along, left)
+        if done.end in ("no_space", "unreachable"):
+            return result if result.strokes else PushResult(done.end, done.frame)
+        found = tracked(result.frame, done.frame, place, along * done.swept)
+        moved = None if found is None else result.moved + float(found.shift @ along)
+        swept = max(result.swept, result.moved + done.swept)
+        status = _status(done, swept, distance_m)
+        result = PushResult(status, done.frame, swept, moved, result.strokes + 1)
+        place = place if found is None else found.mask
     if result.status == "pushed" and still_there(frame, result.frame, mask) > _STAYED:
         return replace(result, status="unmoved")
     return result
 
 
-def _close(one: Push, other: Push) -> bool:
-    apart = np.subtract(one.start.position, other.start.position)
-    return float(np.linalg.norm(apart)) < _SAME_START
-
-
-def _best(
-    station: Station, obstacles: Obstacles, options: Sequence[Push], way: Array, shape: HandShape
-) -> _Route | None:
-    """The first option that the arm can follow all the way, or else most of it."""
-    distance = float(np.linalg.norm(way))
-    for part in _PARTS:
-        for option in options:
-            travel = way * (option.gap / distance + part)
-            route = _route(station, obstacles, option, travel, shape)
-            if route is not None:
-                return route
-    return None
-
-
-def _route(
-    station: Station, obstacles: Obstacles, option: Push, travel: Array, shape: HandShape
-) -> _Route | None:
-    """A free path to the start of a push and along it; None if the arm has none."""
-    arm, parked = station.arm, station.joints()
-    for start in either_way(option.start):
-        end = reaching(arm, moved(start, travel), parked)
-        if not end:
-            continue
-        for joints in reaching(arm, start, parked)[:2]:
-            sweep = straight(arm, joints, line(start, travel))
-            rise = straight(arm, joints, line(start, (0.0, 0.0, DESCENT)))
-            if sweep is None or rise is None or not obstacles.arm_free(joints):
-                continue
-            transit = over(arm, parked, rise[-1], obstacles, shape.whole(0.0)[::3])
-            if transit is not None:
-                descent = np.vstack([rise[-2::-1], joints])
-                return _Route(option, transit, descent, sweep, float(np.linalg.norm(travel)))
-    return None
-
-
-def _execute(
-    station: Station, obstacles: Obstacles, route: _Route, shape: HandShape, along: Array
-) -> PushResult:
-    """Push, lift, park and look."""
-    swept = 0.0
-    station.grip(0.0)
-    if station.follow(route.transit) and station.follow(route.descent):
-        begin = _place(station)
-        path = np.vstack([route.descent[-1], route.sweep])
-        for joints in between(path, _CREEP)[1:]:
-            if not station.follow(joints[None]):
-                break
-        swept = float((_place(station) - begin) @ along)
-    up = line(station.arm.forward(station.joints()), (0.0, 0.0, DESCENT))
-    lift = straight(station.arm, station.joints(), up)
-    if lift is not None:
-        station.follow(lift)
-    way = home(station.arm, obstacles, station.joints(), shape.whole(0.0)[::3])
-    station.follow(way)
-    station.wait(2.0)
-    station.grip(station.hand.max_opening)
-    status: PushStatus = "pushed" if swept > route.travel - _SPARE else "blocked"
-    beyond = max(0.0, swept - route.push.gap)
-    return PushResult(status, station.observe(rgb=False), route.push.gap, beyond)
-
-
-def _place(station: Station) -> Array:
-    return np.array(station.arm.forward(station.joints()).position)
+def _status(done: Stroke, swept: float, asked: float) -> PushStatus:
+    if swept > asked - _SHORT:
+        return "pushed"
+    return "blocked" if done.end == "blocked" else "short"

@@ -21,8 +21,9 @@ GRASP_WORDS = {
 }
 
 PUSH_WORDS = {
-    "pushed": "the gripper pushed the whole way. What it met has moved; look at the picture "
-    "to see how far.",
+    "pushed": "the gripper pushed the whole way{moved}. What it met has moved as well.",
+    "short": "the gripper pushed for only part of the way, up to where its reach or the basket "
+    "ended it{moved}. What it met has moved as well.",
     "unmoved": "the gripper went the whole way, but {id} hardly moved. Push it in another "
     "direction or further, or grasp it.",
     "no_space": "there is no free spot next to {id} where the gripper could come down for a push "
@@ -33,7 +34,7 @@ PUSH_WORDS = {
     "may have moved. Try another direction, or first clear what stands in the way.",
 }
 
-_WORKED = frozenset(("removed", "pushed"))
+_WORKED = frozenset(("removed", "pushed", "short"))
 
 
 class Told(NamedTuple):
@@ -48,6 +49,9 @@ def grasp_words(status: str, object_id: str) -> Told:
     return Told(status in _WORKED, GRASP_WORDS[status].format(id=object_id))
 
 
-def push_words(status: str, object_id: str) -> Told:
-    """What became of a push, by the skill's status."""
-    return Told(status in _WORKED, PUSH_WORDS[status].format(id=object_id))
+def push_words(status: str, object_id: str, moved: float | None) -> Told:
+    """What became of a push, by the skill's status and how far the thing went, metres."""
+    how_far = f"; {object_id} can't be told by its looks any more"
+    if moved is not None:
+        how_far = f"; {object_id} moved about {max(0, round(100 * moved))} cm that way"
+    return Told(status in _WORKED, PUSH_WORDS[status].format(id=object_id, moved=how_far))

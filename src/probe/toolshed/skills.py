@@ -24,6 +24,15 @@ class Outcome(Protocol):
         ...
 
 
+class PushOutcome(Outcome, Protocol):
+    """How a push went."""
+
+    @property
+    def moved(self) -> float | None:
+        """How far the thing went the way it was pushed, by its looks, metres; None if unknown."""
+        ...
+
+
 class Skills(Protocol):
     """Grasping and pushing, given what a camera and a mask show."""
 
@@ -35,6 +44,6 @@ class Skills(Protocol):
 
     def push(
         self, station: Station, frame: Frame, mask: Array, direction: Direction, distance: float, /
-    ) -> Outcome:
+    ) -> PushOutcome:
         """Push what the mask shows in a direction of the picture, so many metres."""
         ...

@@ -146,7 +146,7 @@ class Toolshed:
             request.distance_cm / 100,
         )
         self._view.show(outcome.frame)
-        worked, words = push_words(outcome.status, request.object_id)
+        worked, words = push_words(outcome.status, request.object_id, outcome.moved)
         return self._told(worked, words, thing.point_px)
 
     def _take_up(self, object_id: str) -> Thing:

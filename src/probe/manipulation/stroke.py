@@ -1,0 +1,161 @@
+"""One sweep of the closed gripper along a direction, planned on one look. Judges nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import islice
+from typing import Literal
+
+import numpy as np
+
+from probe.manipulation.handshape import HandShape
+from probe.manipulation.kinematics import between, either_way, line, moved, reaching, straight
+from probe.manipulation.looking import still_there
+from probe.manipulation.obstacles import Obstacles
+from probe.manipulation.pushing import DESCENT, Push, pushes
+from probe.manipulation.room import room_ahead
+from probe.manipulation.routes import home, over
+from probe.manipulation.target import target_of
+from probe.manipulation.terrain import survey
+from probe.scene.layout import BASKET_POSITION
+from probe.station.station import Station
+from probe.types import Array, Frame
+
+StrokeEnd = Literal["swept", "no_space", "unreachable", "blocked"]
+"""How a stroke ended: the tool went its whole way; there is nowhere to begin; the arm can't follow
+any such path; something stopped the arm."""
+
+_TRIED = 40
+_PARTS = (1.0, 0.75, 0.5, 0.25)
+_LEAST = 0.02
+_STAYED = 0.9
+_SPARE = 0.005
+_CREEP = 0.004
+_STARTS = 3
+_SAME_START = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class Stroke:
+    """What came of one.
+
+    Attributes:
+        end: See StrokeEnd.
+        frame: The table afterwards, without colours.
+        swept: How far the tool went from where it should have touched, metres; less than asked
+            for where the basket or the arm's reach ended it.
+    """
+
+    end: StrokeEnd
+    frame: Frame
+    swept: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class _Route:
+    push: Push
+    transit: Array
+    descent: Array
+    sweep: Array
+    travel: float
+
+
+def stroke(station: Station, frame: Frame, mask: Array, along: Array, distance: float) -> Stroke:
+    """Sweep once behind what a mask shows; the arm starts and ends parked.
+
+    Args:
+        station: The arm, camera and table.
+        frame: The table as it is now.
+        mask: Which pixels show the thing, bool, shape (h, w).
+        along: Unit direction, level, shape (3,).
+        distance: How far to push it, metres.
+    """
+    terrain = survey(frame, BASKET_POSITION)
+    target = target_of(frame, mask, terrain)
+    shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
+    distance = min(distance, room_ahead(target, terrain, along))
+    options = list(islice(pushes(target, terrain, shape, along, distance), _TRIED))
+    result = Stroke("unreachable" if options else "no_space", frame)
+    if distance < _LEAST:
+        return result
+    for _ in range(_STARTS):
+        best = _best(station, obstacles, options, along * distance, shape)
+        if best is None:
+            break
+        result = _execute(station, obstacles, best, shape, along)
+        stayed = still_there(frame, result.frame, mask)
+        if result.end == "swept" or result.swept > 0 or stayed < _STAYED:
+            break
+        # Stopped before it met the thing, which is still where it was: from elsewhere, then.
+        options = [option for option in options if not _close(option, best.push)]
+    return result
+
+
+def _close(one: Push, other: Push) -> bool:
+    apart = np.subtract(one.start.position, other.start.position)
+    return float(np.linalg.norm(apart)) < _SAME_START
+
+
+def _best(
+    station: Station, obstacles: Obstacles, options: Sequence[Push], way: Array, shape: HandShape
+) -> _Route | None:
+    """The first option that the arm can follow all the way, or else most of it."""
+    distance = float(np.linalg.norm(way))
+    for part in _PARTS:
+        for option in options:
+            travel = way * (option.gap / distance + part)
+            route = _route(station, obstacles, option, travel, shape)
+            if route is not None:
+                return route
+    return None
+
+
+def _route(
+    station: Station, obstacles: Obstacles, option: Push, travel: Array, shape: HandShape
+) -> _Route | None:
+    """A free path to the start of a push and along it; None if the arm has none."""
+    arm, parked = station.arm, station.joints()
+    for start in either_way(option.start):
+        end = reaching(arm, moved(start, travel), parked)
+        if not end:
+            continue
+        for joints in reaching(arm, start, parked)[:2]:
+            sweep = straight(arm, joints, line(start, travel))
+            rise = straight(arm, joints, line(start, (0.0, 0.0, DESCENT)))
+            if sweep is None or rise is None or not obstacles.arm_free(joints):
+                continue
+            transit = over(arm, parked, rise[-1], obstacles, shape.whole(0.0)[::3])
+            if transit is not None:
+                descent = np.vstack([rise[-2::-1], joints])
+                return _Route(option, transit, descent, sweep, float(np.linalg.norm(travel)))
+    return None
+
+
+def _execute(
+    station: Station, obstacles: Obstacles, route: _Route, shape: HandShape, along: Array
+) -> Stroke:
+    """Push, lift, park and look."""
+    swept = 0.0
+    station.grip(0.0)
+    if station.follow(route.transit) and station.follow(route.descent):
+        begin = _place(station)
+        path = np.vstack([route.descent[-1], route.sweep])
+        for joints in between(path, _CREEP)[1:]:
+            if not station.follow(joints[None]):
+                break
+        swept = float((_place(station) - begin) @ along)
+    up = line(station.arm.forward(station.joints()), (0.0, 0.0, DESCENT))
+    lift = straight(station.arm, station.joints(), up)
+    if lift is not None:
+        station.follow(lift)
+    way = home(station.arm, obstacles, station.joints(), shape.whole(0.0)[::3])
+    station.follow(way)
+    station.wait(2.0)
+    station.grip(station.hand.max_opening)
+    end: StrokeEnd = "swept" if swept > route.travel - _SPARE else "blocked"
+    return Stroke(end, station.observe(rgb=False), max(0.0, swept - route.push.gap))
+
+
+def _place(station: Station) -> Array:
+    return np.array(station.arm.forward(station.joints()).position)
