@@ -38,6 +38,15 @@ def test_untouched_objects_stay_to_the_bit(world):
     assert world.scene() == before
 
 
+def test_a_tall_thing_begins_asleep_too():
+    # As tall as the outstretched arm is high: the engine warns of what it can't put to sleep.
+    post = box_item(1, "tall post", (0.1, 0.1, 0.4))
+    there = PlacedObject(1, post.spec.id, at(0.0, 0.1))
+    world = World(Scene(0, "grey", (there,)), shelf([post]))
+    world.step(100)
+    assert world.scene().objects == (there,)
+
+
 @pytest.mark.parametrize("steps", [0, 300, 700])
 def test_restoring_gives_the_same_future_to_the_bit(world, steps):
     swing(world, steps)

@@ -9,6 +9,7 @@ moved along their own joint axis, as in the maker's ROS description.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import mujoco
@@ -139,12 +140,16 @@ TOUCHING = (("arm_base", "shoulder"), ("wrist_1", "wrist_3"), ("forearm", "wrist
 """Links that no motion can press together although MuJoCo would see them touch."""
 
 
-def add_arm(spec: mujoco.MjSpec, base: mujoco.MjsBody) -> mujoco.MjsBody:
+def add_arm(
+    spec: mujoco.MjSpec, base: mujoco.MjsBody, posture: Sequence[float]
+) -> mujoco.MjsBody:
     """Add the arm with its servos; the specification's angles must be in radians.
 
     Args:
         spec: What to add to.
         base: The body whose frame is the arm's base frame; its name must be "arm_base".
+        posture: Joint angles that the model is written down with, radians, shape (6,). The engine
+            tries which objects can begin asleep while the arm is so: it should touch none.
 
     Returns:
         The last link, whose frame is tool0.
@@ -152,24 +157,29 @@ def add_arm(spec: mujoco.MjSpec, base: mujoco.MjsBody) -> mujoco.MjsBody:
     add_solids(base, BASE)
     body = base
     for index, link in enumerate(LINKS):
-        body = _add_link(body, index, link)
+        body = _add_link(body, index, link, posture[index])
         _add_servo(spec, index)
     for first, second in TOUCHING:
         spec.add_exclude(bodyname1=first, bodyname2=second)
     return body
 
 
-def _add_link(parent: mujoco.MjsBody, index: int, link: Link) -> mujoco.MjsBody:
+def _add_link(
+    parent: mujoco.MjsBody, index: int, link: Link, angle: float
+) -> mujoco.MjsBody:
     x, twist = (ur5.A[index - 1], ur5.ALPHA[index - 1]) if index else (0.0, 0.0)
     c, s = math.cos(twist), math.sin(twist)
     body = parent.add_body(name=link.name, gravcomp=1.0)
     body.pos = [x, -s * ur5.D[index], c * ur5.D[index]]
-    body.quat = [math.cos(twist / 2), math.sin(twist / 2), 0.0, 0.0]
+    # The twist about x, then the joint's angle about z.
+    (c, s), (k, n) = ((math.cos(a / 2), math.sin(a / 2)) for a in (twist, angle))
+    body.quat = [c * k, s * k, -s * n, c * n]
     if index == 0:
         body.sleep = mujoco.mjtSleepPolicy.mjSLEEP_NEVER
     set_inertia(body, link.mass, link.centre, cylinder_inertia(link.mass, *link.barrel))
     limit = float(ur5.JOINT_LIMIT[index])
     add_hinge(body, ur5.JOINTS[index], (0.0, 0.0, 1.0), (-limit, limit), ARMATURE[index])
+    body.joints[0].ref = angle
     add_solids(body, link.solids)
     return body
 

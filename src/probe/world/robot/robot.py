@@ -57,5 +57,5 @@ def _robot(height: float) -> mujoco.MjSpec:
     if height > 0:
         pedestal = robot.worldbody.add_body(name="pedestal")
         add_solids(pedestal, [Box((0.0, 0.0, -height / 2), (0.075, 0.075, height / 2), GREY)])
-    add_gripper(robot, add_arm(robot, base))
+    add_gripper(robot, add_arm(robot, base, PARKED))
     return robot
