@@ -174,7 +174,7 @@ def pushed(trial: Trial) -> Outcome:
     direction = directions[int(trial.rng.integers(len(directions)))]
     distance = float(trial.rng.uniform(SHORTEST, LONGEST))
     before, start = trial.world.scene(), time.process_time()
-    result = push(trial.station, trial.frame, trial.mask, direction, distance)
+    result = push(trial.station, trial.frame, trial.mask, direction, distance, BASKET_POSITION)
     spent = time.process_time() - start
     after = trial.world.scene()
     number = trial.target.instance

@@ -116,7 +116,7 @@ class Obedient:
             station.remove(mask)
         return Done(self.status or "removed", station.observe(rgb=False))
 
-    def push(self, station, frame: Frame, mask: Array, direction, distance_m) -> Done:
+    def push(self, station, frame: Frame, mask: Array, direction, distance_m, basket) -> Done:
         self.calls.append(("push", direction, distance_m))
         if not self.status:
             station.shift(mask, 60, 0)

@@ -125,7 +125,9 @@ def test_an_arm_that_reaches_nothing_says_so(renderer: Renderer) -> None:
     assert grasp_first(station).status == "unreachable"
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    assert push(station, frame, frame.labels == 1, "up", 0.1).status == "unreachable"
+    assert (
+        push(station, frame, frame.labels == 1, "up", 0.1, BASKET_POSITION).status == "unreachable"
+    )
     assert is_parked(station)
 
 
@@ -158,7 +160,7 @@ def test_a_box_goes_as_far_as_it_is_pushed(renderer, direction, along, distance)
     station = stand(renderer, [RED], [at(0.02, 0.05)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    result = push(station, frame, frame.labels == 1, direction, distance)
+    result = push(station, frame, frame.labels == 1, direction, distance, BASKET_POSITION)
     assert result.status == "pushed" and is_parked(station)
     way = position(station)[:2] - [0.02, 0.05]
     assert way @ np.array(along) == pytest.approx(distance, abs=0.01)
@@ -173,7 +175,9 @@ def test_without_room_behind_nothing_is_pushed(renderer: Renderer) -> None:
     station = stand(renderer, [RED, wall], [at(0.02, 0.05), at(-0.196, 0.05)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    assert push(station, frame, frame.labels == 1, "right", 0.1).status == "no_space"
+    assert (
+        push(station, frame, frame.labels == 1, "right", 0.1, BASKET_POSITION).status == "no_space"
+    )
     assert position(station) == pytest.approx([0.02, 0.05, 0.0], abs=1e-6)
 
 
@@ -181,7 +185,7 @@ def test_a_push_into_the_basket_stops_before_its_wall(renderer: Renderer) -> Non
     station = stand(renderer, [RED], [at(-0.1, -0.16)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    result = push(station, frame, frame.labels == 1, "down", LONGEST)
+    result = push(station, frame, frame.labels == 1, "down", LONGEST, BASKET_POSITION)
     assert result.status == "short" and result.swept < LONGEST
     assert -0.33 < position(station)[1] - 0.025 < -0.28
 
@@ -190,4 +194,4 @@ def test_a_push_has_limits(renderer: Renderer) -> None:
     station = stand(renderer, [RED], [at(0.0, 0.0)])
     frame = station.observe(rgb=False)
     with pytest.raises(ValueError, match=r"0\.03 to 0\.2"):
-        push(station, frame, np.ones(frame.depth.shape, bool), "up", 0.5)
+        push(station, frame, np.ones(frame.depth.shape, bool), "up", 0.5, BASKET_POSITION)

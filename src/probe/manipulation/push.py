@@ -10,7 +10,7 @@ import numpy as np
 from probe.manipulation.looking import still_there, tracked
 from probe.manipulation.stroke import Stroke, stroke
 from probe.station.station import Station
-from probe.types import Array, Frame
+from probe.types import Array, Frame, Vector3
 
 Direction = Literal["up", "down", "left", "right"]
 """In the picture of the fixed camera."""
@@ -64,7 +64,12 @@ class PushResult:
 
 
 def push(
-    station: Station, frame: Frame, mask: Array, direction: Direction, distance_m: float
+    station: Station,
+    frame: Frame,
+    mask: Array,
+    direction: Direction,
+    distance_m: float,
+    basket: Vector3,
 ) -> PushResult:
     """Push what a mask shows in a direction of the picture.
 
@@ -77,6 +82,7 @@ def push(
         mask: Which pixels show the thing, bool, shape (h, w).
         direction: Of the fixed camera's picture.
         distance_m: SHORTEST to LONGEST.
+        basket: Middle of the basket's floor, which nothing is pushed into.
 
     Raises:
         ValueError: The distance lies outside that range.
@@ -89,7 +95,7 @@ def push(
         left = distance_m - result.moved
         if left < max(_LEAST, (1 - _FAR_ENOUGH) * distance_m):
             break
-        done = stroke(station, result.frame, place, along, left)
+        done = stroke(station, result.frame, place, along, left, basket)
         if done.end in ("no_space", "unreachable"):
             return result if result.strokes else PushResult(done.end, done.frame)
         found = tracked(result.frame, done.frame, place, along * done.swept)

@@ -18,9 +18,8 @@ from probe.manipulation.room import room_ahead
 from probe.manipulation.routes import home, over
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
-from probe.scene.layout import BASKET_POSITION
 from probe.station.station import Station
-from probe.types import Array, Frame
+from probe.types import Array, Frame, Vector3
 
 StrokeEnd = Literal["swept", "no_space", "unreachable", "blocked"]
 """How a stroke ended: the tool went its whole way; there is nowhere to begin; the arm can't follow
@@ -61,7 +60,9 @@ class _Route:
     travel: float
 
 
-def stroke(station: Station, frame: Frame, mask: Array, along: Array, distance: float) -> Stroke:
+def stroke(
+    station: Station, frame: Frame, mask: Array, along: Array, distance: float, basket: Vector3
+) -> Stroke:
     """Sweep once behind what a mask shows; the arm starts and ends parked.
 
     Args:
@@ -70,11 +71,12 @@ def stroke(station: Station, frame: Frame, mask: Array, along: Array, distance: 
         mask: Which pixels show the thing, bool, shape (h, w).
         along: Unit direction, level, shape (3,).
         distance: How far to push it, metres.
+        basket: Middle of the basket's floor.
     """
-    terrain = survey(frame, BASKET_POSITION)
+    terrain = survey(frame, basket)
     target = target_of(frame, mask, terrain)
     shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
-    distance = min(distance, room_ahead(target, terrain, along))
+    distance = min(distance, room_ahead(target, terrain, along, basket))
     options = list(islice(pushes(target, terrain, shape, along, distance), _TRIED))
     result = Stroke("unreachable" if options else "no_space", frame)
     if distance < _LEAST:

@@ -43,7 +43,14 @@ class Skills(Protocol):
         ...
 
     def push(
-        self, station: Station, frame: Frame, mask: Array, direction: Direction, distance: float, /
+        self,
+        station: Station,
+        frame: Frame,
+        mask: Array,
+        direction: Direction,
+        distance: float,
+        basket: Vector3,
+        /,
     ) -> PushOutcome:
-        """Push what the mask shows in a direction of the picture, so many metres."""
+        """Push what the mask shows so many metres in the picture's direction, not into a basket."""
         ...

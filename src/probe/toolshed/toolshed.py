@@ -144,6 +144,7 @@ class Toolshed:
             thing.mask,
             request.direction,
             request.distance_cm / 100,
+            self._basket,
         )
         self._view.show(outcome.frame)
         worked, words = push_words(outcome.status, request.object_id, outcome.moved)
