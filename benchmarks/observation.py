@@ -41,7 +41,9 @@ def seconds(act: Callable[[], object]) -> float:
 
 def bare_frame(scene: Scene, things: Library) -> float:
     """Seconds for one more RGB frame, in a child process that owns the context."""
-    from probe.render.filament import Drawer, pack, pack_table
+    from probe.render.filament import Drawer
+    from probe.render.illumination import AMBIENT
+    from probe.render.packing import pack, pack_light, pack_table
     from probe.render.protocol import TableTop
 
     table = load_table(scene.table, assets_folder())
@@ -50,7 +52,7 @@ def bare_frame(scene: Scene, things: Library) -> float:
     read, write = os.pipe()
     if os.fork() == 0:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Filament reports its set-up on stdout
-        drawer = Drawer(meshes, top)
+        drawer = Drawer(meshes, top, pack_light(AMBIENT))
         taken = seconds(lambda: drawer.rgb(scene.objects, top_camera()))
         os.write(write, str(taken).encode())
         os._exit(0)

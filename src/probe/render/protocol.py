@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from probe.assets.mesh import Surface, TexturedMesh
+from probe.render.illumination import Illumination
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera
 
@@ -32,13 +33,17 @@ class Load:
     table: TableTop
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Draw:
-    """Draw the loaded objects at these poses; the answer is a Drawn."""
+    """Draw the loaded objects at these poses; the answer is a Drawn.
+
+    Attributes:
+        light: What falls on them, where a colour picture is wanted; None where it isn't.
+    """
 
     objects: tuple[PlacedObject, ...]
     camera: Camera
-    rgb: bool
+    light: Illumination | None
 
 
 @dataclass(frozen=True)

@@ -8,11 +8,13 @@ import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from multiprocessing.connection import Connection
+from pathlib import Path
 from types import TracebackType
 
 from probe.assets.mesh import TexturedMesh
 from probe.errors import RenderFailed
 from probe.render.driver import require_driver
+from probe.render.illumination import AMBIENT, Illumination
 from probe.render.protocol import Answer, Draw, Drawn, Load, Outline, Outlines, Request, TableTop
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera, Frame
@@ -24,15 +26,19 @@ TIMEOUT = 120.0
 class Renderer:
     """Draws scenes in a worker process. Use it as a context manager, or call close().
 
-    The bytes of a frame depend only on what is loaded, where it stands and the camera; never on
-    what was drawn before.
+    The bytes of a frame depend only on what is loaded, where it stands, the camera and the light;
+    never on what was drawn before.
+
+    Args:
+        cache: Folder in which light prepared for drawing is kept; None to prepare it each time.
 
     Raises:
         NoGraphicsDriver: On construction, when the machine has no Vulkan driver.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, cache: Path | None = None) -> None:
         require_driver()
+        self._cache = cache
         self._load: Load | None = None
         self._worker: _Worker | None = None
 
@@ -64,13 +70,20 @@ class Renderer:
         if self._worker:
             self._ask(self._load)
 
-    def draw(self, objects: Sequence[PlacedObject], camera: Camera, *, rgb: bool) -> Frame:
+    def draw(
+        self,
+        objects: Sequence[PlacedObject],
+        camera: Camera,
+        *,
+        rgb: bool,
+        light: Illumination = AMBIENT,
+    ) -> Frame:
         """Depth and labels of loaded objects at their poses, and a picture if wanted.
 
         Raises:
             RenderFailed: The worker died twice on this request.
         """
-        answer = self._ask(Draw(tuple(objects), camera, rgb))
+        answer = self._ask(Draw(tuple(objects), camera, light if rgb else None))
         assert isinstance(answer, Drawn)
         return Frame(camera, answer.depth, answer.rgb, answer.labels)
 
@@ -96,7 +109,7 @@ class Renderer:
     def _start(self) -> _Worker:
         if self._load is None:
             raise ValueError("load() before draw()")
-        worker = _Worker()
+        worker = _Worker(self._cache)
         self._worker = worker
         worker.ask(self._load)
         return worker
@@ -105,12 +118,13 @@ class Renderer:
 class _Worker:
     """One worker process and the socket to it."""
 
-    def __init__(self) -> None:
+    def __init__(self, cache: Path | None) -> None:
         ours, theirs = socket.socketpair()
+        folder = [] if cache is None else [str(cache)]
         # Filament reports its set-up on stdout and its faults on stderr.
         self._errors = tempfile.TemporaryFile("w+")  # noqa: SIM115 - closed in stop()
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "probe.render.worker", str(theirs.fileno())],
+            [sys.executable, "-m", "probe.render.worker", str(theirs.fileno()), *folder],
             pass_fds=[theirs.fileno()],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,

@@ -10,12 +10,17 @@ from __future__ import annotations
 import multiprocessing
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from multiprocessing.connection import Connection
+from pathlib import Path
 
 import numpy as np
 
+from probe.assets.cache import Cache
 from probe.assets.mesh import Surface
-from probe.render.filament import Drawer, PackedMesh, pack, pack_table
+from probe.render.filament import Drawer
+from probe.render.illumination import AMBIENT, Illumination
+from probe.render.packing import PackedMesh, pack, pack_light, pack_table
 from probe.render.protocol import Answer, Draw, Drawn, Load, Outline, Outlines, Request
 from probe.types import Array
 
@@ -46,17 +51,16 @@ class _Child:
 class _Loaded:
     """The objects at hand, and the child that draws labels and depth of them."""
 
-    def __init__(self, load: Load, client: Connection) -> None:
+    def __init__(self, load: Load, client: Connection, cache: Cache | None) -> None:
         self._client = client
+        self._cache = cache
         self._meshes = {name: pack(mesh) for name, mesh in load.meshes.items()}
         self._table = pack_table(load.table)
         self._labeller: _Child | None = None
 
     def draw(self, request: Draw) -> Drawn:
-        painter = _Child(self._client, self._serve_picture) if request.rgb else None
-        if painter:
-            painter.pipe.send(request)
-        depth, labels = self._ask_labeller(request)
+        painter = None if request.light is None else self._painter(request, request.light)
+        depth, labels = self._ask_labeller(replace(request, light=None))
         rgb: Array | None = None
         if painter:
             rgb = painter.pipe.recv()
@@ -75,14 +79,18 @@ class _Loaded:
         self._labeller.pipe.send(request)
         return self._labeller.pipe.recv()
 
-    def _serve_picture(self, pipe: Connection) -> None:
-        request: Draw = pipe.recv()
-        drawer = Drawer(self._meshes, self._table)
-        pipe.send(drawer.rgb(request.objects, request.camera))
+    def _painter(self, request: Draw, light: Illumination) -> _Child:
+        packed = pack_light(light, self._cache)
+
+        def paint(pipe: Connection) -> None:
+            drawer = Drawer(self._meshes, self._table, packed)
+            pipe.send(drawer.rgb(request.objects, request.camera))
+
+        return _Child(self._client, paint)
 
     def _serve_labels(self, pipe: Connection) -> None:
         meshes = {name: _untextured(mesh) for name, mesh in self._meshes.items()}
-        drawer = Drawer(meshes, _untextured(self._table))
+        drawer = Drawer(meshes, _untextured(self._table), pack_light(AMBIENT))
         while True:
             try:
                 request: Draw | Outline = pipe.recv()
@@ -104,7 +112,7 @@ def _untextured(mesh: PackedMesh) -> PackedMesh:
     )
 
 
-def serve(client: Connection) -> None:
+def serve(client: Connection, cache: Cache | None) -> None:
     """Answer requests until the client goes away."""
     loaded: _Loaded | None = None
     while True:
@@ -115,7 +123,7 @@ def serve(client: Connection) -> None:
         if isinstance(request, Load):
             if loaded:
                 loaded.stop()
-            loaded = _Loaded(request, client)
+            loaded = _Loaded(request, client, cache)
             answer: Answer = None
         elif loaded is None:
             raise ValueError("Draw before Load")
@@ -125,4 +133,5 @@ def serve(client: Connection) -> None:
 
 
 if __name__ == "__main__":
-    serve(Connection(int(sys.argv[1])))
+    handle, *folder = sys.argv[1:]
+    serve(Connection(int(handle)), Cache(Path(folder[0])) if folder else None)

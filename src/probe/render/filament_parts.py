@@ -1,0 +1,185 @@
+"""Filament's own objects, made from packed values: meshes, textures, materials, lights, cameras.
+
+Runs in a forked child only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from mujoco import mjrf
+
+from probe.assets.mesh import Surface
+from probe.render.illumination import Sun
+from probe.render.packing import PackedMesh
+from probe.types import Array, Camera
+
+NEAR, FAR = 0.2, 4.0
+"""Clipping distances in metres."""
+
+_UNIT_INTENSITY = 39321.6
+"""Intensity of an image light at which radiance 1 shows a surface in its own colour (measured)."""
+
+_SUN_INTENSITY = 39321.6 * np.pi
+"""Lux of a sun that does the same for a surface that faces it."""
+
+_SHADOW_MAP_PX = 2048
+_SUN_RADIUS = 0.05
+"""Of the bulb in metres: what makes shadows soft."""
+
+
+@dataclass(frozen=True, eq=False)
+class Uploaded:
+    """A mesh and its texture on the graphics device."""
+
+    geometry: mjrf.Mesh
+    texture: mjrf.Texture
+    index_count: int
+
+
+class Factory:
+    """Makes parts within one Context, and keeps alive what Filament reads later.
+
+    Filament reads from another thread and owns nothing it is given.
+    """
+
+    def __init__(self, context: mjrf.Context) -> None:
+        self._context = context
+        self._alive: list[object] = []
+
+    def upload(self, mesh: PackedMesh) -> Uploaded:
+        """Send a mesh and its base colour to the device."""
+        config = _mesh_config(mesh)
+        geometry = self._context.create_mesh(config)
+        low, high = mesh.bounds
+        data = mjrf.MeshData(compute_bounds=False, bounds_min=low, bounds_max=high)
+        data.set_vertices(config, mesh.vertices)
+        data.set_indices(config, mesh.indices)
+        geometry.upload(data)
+        self._alive += [config, data, geometry]
+        texture = self._image(mesh.surface.texture, mjrf.ColorSpace.COLORSPACE_SRGB)
+        return Uploaded(geometry, texture, mesh.index_count)
+
+    def renderable(self, parts: Uploaded, surface: Surface, label: int) -> mjrf.Renderable:
+        """Something to show: at the origin until it is placed."""
+        renderable = self._context.create_renderable(
+            mjrf.RenderableParams(cast_shadow=True, receive_shadow=True)
+        )
+        renderable.set_mesh(parts.geometry, 0, parts.index_count)
+        # Without highlights a surface shows its texture's own colour (mean error 1.4 of 255).
+        renderable.set_material(
+            mjrf.Material(
+                color=[1, 1, 1, 1],
+                color_texture=parts.texture,
+                specular=0.0,
+                glossiness=0.0,
+                segmentation_id=label,
+            )
+        )
+        renderable.set_pose(np.zeros(3, np.float32), np.eye(3, dtype=np.float32).reshape(9))
+        renderable.set_size(np.ones(3, np.float32))
+        return renderable
+
+    def image_light(self, cube: bytes) -> mjrf.Light:
+        """Light from all around, of a prefiltered cube map."""
+        texture = self._cube(cube, mjrf.SamplerType.TEXTURE_2D)
+        return self._light(
+            mjrf.LightParams(
+                type=mjrf.LightType.LIGHT_IMAGE, texture=texture, intensity=_UNIT_INTENSITY
+            )
+        )
+
+    def sun(self, sun: Sun) -> mjrf.Light:
+        """Light from one direction, with soft shadows."""
+        strength = max(sun.irradiance)
+        light = self._light(
+            mjrf.LightParams(
+                type=mjrf.LightType.LIGHT_DIRECTIONAL,
+                color=np.array(sun.irradiance, np.float32) / np.float32(strength),
+                intensity=_SUN_INTENSITY * strength,
+                cast_shadow=True,
+                shadow_map_size=_SHADOW_MAP_PX,
+                bulb_radius=_SUN_RADIUS,
+            )
+        )
+        towards = np.array(sun.towards, np.float32)
+        light.set_pose(3 * towards, -towards)
+        return light
+
+    def backdrop(self, cube: bytes) -> mjrf.Texture:
+        """What is seen where nothing is."""
+        return self._cube(cube, mjrf.SamplerType.TEXTURE_CUBE)
+
+    def _light(self, params: mjrf.LightParams) -> mjrf.Light:
+        light = self._context.create_light(params)
+        self._alive.append(light)
+        return light
+
+    def _image(self, pixels: Array, space: mjrf.ColorSpace) -> mjrf.Texture:
+        height, width = pixels.shape[:2]
+        return self._texture(
+            np.ascontiguousarray(pixels).tobytes(),
+            mjrf.TextureConfig(
+                width=width,
+                height=height,
+                format=mjrf.PixelFormat.PIXEL_FORMAT_RGB8,
+                color_space=space,
+                sampler_type=mjrf.SamplerType.TEXTURE_2D,
+            ),
+        )
+
+    def _cube(self, file: bytes, sampler: mjrf.SamplerType) -> mjrf.Texture:
+        return self._texture(
+            file,
+            mjrf.TextureConfig(
+                width=len(file),
+                height=0,
+                format=mjrf.PixelFormat.PIXEL_FORMAT_KTX,
+                color_space=mjrf.ColorSpace.COLORSPACE_LINEAR,
+                sampler_type=sampler,
+            ),
+        )
+
+    def _texture(self, content: bytes, config: mjrf.TextureConfig) -> mjrf.Texture:
+        texture = self._context.create_texture(config)
+        data = mjrf.TextureData()
+        data.set_image(content)
+        texture.upload(data)
+        self._alive += [data, texture]
+        return texture
+
+
+def _mesh_config(mesh: PackedMesh) -> mjrf.MeshConfig:
+    usage, kind = mjrf.VertexAttributeUsage, mjrf.VertexAttributeType
+    attributes = (
+        (usage.VERTEX_ATTRIBUTE_USAGE_POSITION, kind.VERTEX_ATTRIBUTE_TYPE_FLOAT3),
+        (usage.VERTEX_ATTRIBUTE_USAGE_TANGENTS, kind.VERTEX_ATTRIBUTE_TYPE_FLOAT4),
+        (usage.VERTEX_ATTRIBUTE_USAGE_UV, kind.VERTEX_ATTRIBUTE_TYPE_FLOAT2),
+    )
+    return mjrf.MeshConfig(
+        max_vertices=mesh.vertex_count,
+        max_indices=mesh.index_count,
+        attributes=[mjrf.VertexAttribute(*attribute) for attribute in attributes],
+        interleaved=True,
+        index_type=mjrf.IndexType.INDEX_TYPE_U32,
+        primitive_type=mjrf.MeshPrimitiveType.MESH_PRIMITIVE_TYPE_TRIANGLES,
+    )
+
+
+def filament_camera(camera: Camera) -> mjrf.Camera:
+    """A camera as Filament wants it: by its frustum, looking along -z."""
+    rotation = camera.world_from_camera.rotation
+    top = NEAR * camera.height_px / 2 / camera.focal_px
+    return mjrf.Camera(
+        pos=np.array(camera.world_from_camera.position, np.float32),
+        forward=rotation[:, 2].astype(np.float32),
+        up=-rotation[:, 1].astype(np.float32),
+        frustum_center=0.0,
+        frustum_width=top * camera.width_px / camera.height_px,
+        frustum_bottom=-top,
+        frustum_top=top,
+        frustum_near=NEAR,
+        frustum_far=FAR,
+        orthographic=False,
+    )
