@@ -140,9 +140,7 @@ TOUCHING = (("arm_base", "shoulder"), ("wrist_1", "wrist_3"), ("forearm", "wrist
 """Links that no motion can press together although MuJoCo would see them touch."""
 
 
-def add_arm(
-    spec: mujoco.MjSpec, base: mujoco.MjsBody, posture: Sequence[float]
-) -> mujoco.MjsBody:
+def add_arm(spec: mujoco.MjSpec, base: mujoco.MjsBody, posture: Sequence[float]) -> mujoco.MjsBody:
     """Add the arm with its servos; the specification's angles must be in radians.
 
     Args:
@@ -164,9 +162,7 @@ def add_arm(
     return body
 
 
-def _add_link(
-    parent: mujoco.MjsBody, index: int, link: Link, angle: float
-) -> mujoco.MjsBody:
+def _add_link(parent: mujoco.MjsBody, index: int, link: Link, angle: float) -> mujoco.MjsBody:
     x, twist = (ur5.A[index - 1], ur5.ALPHA[index - 1]) if index else (0.0, 0.0)
     c, s = math.cos(twist), math.sin(twist)
     body = parent.add_body(name=link.name, gravcomp=1.0)
