@@ -16,13 +16,17 @@ class Surface:
 
     Attributes:
         texture: Base colour in sRGB, uint8, shape (h, w, 3); row 0 is the top of the image.
-        roughness: 0 (mirror) to 1 (chalk).
+        roughness: 0 (mirror) to 1 (chalk); where there is a map, its mean.
         metallic: 0 (plastic, paint, wood) or 1 (bare metal).
+        normal: Tangent-space normals, OpenGL (green up), uint8, shape (h, w, 3), or None.
+        roughness_map: Roughness times 255, uint8, shape (h, w), or None.
     """
 
     texture: Array
     roughness: float = 0.6
     metallic: float = 0.0
+    normal: Array | None = None
+    roughness_map: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -45,6 +45,8 @@ class TableMaterial:
         tile_size: Metres along an edge of one repeat.
         roughness: 0 (mirror) to 1 (chalk), a mean where there is a map.
         normal: Normal map in the OpenGL convention (green up), uint8, shape (h, w, 3), or None.
+        metallic: 0, or 1 for bare metal.
+        roughness_map: Roughness times 255, uint8, shape (h, w), or None.
     """
 
     id: str
@@ -52,11 +54,13 @@ class TableMaterial:
     tile_size: float
     roughness: float
     normal: Array | None
+    metallic: float = 0.0
+    roughness_map: Array | None = None
 
     @property
     def surface(self) -> Surface:
-        """Colour and roughness as a mesh has them."""
-        return Surface(self.texture, self.roughness)
+        """How it takes light, as a mesh has it."""
+        return Surface(self.texture, self.roughness, self.metallic, self.normal, self.roughness_map)
 
 
 def table_ids(assets: Path | None) -> tuple[str, ...]:
@@ -102,9 +106,36 @@ def _photographed(id: str, textures: Path) -> TableMaterial:
     if texture is None:
         remedy = "Unpack the material again: *_Color.jpg or .png is needed."
         raise BadData(folder, "has no colour map", remedy)
-    rough = _map(folder, "Roughness")
-    roughness = 0.6 if rough is None else float(rough.mean()) / 255
-    return TableMaterial(id, texture, _tile_size(id), roughness, _map(folder, "NormalGL"))
+    return TableMaterial(
+        id,
+        texture,
+        _tile_size(id),
+        _mean(_map(folder, "Roughness"), otherwise=0.6),
+        _normals(folder),
+        round(_mean(_map(folder, "Metalness"), otherwise=0.0)),
+        _grey(_map(folder, "Roughness")),
+    )
+
+
+def _normals(folder: Path) -> Array | None:
+    """Normals with green up; a map in DirectX's convention is turned over."""
+    normal = _map(folder, "NormalGL")
+    if normal is not None:
+        return normal
+    turned = _map(folder, "NormalDX")
+    if turned is None:
+        return None
+    turned = turned.copy()
+    turned[..., 1] = 255 - turned[..., 1]
+    return turned
+
+
+def _mean(map: Array | None, otherwise: float) -> float:
+    return otherwise if map is None else float(map.mean()) / 255
+
+
+def _grey(map: Array | None) -> Array | None:
+    return None if map is None else np.ascontiguousarray(map[..., 0])
 
 
 def _map(folder: Path, kind: str) -> Array | None:

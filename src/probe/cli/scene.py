@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -10,16 +11,21 @@ from rich.progress import track
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
-from probe.cli.surroundings import Pool, assets_folder, library
+from probe.cli.surroundings import Pool, assets_folder, cache_folder, library
 from probe.files import encode, write_bytes, write_picture
+from probe.render.illumination import Illumination
+from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
 from probe.report.gallery import GalleryEntry, write_gallery
 from probe.report.pictures import depth_image, label_image
 from probe.scene.document import write_scene
+from probe.scene.layout import View, view_camera
+from probe.scene.lighting import AMBIENT, Lighting
 from probe.scene.sampling import DEFAULT_COUNT
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
+from probe.types import Camera
 from probe.world.scenes import make_scene
 
 
@@ -29,6 +35,8 @@ def scene(
     pool: Pool = "procedural",
     objects: int = DEFAULT_COUNT,
     gallery: int = 0,
+    lighting: str = AMBIENT.name,
+    camera: View = "top",
 ) -> None:
     """Settle a cluttered table from a seed and photograph it.
 
@@ -40,38 +48,50 @@ def scene(
         pool: Which objects may appear; scans need PROBE_ASSETS.
         objects: How many.
         gallery: If above 0, write this many scenes, from this seed on, and a page of them.
+        lighting: "ambient", or surroundings that light the table: a painted room
+            (docs/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
+        camera: From above, or obliquely from the front.
     """
     things = library(pool)
-    with Renderer() as renderer:
+    with Renderer(cache_folder() / "light") as renderer:
+        studio = _Studio(renderer, view_camera(camera), light_of(Lighting(lighting), things.assets))
         if gallery == 0:
-            _write(out, _settle(seed, things, objects), things, renderer)
+            _write(out, _settle(seed, things, objects), things, studio)
             print(f"Picture, depth, labels and scene are in {out}")
             return
         entries: list[GalleryEntry] = []
         for number in track(range(seed, seed + gallery), "Settling and drawing"):
             settled = _settle(number, things, objects)
-            shares = _write(out / str(number), settled, things, renderer)
+            shares = _write(out / str(number), settled, things, studio)
             entries.append(_entry(settled, shares, things))
         write_gallery(out / "index.html", entries)
     print(f"{gallery} scenes are in {out / 'index.html'}")
+
+
+@dataclass(frozen=True)
+class _Studio:
+    """What takes the pictures: a renderer, where it looks from, and in which light."""
+
+    renderer: Renderer
+    camera: Camera
+    light: Illumination
 
 
 def _settle(seed: int, things: Library, count: int) -> Scene:
     return make_scene(seed, things, table_ids(assets_folder()), count)
 
 
-def _write(
-    folder: Path, settled: Scene, things: Library, renderer: Renderer
-) -> dict[int, Visibility]:
+def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> dict[int, Visibility]:
     """Draw one scene and write its files; the scene comes last and so marks a complete folder."""
+    renderer, camera = studio.renderer, studio.camera
     load_scene(renderer, settled, things, load_table(settled.table, assets_folder()))
-    frame = photograph(renderer, settled)
+    frame = photograph(renderer, settled, camera=camera, light=studio.light)
     assert frame.rgb is not None and frame.labels is not None
     write_picture(folder / "picture.png", frame.rgb)
     write_bytes(folder / "depth.png", encode(depth_image(frame.depth), "PNG"))
     write_bytes(folder / "labels.png", encode(label_image(frame.labels), "PNG"))
     write_scene(folder / "scene.json", settled)
-    return measure(renderer, settled)
+    return measure(renderer, settled, camera)
 
 
 def _entry(settled: Scene, shares: dict[int, Visibility], things: Library) -> GalleryEntry:

@@ -33,6 +33,10 @@ _LOOK = """
 """
 
 
+_BACKGROUND = [0.55, 0.55, 0.55]
+"""Linear grey behind the table where there is no backdrop."""
+
+
 class Drawer:
     """One Filament Context holding the table and any of the loaded objects, lit in one way."""
 
@@ -42,16 +46,16 @@ class Drawer:
         self._meshes = meshes
         api = mjrf.GraphicsApi.GRAPHICS_API_VULKAN
         self._context = mjrf.Context(mjrf.ContextConfig(graphics_api=api))
-        self._context.set_clear_color([0.0, 0.0, 0.0])
+        self._context.set_clear_color(_BACKGROUND)
         self._scene = self._context.create_scene(mjrf.SceneParams())
         self._scene.configure_from_model(mujoco.MjModel.from_xml_string(_LOOK))
-        self._factory = Factory(self._context)
+        self._factory = Factory(self._context, glossy=light.sun is not None)
         self._uploaded: dict[str, Uploaded] = {}
         self._renderables: dict[tuple[int, str], mjrf.Renderable] = {}
         self._shown: set[tuple[int, str]] = set()
         self._backdrop = light.backdrop is not None
         self._add_light(light)
-        self._table = self._factory.renderable(self._factory.upload(table), table.surface, label=0)
+        self._table = self._factory.renderable(self._factory.upload(table), label=0)
         self._scene.add_renderable(self._table)
 
     def rgb(self, objects: Iterable[PlacedObject], camera: Camera) -> Array:
@@ -99,9 +103,7 @@ class Drawer:
                 mesh = self._meshes[item.object_id]
                 parts = self._uploaded.get(item.object_id) or self._factory.upload(mesh)
                 self._uploaded[item.object_id] = parts
-                self._renderables[key] = self._factory.renderable(
-                    parts, mesh.surface, label=item.instance
-                )
+                self._renderables[key] = self._factory.renderable(parts, label=item.instance)
             position = np.array(item.pose.position, np.float32)
             rotation = item.pose.rotation.astype(np.float32).reshape(9)
             self._renderables[key].set_pose(position, rotation)

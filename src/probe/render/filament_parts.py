@@ -5,6 +5,7 @@ Runs in a forked child only.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,11 +32,11 @@ _SUN_RADIUS = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Uploaded:
-    """A mesh and its texture on the graphics device."""
+    """A mesh and its material on the graphics device."""
 
     geometry: mjrf.Mesh
-    texture: mjrf.Texture
     index_count: int
+    material: Mapping[str, object]
 
 
 class Factory:
@@ -44,8 +45,9 @@ class Factory:
     Filament reads from another thread and owns nothing it is given.
     """
 
-    def __init__(self, context: mjrf.Context) -> None:
+    def __init__(self, context: mjrf.Context, glossy: bool) -> None:
         self._context = context
+        self._glossy = glossy
         self._alive: list[object] = []
 
     def upload(self, mesh: PackedMesh) -> Uploaded:
@@ -58,28 +60,33 @@ class Factory:
         data.set_indices(config, mesh.indices)
         geometry.upload(data)
         self._alive += [config, data, geometry]
-        texture = self._image(mesh.surface.texture, mjrf.ColorSpace.COLORSPACE_SRGB)
-        return Uploaded(geometry, texture, mesh.index_count)
+        return Uploaded(geometry, mesh.index_count, self._material(mesh.surface))
 
-    def renderable(self, parts: Uploaded, surface: Surface, label: int) -> mjrf.Renderable:
+    def renderable(self, parts: Uploaded, label: int) -> mjrf.Renderable:
         """Something to show: at the origin until it is placed."""
         renderable = self._context.create_renderable(
             mjrf.RenderableParams(cast_shadow=True, receive_shadow=True)
         )
         renderable.set_mesh(parts.geometry, 0, parts.index_count)
-        # Without highlights a surface shows its texture's own colour (mean error 1.4 of 255).
-        renderable.set_material(
-            mjrf.Material(
-                color=[1, 1, 1, 1],
-                color_texture=parts.texture,
-                specular=0.0,
-                glossiness=0.0,
-                segmentation_id=label,
-            )
-        )
+        renderable.set_material(mjrf.Material(**parts.material, segmentation_id=label))
         renderable.set_pose(np.zeros(3, np.float32), np.eye(3, dtype=np.float32).reshape(9))
         renderable.set_size(np.ones(3, np.float32))
         return renderable
+
+    def _material(self, surface: Surface) -> dict[str, object]:
+        colour = self._image(surface.texture, mjrf.ColorSpace.COLORSPACE_SRGB)
+        material: dict[str, object] = {"color": [1, 1, 1, 1], "color_texture": colour}
+        if not self._glossy:
+            # Without highlights a surface shows its texture's own colour (mean error 1.4 of 255).
+            return material | {"specular": 0.0, "glossiness": 0.0}
+        linear = mjrf.ColorSpace.COLORSPACE_LINEAR
+        material |= {"roughness": surface.roughness, "metallic": surface.metallic}
+        if surface.normal is not None:
+            material["normal_texture"] = self._image(surface.normal, linear)
+        if surface.roughness_map is not None:
+            material |= {"roughness_texture": self._image(surface.roughness_map, linear)}
+            material["roughness"] = 1.0
+        return material
 
     def image_light(self, cube: bytes) -> mjrf.Light:
         """Light from all around, of a prefiltered cube map."""
@@ -118,12 +125,13 @@ class Factory:
 
     def _image(self, pixels: Array, space: mjrf.ColorSpace) -> mjrf.Texture:
         height, width = pixels.shape[:2]
+        grey, colour = mjrf.PixelFormat.PIXEL_FORMAT_R8, mjrf.PixelFormat.PIXEL_FORMAT_RGB8
         return self._texture(
             np.ascontiguousarray(pixels).tobytes(),
             mjrf.TextureConfig(
                 width=width,
                 height=height,
-                format=mjrf.PixelFormat.PIXEL_FORMAT_RGB8,
+                format=grey if pixels.ndim == 2 else colour,
                 color_space=space,
                 sampler_type=mjrf.SamplerType.TEXTURE_2D,
             ),

@@ -34,16 +34,16 @@ class Illumination:
     Attributes:
         radiance: From far away, linear RGB, float16, shape (h, w, 3) with w = 2 h: the top row is
             overhead, the middle column lies towards +y, columns to the right of it towards +x.
-        sun: What was too bright and too small for the panorama, or None.
-        backdrop: Whether the panorama shows behind the table; else there is an even grey.
+        sun: What was too bright and too small for that, or None.
+        backdrop: What is seen behind the table, a panorama as well; None for an even grey.
     """
 
     radiance: Array
     sun: Sun | None = None
-    backdrop: bool = True
+    backdrop: Array | None = None
 
 
-AMBIENT = Illumination(np.ones((1, 2, 3), np.float16), backdrop=False)
+AMBIENT = Illumination(np.ones((1, 2, 3), np.float16))
 """Even light from everywhere, no cast shadow.
 
 The flat grey dome (0.85 at strength 0.8) at the exposure that shows a white card as white.

@@ -49,7 +49,7 @@ class PackedLight:
 
 def pack_light(light: Illumination, cache: Cache | None = None) -> PackedLight:
     """Prefilter a panorama, or take what was made of it before from the cache."""
-    backdrop = backdrop_map(light.radiance) if light.backdrop else None
+    backdrop = None if light.backdrop is None else backdrop_map(light.backdrop)
     return PackedLight(_prefiltered(light.radiance, cache), backdrop, light.sun)
 
 

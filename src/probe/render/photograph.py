@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from probe.assets.library import Library
 from probe.assets.tables import TableMaterial
+from probe.render.illumination import AMBIENT, Illumination
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
 from probe.scene.layout import TABLE_SIZE, top_camera
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility, visibilities
-from probe.types import Frame
+from probe.types import Camera, Frame
 
 
 def load_scene(renderer: Renderer, scene: Scene, library: Library, table: TableMaterial) -> None:
@@ -18,13 +19,22 @@ def load_scene(renderer: Renderer, scene: Scene, library: Library, table: TableM
     renderer.load(meshes, TableTop(table.surface, table.tile_size, TABLE_SIZE))
 
 
-def photograph(renderer: Renderer, scene: Scene, *, rgb: bool = True) -> Frame:
-    """The fixed top-down camera's frame of a loaded scene."""
-    return renderer.draw(scene.objects, top_camera(), rgb=rgb)
+def photograph(
+    renderer: Renderer,
+    scene: Scene,
+    *,
+    rgb: bool = True,
+    camera: Camera | None = None,
+    light: Illumination = AMBIENT,
+) -> Frame:
+    """A frame of a loaded scene; from the fixed top-down camera unless another is given."""
+    return renderer.draw(scene.objects, camera or top_camera(), rgb=rgb, light=light)
 
 
-def measure(renderer: Renderer, scene: Scene) -> dict[int, Visibility]:
-    """Visibility of each object of a loaded scene, by ghost removal, in the top-down picture."""
-    labels = photograph(renderer, scene, rgb=False).labels
+def measure(
+    renderer: Renderer, scene: Scene, camera: Camera | None = None
+) -> dict[int, Visibility]:
+    """Visibility of each object of a loaded scene, by ghost removal, as photograph sees it."""
+    labels = photograph(renderer, scene, rgb=False, camera=camera).labels
     assert labels is not None
-    return visibilities(labels, renderer.outlines(scene.objects, top_camera()))
+    return visibilities(labels, renderer.outlines(scene.objects, camera or top_camera()))

@@ -6,6 +6,7 @@ Cube directions are Filament's: (x, z, -y) of the world.
 from __future__ import annotations
 
 import numpy as np
+from scipy.ndimage import gaussian_filter
 
 from probe.render.illumination import directions, solid_angles
 from probe.render.ktx import cube_map
@@ -16,6 +17,7 @@ LIGHT_VERSION = "1"
 
 FACE_PX = 128
 BACKDROP_PX = 512
+_FOCUS_PX = (1.2, 1.2, 0.0)
 _LEVELS = 5
 _SAMPLES = (0, 16, 64, 128, 256)
 _WIDTHS = (1024, 256, 128, 64, 32)
@@ -61,8 +63,9 @@ def _table(rows: Array) -> str:
 
 
 def backdrop_map(radiance: Array) -> bytes:
-    """The panorama as a sharp cube map, a KTX1 file."""
-    return cube_map([look_up(radiance.astype(np.float32), face_directions(BACKDROP_PX))])
+    """The panorama as a cube map, a KTX1 file: a little out of focus, as behind a table."""
+    soft = gaussian_filter(radiance.astype(np.float32), _FOCUS_PX, mode=("nearest", "wrap", "wrap"))
+    return cube_map([look_up(soft, face_directions(BACKDROP_PX))])
 
 
 def face_directions(size_px: int) -> Array:

@@ -21,8 +21,8 @@ LOWEST = math.radians(30)
 SHARES = (0.2, 0.6)
 """Least and greatest part of the light on the table that comes from the sun."""
 
-WHITE = 0.72
-"""What of a white card's brightest channel shows, linear: 0.72 is 220 of 255."""
+WHITE = 0.8
+"""A white card's brightest channel on the table, linear: 0.8 is 231 of 255."""
 
 _LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _SEARCH_PX = 64
@@ -44,9 +44,14 @@ def illuminate(radiance: Array, yaw: float) -> Illumination:
     raised = _raised(towards)
     facing = sun * scale / raised[2]
     return Illumination(
-        np.clip(dimmed * np.float32(scale), 0, 60_000).astype(np.float16),
+        _half(dimmed * scale),
         Sun(raised, (float(facing[0]), float(facing[1]), float(facing[2]))),
+        _half(turned * scale),
     )
+
+
+def _half(panorama: Array) -> Array:
+    return np.minimum(panorama, 60_000).astype(np.float16)
 
 
 def _without_spot(panorama: Array) -> tuple[Array, Vector3, Array]:
@@ -77,9 +82,11 @@ def _brightest(panorama: Array, towards: Array) -> Array:
     block = max(1, panorama.shape[0] // _SEARCH_PX)
     rows = panorama.shape[0] // block // 2
     upper = slice(0, rows * block)
-    lit = (panorama[upper] @ _LUMINANCE)[..., None] * towards[upper] * solid_angles(
-        panorama.shape[0]
-    )[upper, :, None]
+    lit = (
+        (panorama[upper] @ _LUMINANCE)[..., None]
+        * towards[upper]
+        * solid_angles(panorama.shape[0])[upper, :, None]
+    )
     sums = lit.reshape(rows, block, -1, block, 3).sum(axis=(1, 3))
     # A block's light on a table that leans towards it: how high it stands hardly matters.
     best = np.unravel_index(np.argmax(np.linalg.norm(sums, axis=-1)), sums.shape[:2])

@@ -7,8 +7,11 @@ The picture's right is +x and its top is +y.
 from __future__ import annotations
 
 import math
+from typing import Literal
 
-from probe.types import Camera, Pose
+import numpy as np
+
+from probe.types import Camera, Pose, looking_at
 
 WORK_AREA = 0.50
 """Edge of the square, centred on the origin, in which objects are dropped and settle."""
@@ -33,6 +36,28 @@ BASKET_SIZE = (0.36, 0.36, 0.16)
 
 FLOOR_DEPTH = 0.75
 """How far below the table's top the floor lies."""
+
+
+FRONT_EYE = (0.0, -0.92, 0.50)
+"""Where the front camera stands: before the edge that the top-down picture shows below."""
+
+FRONT_TARGET = (0.0, 0.0, 0.11)
+"""What it looks at."""
+
+FRONT_FOV_DEG = 40.0
+
+View = Literal["top", "front"]
+
+
+def view_camera(view: View, size_px: int = PICTURE_PX) -> Camera:
+    """A fixed camera by name."""
+    return top_camera(size_px) if view == "top" else front_camera(size_px)
+
+
+def front_camera(size_px: int = PICTURE_PX) -> Camera:
+    """The fixed oblique camera; the picture's right is world +x, what is far off is +y."""
+    pose = looking_at(np.array(FRONT_EYE), np.array(FRONT_TARGET))
+    return Camera(pose, size_px, size_px, FRONT_FOV_DEG)
 
 
 def top_camera(size_px: int = PICTURE_PX) -> Camera:

@@ -1,0 +1,5 @@
+"""OpenEXR ships no types; its names are left unchecked."""
+
+from typing import Any
+
+def __getattr__(name: str) -> Any: ...
