@@ -14,11 +14,12 @@ from rich.progress import track
 from probe.assets import scan_pool
 from probe.assets.cache import Cache
 from probe.assets.mesh import Body
+from probe.assets.own_pool import own_body, own_specs
 from probe.assets.procedural_pool import procedural_body, procedural_specs
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, UnknownName
 
-Pool = Literal["procedural", "scans", "all"]
+Pool = Literal["procedural", "scans", "own", "all"]
 
 KEPT = 64
 """Bodies kept in memory; one with a 1024-pixel texture takes about 4 MB."""
@@ -32,11 +33,13 @@ class Library:
         specs: All objects, in a fixed order.
         assets: Folder of extra assets; None if only procedural objects are wanted.
         cache: Folder for computed bodies.
+        own: Folder of the user's own library; None if its objects aren't wanted.
     """
 
     specs: tuple[ObjectSpec, ...]
     assets: Path | None
     cache: Path
+    own: Path | None = None
     _kept: dict[str, Body] = field(default_factory=dict[str, Body], init=False, repr=False)
 
     def __getitem__(self, object_id: str) -> ObjectSpec:
@@ -64,6 +67,8 @@ class Library:
             cache = Cache(self.cache / "bodies")
             if spec.origin == "procedural":
                 body = procedural_body(object_id, cache)
+            elif spec.origin == "own":
+                body = own_body(object_id, own_folder(self.own), cache)
             else:
                 body = scan_pool.scan_body(object_id, scans_folder(self.assets), cache)
         self._kept[object_id] = body
@@ -72,20 +77,35 @@ class Library:
         return body
 
 
-def open_library(pool: Pool, assets: Path | None, cache: Path) -> Library:
-    """The objects of a pool: made by formula, real scans fit for use, or both.
+def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None = None) -> Library:
+    """The objects of a pool: made by formula, real scans fit for use, a user's own, or all.
 
     Raises:
-        BadData: Scans are wanted but their folder isn't there, or a catalogue is broken.
+        BadData: Scans or own objects are wanted but their folder isn't there, or a catalogue is
+            broken.
         BadMesh: A scan's file can't be used.
     """
     kept = Cache(cache / "specs")
     specs: tuple[ObjectSpec, ...] = ()
-    if pool != "scans":
+    if pool in ("procedural", "all"):
         specs += procedural_specs(kept)
-    if pool != "procedural":
+    if pool in ("scans", "all"):
         specs += scan_pool.scan_specs(scans_folder(assets), kept)
-    return Library(specs, assets, cache)
+    if pool == "own" or (pool == "all" and own is not None):
+        specs += own_specs(own_folder(own, needed=pool == "own"))
+    return Library(specs, assets, cache, own)
+
+
+def own_folder(own: Path | None, needed: bool = True) -> Path:
+    """The folder of a user's own library.
+
+    Raises:
+        BadData: It is needed but there is none.
+    """
+    if own is None or (needed and not own.is_dir()):
+        remedy = "Add some objects (probe assets add), or set PROBE_LIBRARY to their folder."
+        raise BadData(own or "PROBE_LIBRARY", "holds no objects of your own", remedy)
+    return own
 
 
 def scans_folder(assets: Path | None) -> Path:

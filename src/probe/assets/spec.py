@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-Origin = Literal["scan", "procedural"]
+Origin = Literal["scan", "procedural", "own"]
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from rich.console import Console
 from rich.table import Column, Table
 
 from probe.assets.mesh import Surface, TexturedMesh
+from probe.cli.assets_add import add_objects, check_objects
 from probe.cli.surroundings import Pool, library
 from probe.files import write_picture
 from probe.render.protocol import TableTop
@@ -19,6 +20,8 @@ from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera, Pose, looking_at
 
 app = tyro.extras.SubcommandApp()
+app.command(name="add")(add_objects)
+app.command(name="check")(check_objects)
 
 
 @app.command(name="list")

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Literal
 
-from probe.assets.library import Library, open_library
+from probe.assets.library import Library, Pool, open_library
 
-Pool = Literal["procedural", "scans", "all"]
+__all__ = ["Pool", "assets_folder", "cache_folder", "library", "library_folder"]
 
 
 def assets_folder() -> Path | None:
@@ -22,6 +21,13 @@ def cache_folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "probe"
 
 
+def library_folder() -> Path:
+    """The user's own objects: PROBE_LIBRARY, or XDG_DATA_HOME/probe/objects (~/.local/share)."""
+    named = os.environ.get("PROBE_LIBRARY")
+    home = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
+    return Path(named) if named else Path(home) / "probe" / "objects"
+
+
 def library(pool: Pool) -> Library:
     """The objects of a pool."""
-    return open_library(pool, assets_folder(), cache_folder())
+    return open_library(pool, assets_folder(), cache_folder(), library_folder())

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from probe.assets.colours import main_colours
 from probe.assets.spec import ObjectSpec
 from probe.errors import ProbeError
-from probe.perception.colours import main_colours
 from probe.perception.outline import box_of, interior_point, shape_word
 from probe.perception.things import Thing, Words
 from probe.types import Array, Frame

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from probe.perception.colours import lab, main_colours
+from probe.assets.colours import lab, main_colours
 
 # Published values: the corners of the sRGB cube in CIELAB under D65 (Lindbloom's calculator).
 CORNERS = {

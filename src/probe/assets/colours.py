@@ -1,4 +1,4 @@
-"""Everyday names of the colours in a patch of a picture. Knows no objects."""
+"""Everyday names of the colours of many pixels, of a picture or a texture. Knows no objects."""
 
 from __future__ import annotations
 

@@ -1,0 +1,150 @@
+"""Check objects without adding them: fit or not, and what their collision pieces cost."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from probe.assets.fitness import unfit
+from probe.assets.glb import load_glb
+from probe.assets.importers import IMPORTERS
+from probe.assets.importers.limits import limited
+from probe.assets.importers.normalised import normalised
+from probe.assets.importers.order import Order
+from probe.assets.importers.parallel import spread
+from probe.assets.importers.source import Format, Source
+from probe.assets.mesh import TexturedMesh
+from probe.assets.own_pool import MESH, own_entries
+from probe.assets.pieces import convex_pieces
+from probe.assets.resting import rest_of
+from probe.assets.scans import scan_rows
+from probe.errors import BadData, BadMesh
+from probe.types import Vector3
+
+
+@dataclass(frozen=True)
+class Imported:
+    """An object as an importer would read it."""
+
+    source: Source
+    order: Order
+
+    @property
+    def label(self) -> str:
+        return self.source.label
+
+
+@dataclass(frozen=True)
+class Catalogued:
+    """An object as a pool reads it.
+
+    Attributes:
+        label: Its id.
+        path: Its GLB.
+        up_euler_deg: As `load_glb` takes it.
+        hollow: As the catalogue says.
+        mass: Kilograms.
+        set_aside: Why the catalogue doesn't use it; empty if it does.
+    """
+
+    label: str
+    path: Path
+    up_euler_deg: Vector3
+    hollow: bool
+    mass: float
+    set_aside: str = ""
+
+
+Candidate = Imported | Catalogued
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a check found.
+
+    Attributes:
+        label: The object.
+        refusal: Why it can't be used; None if it can.
+        pieces: How many collision pieces it has.
+        seconds: CPU time that they took.
+    """
+
+    label: str
+    refusal: str | None
+    pieces: int = 0
+    seconds: float = 0.0
+
+
+def candidates_at(path: Path) -> list[Candidate]:
+    """Everything below a folder that an importer reads; models of a set are only taken as such.
+
+    Raises:
+        BadData: There is nothing.
+    """
+    found: list[Candidate] = []
+    claimed: set[Path] = set()
+    formats: tuple[Format, ...] = ("bop", "gso", "gltf", "obj")
+    for format in formats:
+        for source in IMPORTERS[format].find(path) if path.exists() else ():
+            if not claimed.intersection([source.mesh, *source.mesh.parents]):
+                found.append(Imported(source, Order(format)))
+            if format in ("bop", "gso"):
+                claimed.add(source.root)
+    if not found:
+        raise BadData(path, "holds no objects in a format that we read", "See docs/extend/import.")
+    return found
+
+
+def scan_candidates(folder: Path) -> list[Candidate]:
+    """All scans of the catalogue, in a folder of scans."""
+    return [
+        Catalogued(
+            row.id,
+            folder / f"{row.id}.glb",
+            row.up,
+            row.hollow,
+            row.mass,
+            "" if row.confirmed else f"is set aside in the catalogue: {row.why}",
+        )
+        for row in scan_rows()
+    ]
+
+
+def own_candidates(folder: Path) -> list[Candidate]:
+    """All objects of a user's library."""
+    return [
+        Catalogued(entry.id, folder / entry.id / MESH, (0, 0, 0), entry.hollow, entry.mass)
+        for entry in own_entries(folder)
+    ]
+
+
+def check(candidates: Sequence[Candidate], workers: int) -> Iterator[Verdict]:
+    """Check objects in parallel; yields each verdict as it is known."""
+    for candidate, verdict in spread(verdict_of, candidates, workers):
+        yield verdict or Verdict(candidate.label, "a worker process died over it or another")
+
+
+def verdict_of(candidate: Candidate) -> Verdict:
+    """Check one object."""
+    path = candidate.source.mesh if isinstance(candidate, Imported) else candidate.path
+    try:
+        with limited(path):
+            mesh, hollow, refusal = _read(candidate)
+            start = time.process_time()
+            pieces = convex_pieces(mesh, hollow)
+            seconds = time.process_time() - start
+    except (BadMesh, BadData) as reason:
+        return Verdict(candidate.label, str(reason))
+    return Verdict(candidate.label, refusal, len(pieces), seconds)
+
+
+def _read(candidate: Candidate) -> tuple[TexturedMesh, bool, str | None]:
+    """Mesh, whether it is hollow, and why it can't be used."""
+    if isinstance(candidate, Imported):
+        mesh, entry = normalised(candidate.source, candidate.order)
+        return mesh, entry.hollow, None
+    mesh = load_glb(candidate.path, candidate.up_euler_deg)
+    refusal = unfit(mesh.vertices, mesh.faces, rest_of(mesh.vertices), candidate.mass)
+    return mesh, candidate.hollow, refusal or candidate.set_aside or None

@@ -1,0 +1,36 @@
+"""glTF 2.0: ``.glb`` files, and ``.gltf`` with what lies beside them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import cast
+
+import trimesh
+
+from probe.assets.glb import read_gltf
+from probe.assets.gltf_header import read_tree
+from probe.assets.gltf_uris import outside_files
+from probe.assets.importers.licences import spdx
+from probe.assets.importers.source import Facts, Frame, Importer, Source, sources_at
+
+
+def _find(path: Path) -> list[Source]:
+    return sources_at(path, ".glb", ".gltf")
+
+
+def _facts(source: Source) -> Facts:
+    asset: object = read_tree(source.mesh)[0].get("asset")
+    stated = cast(dict[str, object], asset).get("copyright") if isinstance(asset, dict) else None
+    words = stated.strip() if isinstance(stated, str) else ""
+    return Facts(source.mesh.stem, licence=spdx(words), source=words or None)
+
+
+def _files(source: Source) -> tuple[Path, ...]:
+    return (source.mesh, *outside_files(source.mesh, read_tree(source.mesh)[0]))
+
+
+def _read(source: Source) -> trimesh.Trimesh:
+    return read_gltf(source.mesh)
+
+
+GLTF = Importer(_find, _facts, _files, _read, Frame(1.0, "y"))

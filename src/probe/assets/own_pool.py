@@ -1,0 +1,115 @@
+"""A user's own library: one folder an object, whole or not there."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import tempfile
+from pathlib import Path
+
+from probe.assets.cache import Cache, content_key
+from probe.assets.entry import Entry, read_entry
+from probe.assets.glb import GLB_VERSION, load_glb
+from probe.assets.mesh import Body
+from probe.assets.packing import LAYOUT, pack_body, unpack_body
+from probe.assets.pieces import PIECES_VERSION, convex_pieces
+from probe.assets.spec import ObjectSpec
+from probe.errors import BadData, BadMesh, OutputFailed, UnknownName
+from probe.files import write_bytes, write_text
+
+MESH, ENTRY = "object.glb", "entry.json"
+VERSION = f"{LAYOUT} {GLB_VERSION} {PIECES_VERSION}"
+
+
+def own_entries(folder: Path) -> tuple[Entry, ...]:
+    """Entries of all objects of a library, by id; none if there is no library yet.
+
+    Raises:
+        BadData: An entry is broken, or its id isn't its folder's name.
+    """
+    if not folder.is_dir():
+        return ()
+    homes = sorted(home for home in folder.iterdir() if not home.name.startswith("."))
+    return tuple(_entry(home) for home in homes if home.is_dir())
+
+
+def own_specs(folder: Path) -> tuple[ObjectSpec, ...]:
+    """Specs of all objects of a library.
+
+    Raises:
+        BadData: As `own_entries`.
+    """
+    return tuple(entry.spec for entry in own_entries(folder))
+
+
+def own_body(object_id: str, folder: Path, cache: Cache) -> Body:
+    """Mesh and convex pieces of an object of a library.
+
+    Raises:
+        UnknownName: It holds no such object.
+        BadData: Its entry is broken.
+        BadMesh: Its mesh is missing or can't be used.
+        OutputFailed: The cache can't be written.
+    """
+    home = folder / object_id
+    if not home.is_dir():
+        raise UnknownName("object of your own", object_id, [spec.id for spec in own_specs(folder)])
+    hollow = read_entry(home / ENTRY).hollow
+    key = content_key("own body", VERSION, str(hollow), _bytes(home / MESH))
+    stored = cache.load(key)
+    if stored is not None:
+        return unpack_body(stored)
+    mesh = load_glb(home / MESH)
+    body = Body(mesh, convex_pieces(mesh, hollow))
+    if not body.pieces:
+        raise BadMesh(home / MESH, "is too thin for collisions", "Give it some thickness.")
+    cache.store(key, pack_body(body))
+    return body
+
+
+def store_object(folder: Path, entry: Entry, glb: bytes) -> None:
+    """Add an object to a library: its whole folder appears at once, or not at all.
+
+    Raises:
+        OutputFailed: The disk is full, the folder can't be written, or the id is taken.
+    """
+    building: Path | None = None
+    home = folder / entry.id
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        building = Path(tempfile.mkdtemp(dir=folder, prefix=".adding-"))
+        write_bytes(building / MESH, glb)
+        write_text(building / ENTRY, entry.model_dump_json(indent=2) + "\n")
+        os.chmod(building, 0o755)
+        os.rename(building, home)
+    except OSError as error:
+        raise OutputFailed(home, error.strerror or str(error)) from error
+    finally:
+        if building is not None:
+            with contextlib.suppress(OSError):
+                shutil.rmtree(building)
+
+
+def remove_object(folder: Path, object_id: str) -> None:
+    """Take an object out of a library, if it is there."""
+    with contextlib.suppress(OSError):
+        leaving = folder / f".leaving-{object_id}"
+        os.rename(folder / object_id, leaving)
+        shutil.rmtree(leaving)
+
+
+def _entry(home: Path) -> Entry:
+    entry = read_entry(home / ENTRY)
+    if entry.id != home.name:
+        remedy = "Give the folder that name."
+        raise BadData(home / ENTRY, f"its id is {entry.id}, its folder's name {home.name}", remedy)
+    return entry
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        remedy = "Remove the object's folder and add it again."
+        raise BadMesh(path, error.strerror or "can't be read", remedy) from error

@@ -1,0 +1,109 @@
+"""`probe assets add` and `probe assets check`: other people's objects, let in or turned away."""
+
+from __future__ import annotations
+
+import statistics
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.console import Console
+from rich.progress import track
+from rich.table import Column, Table
+
+from probe.assets.importers.adding import Outcome, Target, add, find_sources
+from probe.assets.importers.checking import (
+    Candidate,
+    Verdict,
+    candidates_at,
+    check,
+    own_candidates,
+    scan_candidates,
+)
+from probe.assets.importers.order import Order
+from probe.assets.importers.source import Axis, Format
+from probe.assets.library import own_folder, scans_folder
+from probe.cli.surroundings import assets_folder, cache_folder, library_folder
+
+_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
+
+
+def add_objects(
+    format: Annotated[Format, tyro.conf.Positional],
+    path: Annotated[Path, tyro.conf.Positional],
+    unit: str | None = None,
+    up: Axis | None = None,
+    licence: str | None = None,
+    source: str | None = None,
+    workers: int = 2,
+) -> None:
+    """Add objects to your library: upright, lying as they come to rest, with licence and source.
+
+    May be interrupted: what is there already is skipped the next time.
+
+    Args:
+        format: gltf (GLB too), obj, gso (Google Scanned Objects) or bop (BOP models).
+        path: A folder of objects, or one file.
+        unit: m, cm or mm; if left out, the format's own (obj: m).
+        up: The files' upward axis; if left out, the format's own (obj: y).
+        licence: SPDX identifier, for objects whose files state no licence.
+        source: Who made them, for objects whose files don't say.
+        workers: Processes.
+    """
+    if unit is not None and unit not in _UNITS:
+        raise SystemExit(f"probe: --unit {unit}: it has to be m, cm or mm.")
+    order = Order(format, _UNITS[unit] if unit else None, up, licence, source)
+    sources = find_sources(path, order)
+    target = Target(library_folder(), cache_folder())
+    running = add(sources, order, target, workers)
+    _tell(list(track(running, "Adding objects", total=len(sources))), target.library)
+
+
+def check_objects(
+    what: Annotated[str, tyro.conf.Positional] = "own",
+    workers: int = 1,
+) -> None:
+    """Say of each object whether it can be used, and if not why; nothing is written.
+
+    Args:
+        what: scans or own (pools), or a folder or file of objects.
+        workers: Processes; with 1, the time of collision pieces is that of one core.
+    """
+    candidates = _candidates(what)
+    verdicts = list(track(check(candidates, workers), "Checking", total=len(candidates)))
+    table = Table(Column("object", overflow="fold"), "verdict", "pieces", "s")
+    for verdict in sorted(verdicts, key=lambda verdict: verdict.label):
+        cost = (str(verdict.pieces), f"{verdict.seconds:.1f}") if verdict.pieces else ("", "")
+        table.add_row(verdict.label, verdict.refusal or "OK", *cost)
+    Console().print(table)
+    _sum_up(verdicts)
+
+
+def _candidates(what: str) -> list[Candidate]:
+    if what == "scans":
+        return scan_candidates(scans_folder(assets_folder()))
+    if what == "own":
+        return own_candidates(own_folder(library_folder()))
+    return candidates_at(Path(what))
+
+
+def _sum_up(verdicts: Iterable[Verdict]) -> None:
+    known = list(verdicts)
+    refused = sum(verdict.refusal is not None for verdict in known)
+    print(f"{len(known)} objects: {len(known) - refused} OK, {refused} refused.")
+    times = [verdict.seconds for verdict in known if verdict.pieces]
+    if times:
+        middle, most = statistics.median(times), max(times)
+        print(f"Collision pieces: median {middle:.1f} s, at most {most:.1f} s of CPU an object.")
+
+
+def _tell(outcomes: list[Outcome], library: Path) -> None:
+    table = Table(Column("object", overflow="fold"), "", Column("id, or reason", overflow="fold"))
+    for outcome in sorted(outcomes, key=lambda outcome: (outcome.status, outcome.label)):
+        table.add_row(outcome.label, outcome.status, outcome.detail)
+    Console().print(table)
+    counts = Counter(outcome.status for outcome in outcomes)
+    told = ", ".join(f"{counts[status]} {status}" for status in ("added", "skipped", "refused"))
+    print(f"{told}. Your library is {library}")
