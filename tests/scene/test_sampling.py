@@ -1,5 +1,7 @@
 """What a scene holds and how it falls."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -7,8 +9,9 @@ from hypothesis import strategies as st
 
 from probe.assets.spec import ObjectSpec
 from probe.errors import Unsatisfiable
-from probe.scene.sampling import draw_drop, draw_objects
+from probe.scene.sampling import Pile, draw_drop, draw_objects, draw_pile
 from probe.scene.seeds import generator
+from probe.types import Pose
 
 
 def spec(number: int, name: str, category: str, colour: str) -> ObjectSpec:
@@ -43,6 +46,23 @@ def test_drops_stay_in_reach_with_unit_rotations(seed):
     drop = draw_drop(np.random.default_rng(seed), reach=0.1)
     assert max(abs(drop.x), abs(drop.y)) <= 0.1
     assert np.linalg.norm(drop.wxyz) == pytest.approx(1)
+
+
+SIZES = st.tuples(*[st.floats(0.02, 0.3)] * 3)
+
+
+@given(st.integers(0, 10_000), st.lists(SIZES, min_size=2, max_size=15), st.integers(0, 9))
+def test_what_is_buried_falls_first_and_something_flat_lands_on_it(seed, sizes, buried):
+    specs = [replace(LIBRARY[n], size=size) for n, size in enumerate(sizes)]
+    falls = draw_pile(specs, Pile(0.1, buried), np.random.default_rng(seed))
+    assert sorted(index for index, _ in falls) == list(range(len(specs)))
+    pairs = min(buried, len(specs) // 2)
+    smallest = sorted(range(len(specs)), key=lambda n: -np.prod(sizes[n]))[len(specs) - pairs :]
+    for (small, below), (large, above) in zip(falls[: 2 * pairs : 2], falls[1 : 2 * pairs : 2]):
+        assert small in smallest and large not in smallest
+        assert np.hypot(above.x - below.x, above.y - below.y) < 0.015
+        thin = np.eye(3)[int(np.argmin(sizes[large]))]
+        assert abs(Pose((0, 0, 0), above.wxyz).apply(thin)[2]) == pytest.approx(1)
 
 
 def test_generators_depend_on_seed_and_purpose_alone():

@@ -15,10 +15,27 @@ from probe.types import Quaternion
 DEFAULT_COUNT = 15
 """Objects in a scene, where the question doesn't say otherwise."""
 
-PILE_REACH = 0.17
-"""Objects are dropped within this distance, along x and y, of the table's middle: a tight pile."""
-
 _TUMBLED_SHARE = 0.4
+_OVER = 0.01
+
+
+@dataclass(frozen=True)
+class Pile:
+    """How tight a pile is, and how much of it lies under something.
+
+    Attributes:
+        reach: Objects are dropped within this distance, along x and y, of the table's middle,
+            metres; at most half of the work area.
+        buried: So many of the smallest are put down first, each with a larger one dropped right
+            over it.
+    """
+
+    reach: float = 0.17
+    buried: int = 0
+
+
+TIGHT = Pile()
+DENSE = Pile(reach=0.13, buried=7)
 
 
 @dataclass(frozen=True)
@@ -61,7 +78,7 @@ def draw_objects(
     return tuple(drawn)
 
 
-def draw_drop(rng: np.random.Generator, reach: float = PILE_REACH) -> Drop:
+def draw_drop(rng: np.random.Generator, reach: float = TIGHT.reach) -> Drop:
     """Draw a spot in the pile and an orientation: most stand as they would, some are tumbled."""
     x, y = (float(v) for v in rng.uniform(-reach, reach, size=2))
     if rng.random() < _TUMBLED_SHARE:
@@ -69,6 +86,52 @@ def draw_drop(rng: np.random.Generator, reach: float = PILE_REACH) -> Drop:
         return Drop(x, y, (w, a, b, c))
     half_turn = float(rng.uniform(0, math.pi))
     return Drop(x, y, (math.cos(half_turn), 0.0, 0.0, math.sin(half_turn)))
+
+
+def draw_pile(
+    specs: Sequence[ObjectSpec], pile: Pile, rng: np.random.Generator
+) -> tuple[tuple[int, Drop], ...]:
+    """Draw in which order objects are dropped, and how each starts to fall.
+
+    Args:
+        specs: The objects.
+        pile: How tight.
+        rng: Draws spots and orientations.
+
+    Returns:
+        Index and drop of each, in order: those to be buried, what buries them, then the rest, the
+        largest first.
+    """
+    order = sorted(range(len(specs)), key=lambda index: -math.prod(specs[index].size))
+    count = min(pile.buried, len(order) // 2)
+    drops = {index: draw_drop(rng, pile.reach) for index in order}
+    wide = sorted(order[: len(order) - count], key=lambda index: -_footprint(specs[index]))
+    pairs: list[tuple[int, Drop]] = []
+    for small, large in zip(order[len(order) - count :], wide, strict=False):
+        spot = drops[small]
+        pairs += [(small, spot), (large, _laid_over(specs[large], spot, rng))]
+    paired = {index for index, _ in pairs}
+    return (*pairs, *((index, drops[index]) for index in order if index not in paired))
+
+
+def _footprint(spec: ObjectSpec) -> float:
+    """Area that a thing covers when it lies on its broadest side."""
+    return math.prod(sorted(spec.size)[1:])
+
+
+def _laid_over(spec: ObjectSpec, spot: Drop, rng: np.random.Generator) -> Drop:
+    """Lying on its broadest side, its middle within a centimetre of a spot."""
+    x, y = (float(v) for v in rng.uniform(-_OVER, _OVER, size=2))
+    half_turn = float(rng.uniform(0, math.pi))
+    c, s = math.cos(half_turn), math.sin(half_turn)
+    thin = int(np.argmin(spec.size))
+    if thin == 2:
+        return Drop(spot.x + x, spot.y + y, (c, 0.0, 0.0, s))
+    # A quarter turn about the other level axis stands the thin side up; then the turn about z.
+    h = math.sqrt(0.5)
+    if thin == 1:
+        return Drop(spot.x + x, spot.y + y, (h * c, h * c, h * s, h * s))
+    return Drop(spot.x + x, spot.y + y, (h * c, -h * s, h * c, h * s))
 
 
 def _random_rotation(rng: np.random.Generator) -> np.ndarray:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from probe.assets.library import Library
 from probe.errors import Unsatisfiable
-from probe.scene.sampling import DEFAULT_COUNT, draw_drop, draw_objects
+from probe.scene.sampling import DEFAULT_COUNT, TIGHT, Pile, draw_objects, draw_pile
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
 from probe.world.model import Item
@@ -17,7 +17,11 @@ ATTEMPTS = 5
 
 
 def make_scene(
-    seed: int, library: Library, tables: Sequence[str], count: int = DEFAULT_COUNT
+    seed: int,
+    library: Library,
+    tables: Sequence[str],
+    count: int = DEFAULT_COUNT,
+    pile: Pile = TIGHT,
 ) -> Scene:
     """Draw objects and a table, drop the objects and let them settle.
 
@@ -30,20 +34,13 @@ def make_scene(
         rng = generator(seed, "pile", attempt)
         specs = draw_objects(library.specs, count, rng)
         items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]
-        drops = {item.instance: draw_drop(rng) for item in items}
+        falls = draw_pile(specs, pile, rng)
+        drops = {items[index].instance: drop for index, drop in falls}
         try:
-            return Scene(seed, table, settle(_largest_first(items), drops, rng))
+            return Scene(seed, table, settle([items[index] for index, _ in falls], drops, rng))
         except Unsatisfiable as failure:
             reason = str(failure)
     raise Unsatisfiable(
         f"Seed {seed}: no settled scene of {count} objects in {ATTEMPTS} draws. {reason} "
         "Try another seed or fewer objects."
     )
-
-
-def _largest_first(items: Sequence[Item]) -> list[Item]:
-    def volume(item: Item) -> float:
-        x, y, z = item.spec.size
-        return x * y * z
-
-    return sorted(items, key=volume, reverse=True)
