@@ -14,6 +14,7 @@ from probe.assets.procedural.paint.colours import rgb
 from probe.assets.procedural.tables import entries
 from probe.assets.spec import ObjectSpec
 from probe.errors import UnknownName
+from probe.tasks.english import plural
 from probe.types import Array
 
 SOME = (
@@ -27,15 +28,18 @@ SOME = (
     "proc_green_car",
 )
 ALL = [pytest.param(i, marks=() if i in SOME else pytest.mark.slow) for i in entries()]
-
-
-def spec_of(object_id: str) -> ObjectSpec:
-    return next(spec for spec in specs() if spec.id == object_id)
+MINOR = {"proc_pear"}  # its yellow is a tinge of the green
 
 
 @cache
-def built(object_id: str) -> Body:
-    return build(object_id)
+def spec_by_id() -> dict[str, ObjectSpec]:
+    return {spec.id: spec for spec in specs()}
+
+
+@pytest.fixture(scope="module", params=ALL)
+def made(request) -> tuple[ObjectSpec, Body]:
+    """Each object, built once for all tests of it."""
+    return spec_by_id()[request.param], build(request.param)
 
 
 def surface_colours(body: Body, count: int = 4000) -> Array:
@@ -65,10 +69,10 @@ def lab(srgb: Array) -> Array:
 
 def test_enough_of_everything() -> None:
     all_specs = specs()
-    assert len(all_specs) >= 60
-    assert len({spec.category for spec in all_specs}) >= 25
+    assert len(all_specs) >= 600
+    assert len({spec.category for spec in all_specs}) >= 150
     covers = [s for s in all_specs if s.hollow and min(s.size[:2]) >= 0.10]
-    assert len(covers) >= 12
+    assert len(covers) >= 60
     small = sorted(max(s.size) for s in all_specs if max(s.size) <= 0.08)
     assert len(small) >= 16
     twins = [sum(abs(a - b) <= 0.1 * a for b in small) - 1 for a in small]
@@ -84,6 +88,9 @@ def test_words() -> None:
         assert spec.name == spec.name.lower()
         assert spec.description.endswith(".")
         assert spec.description.count(".") == 1
+        assert plural(spec.name) is not None, spec.name
+        assert plural(spec.category) is not None, spec.category
+        assert len(set(spec.colours)) == len(spec.colours) > 0
         for colour in spec.colours:
             rgb(colour)
             assert not colour.startswith("#")
@@ -92,6 +99,12 @@ def test_words() -> None:
 def test_members_of_a_category_differ_in_main_colour_or_kind() -> None:
     shared = Counter((s.category, s.colours[0]) for s in specs())
     assert {pair: n for pair, n in shared.items() if n > 1} == {}
+
+
+def test_a_shape_s_name_says_what_it_is_made_of() -> None:
+    found: dict[str, object] = {}
+    for entry in entries().values():
+        assert found.setdefault(entry.shape, entry.parts) == entry.parts, entry.shape
 
 
 def test_everyday_sizes_and_densities() -> None:
@@ -106,9 +119,8 @@ def test_an_unknown_object_is_refused() -> None:
         build("proc_unicorn")
 
 
-@pytest.mark.parametrize("object_id", ALL)
-def test_mesh(object_id: str) -> None:
-    mesh, spec = built(object_id).mesh, spec_of(object_id)
+def test_mesh(made: tuple[ObjectSpec, Body]) -> None:
+    spec, mesh = made[0], made[1].mesh
     np.testing.assert_allclose(mesh.extent, spec.size, atol=1e-3)
     low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
     np.testing.assert_allclose((low + high)[:2] / 2, 0, atol=1e-4)
@@ -122,9 +134,19 @@ def test_mesh(object_id: str) -> None:
     assert mesh.surface.texture.dtype == np.uint8
 
 
-@pytest.mark.parametrize("object_id", ALL)
-def test_faces_look_outward(object_id: str) -> None:
-    mesh = built(object_id).mesh
+def test_pieces_are_few_and_fill_the_mesh_s_box(made: tuple[ObjectSpec, Body]) -> None:
+    spec, body = made
+    assert 1 <= len(body.pieces) <= 40
+    corners = np.vstack([piece.vertices for piece in body.pieces])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    middle = np.array([0, 0, spec.size[2] / 2])
+    # What is for the eye alone (a stalk, bristles) may stick out of the pieces; nothing else.
+    assert np.all(high <= middle + np.array(spec.size) / 2 + 0.003)
+    assert np.all(low >= middle - np.array(spec.size) / 2 - 0.003)
+
+
+def test_faces_look_outward(made: tuple[ObjectSpec, Body]) -> None:
+    mesh = made[1].mesh
     solid = trimesh.Trimesh(mesh.vertices, mesh.faces)
     solid.merge_vertices(merge_tex=True, merge_norm=True)
     assert solid.volume > 0
@@ -135,16 +157,17 @@ def test_faces_look_outward(object_id: str) -> None:
     assert areas[along <= 0].sum() < 1e-3 * areas.sum()
 
 
-@pytest.mark.parametrize("object_id", ALL)
-def test_main_colour(object_id: str) -> None:
-    spec = spec_of(object_id)
-    seen = lab(surface_colours(built(object_id)))
-    distance = np.linalg.norm(seen - lab(rgb(spec.colours[0]).astype(float)), axis=1)
-    if len(spec.colours) == 1:
-        mean = np.linalg.norm(seen.mean(axis=0) - lab(rgb(spec.colours[0]).astype(float)))
-        assert mean < 25, f"{mean:.1f} from {spec.colours[0]}"
+def test_named_colours_are_those_one_sees(made: tuple[ObjectSpec, Body]) -> None:
+    spec, body = made
+    seen = lab(surface_colours(body))
+    named = lab(np.array([rgb(colour) for colour in spec.colours], dtype=float))
+    away = np.linalg.norm(seen[:, None] - named, axis=2)
+    if len(named) == 1:
+        assert np.linalg.norm(seen.mean(axis=0) - named[0]) < 25
     else:
-        assert np.mean(distance < 30) > 0.15
+        assert np.mean(away[:, 0] < 30) > 0.15
+    if spec.id not in MINOR:
+        assert np.mean(away < 30, axis=0).min() > 0.008
 
 
 @pytest.mark.parametrize("object_id", ["proc_red_apple", "proc_wicker_basket"])
@@ -164,7 +187,7 @@ def test_same_bytes_in_another_process(object_id: str) -> None:
 
 
 def test_variants_differ_in_look_but_not_in_form() -> None:
-    red, blue = build("proc_red_mug").mesh, built("proc_blue_mug").mesh
+    red, blue = build("proc_red_mug").mesh, build("proc_blue_mug").mesh
     np.testing.assert_array_equal(red.vertices, blue.vertices)
     assert red.digest() != blue.digest()
 

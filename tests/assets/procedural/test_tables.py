@@ -1,3 +1,5 @@
+import re
+
 import pytest
 
 from probe.assets.procedural import tables
@@ -19,8 +21,12 @@ SHAPES = {"cube": [{"kind": "box", "size": [0.1, 0.1, 0.1], "paint": "all"}]}
 PAINTS = {"flat": {"defaults": {"shade": "red"}, "paint": {"look": "mottled", "colour": "$shade"}}}
 
 
+WORDS = {"big": {"scale": 1.5}}
+
+
 def read(entry: dict) -> tables.Entry:
-    return tables._entry("test", entry, SHAPES, PAINTS)
+    (found,) = tables._entries("test", entry, SHAPES, PAINTS, WORDS)
+    return found
 
 
 def test_values_replace_a_templates_defaults() -> None:
@@ -44,8 +50,20 @@ def test_a_mistake_names_its_entry(change: dict) -> None:
         read(ENTRY | change)
 
 
-def test_every_shape_and_paint_template_is_used() -> None:
+def test_an_entry_may_bring_its_own_parts() -> None:
+    own = ENTRY | {"parts": [SHAPES["cube"][0] | {"size": [0.2, 0.1, 0.1]}]}
+    del own["shape"]
+    assert read(own).shape == "own thing"
+    assert read(own).parts[0].model_dump()["size"] == (0.2, 0.1, 0.1)
+
+
+def test_every_shape_and_word_and_paint_template_is_used() -> None:
     text = "".join((tables.FOLDER / f"{n}.yaml").read_text("utf-8") for n in tables.OBJECT_FILES)
-    assert {entry.shape for entry in entries().values()} == set(tables._read("shapes"))
-    unused = [name for name in tables._read("paints") if f"template: {name}" not in text]
-    assert unused == []
+    words = (tables.FOLDER / "words.yaml").read_text("utf-8")
+    shapes = {e.shape for e in entries().values() if not e.shape.startswith("own ")}
+    assert shapes == set(tables._read("shapes"))
+    paints = tables._read("paints")
+    named = set(re.findall(r"(?:template|finish|bar): (\w+)", text + words))
+    assert named - {"$finish"} >= set(paints) - {"blank"}
+    spoken = {word for name in re.findall(r"\w[\w ]+", text) for word in name.split()}
+    assert set(tables._read("words")) <= spoken

@@ -34,14 +34,19 @@ def extent(painted: list[Painted]) -> Array:
 
 def assemble(entry: Entry) -> tuple[list[Painted], list[Array]]:
     """Surfaces and convex pieces, enlarged, resting on z = 0 and centred over the origin."""
-    surfaces = [(sheet.scaled(entry.scale), name) for sheet, name in raw_surfaces(entry)]
+    surfaces = [(_enlarged(sheet, entry), name) for sheet, name in raw_surfaces(entry)]
     rest = resting([sheet for sheet, _ in surfaces])
     pieces = [
-        rest.apply(corners * entry.scale)
+        rest.apply(corners * entry.scale * np.array(entry.stretch))
         for k, part in enumerate(entry.parts)
         for corners in part.placed_hulls(rng_of(f"{entry.shape} {k}"))
     ]
     return [(sheet.moved(rest), name) for sheet, name in surfaces], pieces
+
+
+def _enlarged(sheet: Sheet, entry: Entry) -> Sheet:
+    sheet = sheet.scaled(entry.scale)
+    return sheet if entry.stretch == (1, 1, 1) else sheet.stretched(np.array(entry.stretch))
 
 
 def resting(sheets: list[Sheet]) -> Pose:

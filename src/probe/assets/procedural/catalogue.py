@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
+import numpy as np
+
 from probe.assets.mesh import Body, ConvexPiece
 from probe.assets.procedural.assembly import assemble, extent, raw_surfaces, rng_of
 from probe.assets.procedural.atlas import paint
@@ -38,7 +40,8 @@ def build(object_id: str) -> Body:
 
 
 def _spec(entry: Entry, unscaled: Array) -> ObjectSpec:
-    x, y, z = (round(float(v), 4) for v in unscaled * entry.scale)
+    size = unscaled * entry.scale * np.array(entry.stretch)
+    x, y, z = (round(float(v), 4) for v in size)
     return ObjectSpec(
         id=entry.id,
         name=entry.name,

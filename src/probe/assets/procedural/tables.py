@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from functools import cache
 from importlib.resources import files
 from typing import Annotated, Any, Self, cast
@@ -10,16 +9,23 @@ from typing import Annotated, Any, Self, cast
 import yaml
 from pydantic import Field, TypeAdapter, ValidationError, model_validator
 
+from probe.assets.procedural.families import members, replaced
 from probe.assets.procedural.paint.data import Data
 from probe.assets.procedural.paint.materials import Layers, Metal, Weave, Wood
 from probe.assets.procedural.paint.mottled import Mottled
+from probe.assets.procedural.paint.pattern import Pattern
 from probe.assets.procedural.paint.prints import Print
-from probe.assets.procedural.parts import Part
+from probe.assets.procedural.parts import Part, Triple
 from probe.errors import BadData
 
-AnyPaint = Annotated[Mottled | Wood | Metal | Weave | Layers | Print, Field(discriminator="look")]
+AnyPaint = Annotated[
+    Mottled | Wood | Metal | Weave | Layers | Print | Pattern, Field(discriminator="look")
+]
 FOLDER = files("probe.assets.procedural") / "data"
-OBJECT_FILES = ("vessels", "food", "packages", "household", "tools", "toys")
+OBJECT_FILES = (
+    *("vessels", "food", "packages", "household", "tools", "toys"),
+    *("produce", "bakery", "kitchen", "bottles", "desk", "home", "wear", "games", "workshop"),
+)
 
 
 class Entry(Data):
@@ -27,7 +33,7 @@ class Entry(Data):
 
     In the file a paint may be given as ``template`` (its name in ``paints.yaml``) with values
     for what the template leaves open; ``parts`` is what ``shapes.yaml`` has under the shape's
-    name.
+    name, unless the entry brings its own. Entries with ``variants`` are `families`.
     """
 
     id: str = Field(pattern=r"^proc_[a-z0-9_]+$")
@@ -41,6 +47,7 @@ class Entry(Data):
     roughness: float = Field(0.6, ge=0, le=1)
     metallic: float = Field(0.0, ge=0, le=1)
     scale: float = Field(1.0, gt=0)
+    stretch: Triple = (1, 1, 1)
     shape: str
     parts: tuple[Part, ...]
     paints: dict[str, AnyPaint]
@@ -60,27 +67,41 @@ def entries() -> dict[str, Entry]:
     Raises:
         BadData: A file breaks its schema; names the entry.
     """
-    shapes, paints = _mapping("shapes"), _mapping("paints")
+    shapes, paints, words = (_mapping(name) for name in ("shapes", "paints", "words"))
     found: dict[str, Entry] = {}
     for name in OBJECT_FILES:
         for raw in cast(list[dict[str, Any]], _read(name)):
-            entry = _entry(name, raw, shapes, paints)
-            if entry.id in found:
-                raise BadData(f"{name}.yaml", f"{entry.id} is there twice", "Rename one.")
-            found[entry.id] = entry
+            for entry in _entries(name, raw, shapes, paints, words):
+                if entry.id in found:
+                    raise BadData(f"{name}.yaml", f"{entry.id} is there twice", "Rename one.")
+                found[entry.id] = entry
     return found
 
 
-def _entry(file: str, raw: dict[str, Any], shapes: dict[str, Any], paints: dict[str, Any]) -> Entry:
+def _entries(
+    file: str,
+    raw: dict[str, Any],
+    shapes: dict[str, Any],
+    paints: dict[str, Any],
+    words: dict[str, Any],
+) -> list[Entry]:
+    """The objects of one data entry."""
+    who = f"entry {raw.get('id', raw.get('category'))}"
     try:
-        looks = {name: _filled(look, paints) for name, look in raw["paints"].items()}
-        whole = raw | {"parts": shapes[raw["shape"]], "paints": looks}
-        return TypeAdapter(Entry).validate_python(whole)
+        return [_entry(member, shapes, paints) for member in members(raw, words)]
     except KeyError as error:
-        reason = f"entry {raw.get('id')} refers to {error}, which is not there"
+        reason = f"{who} refers to {error}, which is not there"
         raise BadData(f"{file}.yaml", reason, "Add it or correct the name.") from error
     except ValidationError as error:
-        raise BadData(f"{file}.yaml", f"entry {raw.get('id')}: {error}", "Correct it.") from error
+        raise BadData(f"{file}.yaml", f"{who}: {error}", "Correct it.") from error
+
+
+def _entry(raw: dict[str, Any], shapes: dict[str, Any], paints: dict[str, Any]) -> Entry:
+    looks = {name: _filled(look, paints) for name, look in raw["paints"].items()}
+    shape = raw.get("shape", f"own {raw['category']}")
+    parts = raw["parts"] if "parts" in raw else shapes[shape]
+    whole = raw | {"shape": shape, "parts": parts, "paints": looks}
+    return TypeAdapter(Entry).validate_python(whole)
 
 
 def _filled(look: dict[str, Any], templates: dict[str, Any]) -> dict[str, Any]:
@@ -89,17 +110,7 @@ def _filled(look: dict[str, Any], templates: dict[str, Any]) -> dict[str, Any]:
         return look
     template = templates[look["template"]]
     values = template.get("defaults", {}) | look
-    return _replaced(template["paint"], values)
-
-
-def _replaced(node: Any, values: dict[str, Any]) -> Any:
-    if isinstance(node, dict):
-        return {k: _replaced(v, values) for k, v in cast(dict[str, Any], node).items()}
-    if isinstance(node, list):
-        return [_replaced(v, values) for v in cast(list[Any], node)]
-    if isinstance(node, str) and re.fullmatch(r"\$\w+", node):
-        return values[node[1:]]
-    return node
+    return replaced(template["paint"], values)
 
 
 def _mapping(name: str) -> dict[str, Any]:

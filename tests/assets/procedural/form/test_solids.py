@@ -104,3 +104,27 @@ def test_a_shell_leaves_its_cavity_open() -> None:
     exact = math.pi * (0.05**2 * 0.005 + (0.05**2 - 0.045**2) * 0.095)
     assert len(pieces) == 17
     assert volume == pytest.approx(exact, rel=0.15)
+
+
+@given(st.floats(0.5, 2), st.floats(0.5, 2), st.floats(0.5, 2))
+def test_a_stretched_sheet(x: float, y: float, z: float) -> None:
+    (sheet,) = turn([CYLINDER], Base(segments=128), [False])
+    factors = np.array([x, y, z])
+    stretched = sheet.stretched(factors)
+    before, after = closed([sheet]), closed([stretched])
+    assert after.volume == pytest.approx(before.volume * x * y * z, rel=1e-6)
+    np.testing.assert_allclose(np.linalg.norm(stretched.normals, axis=-1), 1)
+    # Normals stay at right angles to the surface along rows and columns.
+    along = np.diff(stretched.points, axis=0)
+    middle = (stretched.normals[1:] + stretched.normals[:-1]) / 2
+    flat = np.linalg.norm(stretched.normals[1:] - stretched.normals[:-1], axis=-1) < 1e-9
+    assert np.abs((along * middle).sum(axis=-1)[flat]).max() < 1e-9
+
+
+def test_a_sheet_stretched_evenly_is_scaled() -> None:
+    for sheet in rounded_box(np.array([3.0, 2.0, 1.0]), 0.1).values():
+        scaled, stretched = sheet.scaled(1.5), sheet.stretched(np.full(3, 1.5))
+        np.testing.assert_allclose(stretched.points, scaled.points)
+        np.testing.assert_allclose(stretched.normals, scaled.normals, atol=1e-12)
+        np.testing.assert_allclose(stretched.extent, scaled.extent)
+        np.testing.assert_allclose(np.asarray(stretched.plane), np.asarray(scaled.plane))

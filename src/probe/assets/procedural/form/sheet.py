@@ -54,6 +54,19 @@ class Sheet:
         extent = (width * factor, height * factor)
         return replace(self, points=self.points * factor, extent=extent, plane=plane)
 
+    def stretched(self, factors: Array) -> Sheet:
+        """The sheet, enlarged by a factor along each of x, y, z, shape (3,)."""
+        points, normals = self.points * factors, self.normals / factors
+        before, after = _spread(self.points), _spread(points)
+        width, height = np.array(self.extent) * after / np.where(before > 0, before, 1)
+        return replace(
+            self,
+            points=points,
+            normals=normals / np.linalg.norm(normals, axis=-1, keepdims=True),
+            plane=None if self.plane is None else self.plane * factors,
+            extent=(float(width), float(height)),
+        )
+
     def map(self, width_px: int, height_px: int) -> Array:
         """Where each pixel of the sheet's picture lies, float32, shape (height, width, 3)."""
         u = (np.arange(width_px) + 0.5) / width_px
@@ -70,6 +83,13 @@ class Sheet:
     def faces(self) -> Array:
         """Triangles as indices into the flattened grid, without degenerate ones, shape (m, 3)."""
         return grid_faces(self.points)
+
+
+def _spread(points: Array) -> Array:
+    """Length of a grid's longest row and of its mean column, shape (2,)."""
+    across = np.linalg.norm(np.diff(points, axis=1), axis=-1).sum(axis=1).max()
+    down = np.linalg.norm(np.diff(points, axis=0), axis=-1).sum(axis=0).mean()
+    return np.array([across, down])
 
 
 def grid_faces(points: Array) -> Array:

@@ -4,12 +4,13 @@ from typing import Annotated
 
 from pydantic import Field
 
+from probe.assets.procedural.parts.ball import Ball
 from probe.assets.procedural.parts.box import Box
 from probe.assets.procedural.parts.hollow import Hollow
-from probe.assets.procedural.parts.part import Painted
+from probe.assets.procedural.parts.part import Painted, Triple
 from probe.assets.procedural.parts.swept import Swept
 from probe.assets.procedural.parts.turned import Turned
 
-Part = Annotated[Turned | Hollow | Swept | Box, Field(discriminator="kind")]
+Part = Annotated[Turned | Hollow | Swept | Box | Ball, Field(discriminator="kind")]
 
-__all__ = ["Painted", "Part"]
+__all__ = ["Painted", "Part", "Triple"]

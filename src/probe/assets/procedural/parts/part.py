@@ -33,14 +33,28 @@ class Place(Data):
         return Pose.of(np.asarray(self.at), quaternion_of(rotation))
 
 
+class Copies(Data):
+    """The same part several times: each shifted (metres) and turned about z (degrees) further."""
+
+    count: int = 1
+    step: Triple = (0, 0, 0)
+    turn: float = 0
+
+    @property
+    def poses(self) -> list[Pose]:
+        steps = [(k * np.asarray(self.step), k * self.turn) for k in range(self.count)]
+        return [Place(at=tuple(at), turn=(0, 0, turn)).pose for at, turn in steps]
+
+
 class Piecewise(Data, ABC):
-    """A part that goes somewhere.
+    """A part that goes somewhere, once or several times.
 
     Attributes:
         solid: False if it is for the eye alone and has no convex pieces.
     """
 
     place: Place = Place()
+    copies: Copies = Copies()
     solid: bool = True
 
     @property
@@ -57,9 +71,15 @@ class Piecewise(Data, ABC):
         """Its convex pieces before they are put in place; the same ``rng`` as for surfaces."""
 
     def placed_surfaces(self, rng: np.random.Generator) -> list[Painted]:
-        pose = self.place.pose
-        return [(sheet.moved(pose), paint) for sheet, paint in self.surfaces(rng)]
+        once = [(sheet.moved(self.place.pose), paint) for sheet, paint in self.surfaces(rng)]
+        if self.copies.count == 1:
+            return once
+        return [(sheet.moved(pose), paint) for pose in self.copies.poses for sheet, paint in once]
 
     def placed_hulls(self, rng: np.random.Generator) -> list[Array]:
-        pose = self.place.pose
-        return [pose.apply(corners) for corners in self.hulls(rng)] if self.solid else []
+        if not self.solid:
+            return []
+        once = [self.place.pose.apply(corners) for corners in self.hulls(rng)]
+        if self.copies.count == 1:
+            return once
+        return [pose.apply(corners) for pose in self.copies.poses for corners in once]

@@ -1,0 +1,78 @@
+"""Many objects on one sheet, a tile each, drawn by the renderer that draws scenes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFont
+
+from probe.assets.library import Library
+from probe.assets.mesh import Surface
+from probe.assets.spec import ObjectSpec
+from probe.render.protocol import TableTop
+from probe.render.renderer import Renderer
+from probe.scene.scene import PlacedObject
+from probe.types import Array, Camera, Pose, looking_at
+
+TILE_PX = 224
+CAPTION_PX = 20
+NEAREST = 0.7
+"""Metres from which small things are looked at; from nearer a renderer may cut them off."""
+
+LOADED = 24
+"""Objects that the renderer holds at once."""
+
+_FRONT = (0.45, -1.15, 1.0)
+_GROUND = TableTop(Surface(np.full((1, 1, 3), 235, dtype=np.uint8)), 1.0, (8.0, 8.0))
+
+
+def one_a_category(specs: Iterable[ObjectSpec]) -> list[ObjectSpec]:
+    """The first object of each category, in order."""
+    first: dict[str, ObjectSpec] = {}
+    for spec in specs:
+        first.setdefault(spec.category, spec)
+    return list(first.values())
+
+
+def contact_sheet(library: Library, specs: Sequence[ObjectSpec], *, named: bool) -> Image.Image:
+    """One tile an object in rows, numbered, with names beneath if wanted.
+
+    Raises:
+        RenderFailed: The renderer died twice on one of them.
+        NoGraphicsDriver: The machine has no Vulkan driver.
+    """
+    columns = max(1, math.ceil(math.sqrt(len(specs) * 1.4)))
+    rows = math.ceil(len(specs) / columns)
+    height = TILE_PX + CAPTION_PX
+    sheet = Image.new("RGB", (columns * TILE_PX, rows * height), (255, 255, 255))
+    pen, font = ImageDraw.Draw(sheet), ImageFont.load_default(13)
+    for k, (spec, tile) in enumerate(zip(specs, _tiles(library, specs), strict=True)):
+        x, y = k % columns * TILE_PX, k // columns * height
+        sheet.paste(tile, (x, y))
+        caption = f"{k + 1}  {spec.name}" if named else f"{k + 1}"
+        pen.text((x + 4, y + TILE_PX + 2), caption, fill=(20, 20, 20), font=font)
+    return sheet
+
+
+def _tiles(library: Library, specs: Sequence[ObjectSpec]) -> Iterator[Image.Image]:
+    with Renderer() as renderer:
+        for start in range(0, len(specs), LOADED):
+            some = specs[start : start + LOADED]
+            renderer.load({spec.id: library.body(spec.id).mesh for spec in some}, _GROUND)
+            for spec in some:
+                yield Image.fromarray(_portrait(renderer, spec))
+
+
+def _portrait(renderer: Renderer, spec: ObjectSpec) -> Array:
+    """A loaded object, seen obliquely from the front and filling its tile, shape (h, w, 3)."""
+    size = float(np.linalg.norm(spec.size))
+    middle = np.array([0.0, 0.0, spec.size[2] / 2])
+    away = max(NEAREST, 2 * size)
+    eye = middle + away * np.array(_FRONT) / np.linalg.norm(_FRONT)
+    fov_y_deg = math.degrees(2 * math.atan(0.54 * size / away))
+    camera = Camera(looking_at(eye, middle), TILE_PX, TILE_PX, fov_y_deg)
+    frame = renderer.draw([PlacedObject(1, spec.id, Pose())], camera, rgb=True)
+    assert frame.rgb is not None
+    return frame.rgb
