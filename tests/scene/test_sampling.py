@@ -58,7 +58,8 @@ def test_what_is_buried_falls_first_and_something_flat_lands_on_it(seed, sizes, 
     assert sorted(index for index, _ in falls) == list(range(len(specs)))
     pairs = min(buried, len(specs) // 2)
     smallest = sorted(range(len(specs)), key=lambda n: -np.prod(sizes[n]))[len(specs) - pairs :]
-    for (small, below), (large, above) in zip(falls[: 2 * pairs : 2], falls[1 : 2 * pairs : 2]):
+    first, over = falls[: 2 * pairs : 2], falls[1 : 2 * pairs : 2]
+    for (small, below), (large, above) in zip(first, over, strict=True):
         assert small in smallest and large not in smallest
         assert np.hypot(above.x - below.x, above.y - below.y) < 0.015
         thin = np.eye(3)[int(np.argmin(sizes[large]))]

@@ -104,7 +104,7 @@ def draw_pile(
     """
     order = sorted(range(len(specs)), key=lambda index: -math.prod(specs[index].size))
     count = min(pile.buried, len(order) // 2)
-    drops = {index: draw_drop(rng, pile.reach) for index in order}
+    drops = [draw_drop(rng, pile.reach) for _ in specs]
     wide = sorted(order[: len(order) - count], key=lambda index: -_footprint(specs[index]))
     pairs: list[tuple[int, Drop]] = []
     for small, large in zip(order[len(order) - count :], wide, strict=False):
