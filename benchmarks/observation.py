@@ -43,7 +43,8 @@ def bare_frame(scene: Scene, things: Library) -> float:
     """Seconds for one more RGB frame, in a child process that owns the context."""
     from probe.render.filament import Drawer
     from probe.render.illumination import AMBIENT
-    from probe.render.packing import pack, pack_light, pack_table
+    from probe.render.light_packing import LightPacker
+    from probe.render.packing import pack, pack_table
     from probe.render.protocol import TableTop
 
     table = load_table(scene.table, assets_folder())
@@ -52,7 +53,7 @@ def bare_frame(scene: Scene, things: Library) -> float:
     read, write = os.pipe()
     if os.fork() == 0:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Filament reports its set-up on stdout
-        drawer = Drawer(meshes, top, pack_light(AMBIENT))
+        drawer = Drawer(meshes, top, LightPacker().pack(AMBIENT))
         taken = seconds(lambda: drawer.rgb(scene.objects, top_camera()))
         os.write(write, str(taken).encode())
         os._exit(0)

@@ -4,9 +4,14 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from probe.assets.tables import PAINTED, load_table, table_ids
+from probe.assets.tables import load_table, table_ids
+from probe.assets.tabletops import tops
+from probe.assets.tabletops.cloth import THREADS, Striped
 from probe.assets.tabletops.noise import SIZE, normals_of
 from probe.errors import BadData, UnknownName
+
+PAINTED = tuple(tops())
+ONE_OF_EACH = sorted({type(top): id for id, top in tops().items()}.values())
 
 
 def _material(folder, name="Wood001", **maps):
@@ -18,11 +23,17 @@ def _material(folder, name="Wood001", **maps):
 
 
 def test_there_are_tables_without_assets():
-    assert len(PAINTED) >= 8
+    assert len(PAINTED) >= 108
     assert table_ids(None) == PAINTED
 
 
-@pytest.mark.parametrize("id", PAINTED)
+def test_bands_of_stripes_fill_a_repeat():
+    for top in tops().values():
+        if isinstance(top, Striped):
+            assert sum(count for _, count in top.bands) == THREADS, top.id
+
+
+@pytest.mark.parametrize("id", ONE_OF_EACH)
 def test_a_painted_table_repeats_without_a_seam(id):
     table = load_table(id, None)
     texture = table.texture.astype(int)
@@ -60,9 +71,28 @@ def test_a_material_from_disk(tmp_path):
     assert table.surface.texture is table.texture
 
 
+def test_every_map_goes_to_the_surface(tmp_path):
+    _material(
+        tmp_path,
+        "Metal9",
+        Color=(90, 90, 90),
+        NormalDX=(128, 100, 250),
+        Roughness=(51, 51, 51),
+        Metalness=(255, 255, 255),
+    )
+    surface = load_table("Metal9", tmp_path).surface
+    assert surface.metallic == 1 and surface.roughness == pytest.approx(0.2, abs=0.01)
+    assert surface.roughness_map is not None and surface.roughness_map.ndim == 2
+    # DirectX's green points down: turned over it is OpenGL's.
+    assert surface.normal is not None
+    assert surface.normal[3, 3].astype(int) == pytest.approx([128, 155, 250], abs=3)
+
+
 def test_maps_may_be_missing_but_not_the_colour(tmp_path):
     _material(tmp_path, "Odd01", Color=(1, 2, 3))
-    assert load_table("Odd01", tmp_path).normal is None
+    bare = load_table("Odd01", tmp_path)
+    assert bare.normal is None and bare.roughness_map is None
+    assert bare.roughness == 0.6 and bare.metallic == 0
     _material(tmp_path, "Odd02", Roughness=(1, 2, 3))
     with pytest.raises(BadData, match="Odd02.*no colour map"):
         load_table("Odd02", tmp_path)

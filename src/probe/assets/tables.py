@@ -11,12 +11,10 @@ import numpy as np
 from PIL import Image
 
 from probe.assets.mesh import Surface
-from probe.assets.tabletops import PAINTERS
+from probe.assets.tabletops import tops
 from probe.assets.tabletops.noise import normals_of
 from probe.errors import BadData, UnknownName
 from probe.types import Array
-
-PAINTED = tuple(PAINTERS)
 
 TILE_SIZES = {
     "AcousticFoam": 0.5,
@@ -68,11 +66,12 @@ def table_ids(assets: Path | None) -> tuple[str, ...]:
 
     The latter are whatever lies there, odd tables (foam, paving stones) included.
     """
+    painted = tuple(tops())
     folder = None if assets is None else assets / "textures"
     if folder is None or not folder.is_dir():
-        return PAINTED
+        return painted
     names = sorted(entry.name.split("_")[0] for entry in folder.iterdir() if entry.is_dir())
-    return (*PAINTED, *names)
+    return (*painted, *names)
 
 
 @lru_cache(maxsize=4)
@@ -83,7 +82,7 @@ def load_table(id: str, assets: Path | None) -> TableMaterial:
         UnknownName: No material has this id.
         BadData: Its files are broken.
     """
-    if id in PAINTERS:
+    if id in tops():
         return _painted(id)
     known = table_ids(assets)
     if assets is None or id not in known:
@@ -93,10 +92,10 @@ def load_table(id: str, assets: Path | None) -> TableMaterial:
 
 def _painted(id: str) -> TableMaterial:
     seed = int.from_bytes(hashlib.sha256(id.encode()).digest()[:8], "big")
-    sheet = PAINTERS[id](np.random.default_rng(seed))
+    sheet = tops()[id].paint(np.random.default_rng(seed))
     texture = np.clip(np.round(sheet.colour), 0, 255).astype(np.uint8)
     normal = normals_of(sheet.height, sheet.tile_size / len(sheet.height))
-    return TableMaterial(id, texture, sheet.tile_size, sheet.roughness, normal)
+    return TableMaterial(id, texture, sheet.tile_size, sheet.roughness, normal, sheet.metallic)
 
 
 def _photographed(id: str, textures: Path) -> TableMaterial:

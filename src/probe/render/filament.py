@@ -15,7 +15,8 @@ import numpy as np
 from mujoco import mjrf
 
 from probe.render.filament_parts import FAR, NEAR, Factory, Uploaded, filament_camera
-from probe.render.packing import PackedLight, PackedMesh
+from probe.render.light_packing import PackedLight
+from probe.render.packing import PackedMesh
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera
 

@@ -1,4 +1,4 @@
-"""Meshes and light as the renderer's buffers take them. Knows no engine."""
+"""Meshes as the renderer's buffers take them. Knows no engine."""
 
 from __future__ import annotations
 
@@ -6,10 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from probe.assets.cache import Cache, content_key
 from probe.assets.mesh import Surface, TexturedMesh
-from probe.render.illumination import Illumination, Sun
-from probe.render.prefilter import LIGHT_VERSION, backdrop_map, light_map
 from probe.render.protocol import TableTop
 from probe.types import Array
 
@@ -30,39 +27,6 @@ class PackedMesh:
     index_count: int
     bounds: tuple[Array, Array]
     surface: Surface
-
-
-@dataclass(frozen=True, eq=False)
-class PackedLight:
-    """Light as cube maps.
-
-    Attributes:
-        around: Prefiltered image-based light, a KTX1 file.
-        backdrop: Its sharp picture, a KTX1 file; None if the backdrop is plain.
-        sun: What casts shadows, or None.
-    """
-
-    around: bytes
-    backdrop: bytes | None
-    sun: Sun | None
-
-
-def pack_light(light: Illumination, cache: Cache | None = None) -> PackedLight:
-    """Prefilter a panorama, or take what was made of it before from the cache."""
-    backdrop = None if light.backdrop is None else backdrop_map(light.backdrop)
-    return PackedLight(_prefiltered(light.radiance, cache), backdrop, light.sun)
-
-
-def _prefiltered(radiance: Array, cache: Cache | None) -> bytes:
-    if cache is None:
-        return light_map(radiance)
-    key = content_key("light map", LIGHT_VERSION, str(radiance.shape), radiance.tobytes())
-    stored = cache.load(key)
-    if stored is not None:
-        return stored["ktx"].tobytes()
-    made = light_map(radiance)
-    cache.store(key, {"ktx": np.frombuffer(made, np.uint8)})
-    return made
 
 
 def pack(mesh: TexturedMesh) -> PackedMesh:

@@ -103,10 +103,9 @@ def _on_table(panorama: Array) -> Array:
 def _balanced(sun: Array, sky: Array) -> Array:
     """The sun's light on the table, made stronger or weaker until its share is lawful."""
     from_sun, from_sky = float(sun @ _LUMINANCE), float(sky @ _LUMINANCE)
-    if from_sun <= 0:
-        sun, from_sun = sky, from_sky
     share = min(max(from_sun / (from_sun + from_sky), SHARES[0]), SHARES[1])
-    return sun / from_sun * from_sky * share / (1 - share)
+    colour = sun / from_sun if from_sun > 0 else sky / from_sky
+    return colour * from_sky * share / (1 - share)
 
 
 def _raised(towards: Vector3) -> Vector3:

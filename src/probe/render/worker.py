@@ -20,7 +20,8 @@ from probe.assets.cache import Cache
 from probe.assets.mesh import Surface
 from probe.render.filament import Drawer
 from probe.render.illumination import AMBIENT, Illumination
-from probe.render.packing import PackedMesh, pack, pack_light, pack_table
+from probe.render.light_packing import LightPacker
+from probe.render.packing import PackedMesh, pack, pack_table
 from probe.render.protocol import Answer, Draw, Drawn, Load, Outline, Outlines, Request
 from probe.types import Array
 
@@ -51,9 +52,9 @@ class _Child:
 class _Loaded:
     """The objects at hand, and the child that draws labels and depth of them."""
 
-    def __init__(self, load: Load, client: Connection, cache: Cache | None) -> None:
+    def __init__(self, load: Load, client: Connection, lights: LightPacker) -> None:
         self._client = client
-        self._cache = cache
+        self._lights = lights
         self._meshes = {name: pack(mesh) for name, mesh in load.meshes.items()}
         self._table = pack_table(load.table)
         self._labeller: _Child | None = None
@@ -80,7 +81,7 @@ class _Loaded:
         return self._labeller.pipe.recv()
 
     def _painter(self, request: Draw, light: Illumination) -> _Child:
-        packed = pack_light(light, self._cache)
+        packed = self._lights.pack(light)
 
         def paint(pipe: Connection) -> None:
             drawer = Drawer(self._meshes, self._table, packed)
@@ -90,7 +91,7 @@ class _Loaded:
 
     def _serve_labels(self, pipe: Connection) -> None:
         meshes = {name: _untextured(mesh) for name, mesh in self._meshes.items()}
-        drawer = Drawer(meshes, _untextured(self._table), pack_light(AMBIENT))
+        drawer = Drawer(meshes, _untextured(self._table), LightPacker().pack(AMBIENT))
         while True:
             try:
                 request: Draw | Outline = pipe.recv()
@@ -112,7 +113,7 @@ def _untextured(mesh: PackedMesh) -> PackedMesh:
     )
 
 
-def serve(client: Connection, cache: Cache | None) -> None:
+def serve(client: Connection, lights: LightPacker) -> None:
     """Answer requests until the client goes away."""
     loaded: _Loaded | None = None
     while True:
@@ -123,7 +124,7 @@ def serve(client: Connection, cache: Cache | None) -> None:
         if isinstance(request, Load):
             if loaded:
                 loaded.stop()
-            loaded = _Loaded(request, client, cache)
+            loaded = _Loaded(request, client, lights)
             answer: Answer = None
         elif loaded is None:
             raise ValueError("Draw before Load")
@@ -134,4 +135,4 @@ def serve(client: Connection, cache: Cache | None) -> None:
 
 if __name__ == "__main__":
     handle, *folder = sys.argv[1:]
-    serve(Connection(int(handle)), Cache(Path(folder[0])) if folder else None)
+    serve(Connection(int(handle)), LightPacker(Cache(Path(folder[0])) if folder else None))

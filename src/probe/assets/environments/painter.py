@@ -58,7 +58,7 @@ def _laid(room: Room, hits: Hits) -> Array:
     kind, width = room.pattern
     x, y = hits.points[0], hits.points[1]
     if kind == "plain":
-        return np.ones(x.shape, np.float32)
+        return np.ones(hits.side.shape, np.float32)
     row = np.floor(y / width).astype(int)
     long = width * (1 if kind == "tiles" else 8)
     column = np.floor(x / long + (0 if kind == "tiles" else row * 0.37)).astype(int)

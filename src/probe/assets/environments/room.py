@@ -38,8 +38,8 @@ class Patch(_Data):
     at: tuple[float, float]
     size: tuple[float, float]
     colour: Colour
-    glow: float = Field(0.0, ge=0)
-    frame: float = Field(0.0, ge=0)
+    glow: float = Field(default=0.0, ge=0)
+    frame: float = Field(default=0.0, ge=0)
     frame_colour: Colour = "#e8e6e0"
     panes: tuple[int, int] = (1, 1)
 

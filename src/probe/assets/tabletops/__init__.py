@@ -1,29 +1,52 @@
-"""Table tops drawn by formula, all seamless. Knows no renderer and no files."""
+"""Table tops drawn by formula, all seamless: a few generators, and data. Knows no renderer."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import partial
+from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
+from typing import Annotated, Any
 
-import numpy as np
+import yaml
+from pydantic import Field, TypeAdapter, ValidationError
 
-from probe.assets.tabletops import cloth, stone, wood
-from probe.assets.tabletops.sheet import Sheet
+from probe.assets.tabletops.cloth import Felt, Gingham, Laminate, Leather, Linen, Striped
+from probe.assets.tabletops.laid import Metal, Tiles
+from probe.assets.tabletops.sheet import Sheet, Top
+from probe.assets.tabletops.stone import Cast, Cork, Granite, Marble, Slate, Terrazzo
+from probe.assets.tabletops.wood import Planks
+from probe.errors import BadData
 
-PAINTERS: Mapping[str, Callable[[np.random.Generator], Sheet]] = {
-    "oak_planks": partial(wood.planks, wood.OAK),
-    "walnut": partial(wood.planks, wood.WALNUT),
-    "bamboo": partial(wood.planks, wood.BAMBOO),
-    "beech": partial(wood.planks, wood.BEECH),
-    "white_laminate": cloth.laminate,
-    "grey_granite": stone.granite,
-    "white_marble": stone.marble,
-    "slate": stone.slate,
-    "terrazzo": stone.terrazzo,
-    "cork": stone.cork,
-    "linen": cloth.linen,
-    "red_gingham": cloth.gingham,
-    "green_felt": cloth.felt,
-}
+_Cloth = Linen | Gingham | Striped | Felt | Laminate | Leather
+_Stone = Granite | Marble | Slate | Terrazzo | Cork | Cast
+_AnyTop = Annotated[Planks | _Stone | _Cloth | Tiles | Metal, Field(discriminator="kind")]
 
-__all__ = ["PAINTERS", "Sheet"]
+
+@cache
+def tops() -> Mapping[str, Top]:
+    """All table tops by id, in the order of the file.
+
+    Raises:
+        BadData: The file breaks its schema; names the entry.
+    """
+    text = (files("probe.assets.tabletops") / "tabletops.yaml").read_text("utf-8")
+    found: dict[str, Top] = {}
+    for raw in yaml.load(text, yaml.CSafeLoader):
+        top = _top(raw)
+        if top.id in found:
+            raise BadData("tabletops.yaml", f"{top.id} is there twice", "Rename one.")
+        found[top.id] = top
+    return found
+
+
+def _top(raw: dict[str, Any]) -> Top:
+    try:
+        return TypeAdapter[Top](_AnyTop).validate_python(raw)
+    except ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(part) for part in first["loc"])
+        reason = f"entry {raw.get('id')}, {place}: {first['msg']}"
+        raise BadData("tabletops.yaml", reason, "Correct it.") from error
+
+
+__all__ = ["Sheet", "Top", "tops"]

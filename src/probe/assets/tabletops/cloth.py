@@ -1,51 +1,126 @@
-"""Table tops covered with cloth, felt or laminate."""
+"""Table tops covered with woven cloth, felt, leather or laminate."""
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 
-from probe.assets.tabletops.noise import SIZE, blend, fractal
-from probe.assets.tabletops.sheet import Sheet
+from probe.assets.tabletops.noise import SIZE, blend, cells, fractal, ramp
+from probe.assets.tabletops.sheet import Colour, Sheet, Top, palette, rgb
 from probe.types import Array
 
 THREADS = 128
 """Threads along an edge of a repeat; even, so that a plain weave closes."""
 
 
-def linen(rng: np.random.Generator) -> Sheet:
-    """Undyed plain weave with slubs."""
-    weave, height = _weave(rng)
-    colour = np.array([212.0, 203.0, 184.0]) + (26 * weave)[..., None] * [1, 1, 0.95]
-    colour = colour + (2.5 * fractal(rng, slope=1.5, scale=2))[..., None]
-    return Sheet(colour, height, 0.16, 0.95)
+class Linen(Top):
+    """Plain weave of one colour, with slubs."""
+
+    kind: Literal["linen"]
+    colour: Colour
+    tile_size: float = 0.16
+    roughness: float = 0.95
+
+    def paint(self, rng: np.random.Generator) -> Sheet:
+        weave, height = _weave(rng)
+        colour = rgb(self.colour) + (26 * weave)[..., None] * [1, 1, 0.95]
+        colour = colour + (2.5 * fractal(rng, slope=1.5, scale=2))[..., None]
+        return Sheet(colour, height, self.tile_size, self.roughness)
 
 
-def gingham(rng: np.random.Generator) -> Sheet:
-    """White and red checks, woven: half red where a red thread crosses a white one."""
-    weave, height = _weave(rng)
-    stripe = (np.arange(SIZE) // (SIZE // 4)) % 2
-    red = (stripe[:, None] + stripe[None, :]) / 2 * np.ones((SIZE, SIZE))
-    colour = blend(np.array([240, 236, 230]), np.array([176, 38, 44]), red)
-    return Sheet(colour + (20 * weave)[..., None], height, 0.12, 0.95)
+class Gingham(Top):
+    """Checks of two colours, woven: half coloured where a thread crosses a white one."""
+
+    kind: Literal["gingham"]
+    colour: Colour
+    ground: Colour = "#f0ece6"
+    tile_size: float = 0.12
+    roughness: float = 0.95
+
+    def paint(self, rng: np.random.Generator) -> Sheet:
+        weave, height = _weave(rng)
+        stripe = (np.arange(SIZE) // (SIZE // 4)) % 2
+        share = (stripe[:, None] + stripe[None, :]) / 2 * np.ones((SIZE, SIZE))
+        colour = blend(rgb(self.ground), rgb(self.colour), share)
+        return Sheet(colour + (20 * weave)[..., None], height, self.tile_size, self.roughness)
 
 
-def felt(rng: np.random.Generator) -> Sheet:
-    """Green felt: short fibres in all directions."""
-    fibres = np.zeros((SIZE, SIZE))
-    for stretch in ((7, 1), (1, 7), (4, 2), (2, 4)):
-        fibres = fibres + fractal(rng, slope=0.5, scale=60, stretch=stretch)
-    fibres = fibres + 1.5 * fractal(rng, slope=0.5, scale=60)
-    clouds = fractal(rng, slope=1.5, scale=3)
-    colour = np.array([44.0, 96.0, 72.0]) + (5 * fibres + 2.5 * clouds)[..., None] * [0.8, 1, 0.9]
-    return Sheet(colour, 3e-5 * fibres, 0.35, 1.0)
+class Striped(Top):
+    """Woven bands of several colours, along u alone or both ways as in a tartan.
+
+    Attributes:
+        bands: Colour of each band and how many threads of 128 it has; all together 128.
+        crossed: The same bands down the columns too.
+    """
+
+    kind: Literal["striped"]
+    bands: tuple[tuple[Colour, int], ...]
+    crossed: bool = False
+    tile_size: float = 0.2
+    roughness: float = 0.95
+
+    def paint(self, rng: np.random.Generator) -> Sheet:
+        weave, height = _weave(rng)
+        counts = [count * SIZE // THREADS for _, count in self.bands]
+        line = np.repeat(palette([colour for colour, _ in self.bands]), counts, axis=0)
+        rows = np.repeat(line[:, None], SIZE, axis=1).astype(float)
+        colour = (rows + rows.transpose(1, 0, 2)) / 2 if self.crossed else rows
+        return Sheet(colour + (18 * weave)[..., None], height, self.tile_size, self.roughness)
 
 
-def laminate(rng: np.random.Generator) -> Sheet:
-    """White laminate with a faint orange peel."""
-    peel = fractal(rng, slope=1.0, scale=90, finest=200)
-    clouds = fractal(rng, slope=1.8, scale=2)
-    colour = np.array([236.0, 236.0, 233.0]) + (0.9 * peel + 1.0 * clouds)[..., None]
-    return Sheet(colour, 6e-6 * peel, 0.8, 0.4)
+class Felt(Top):
+    """Short fibres in all directions."""
+
+    kind: Literal["felt"]
+    colour: Colour
+    tint: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    tile_size: float = 0.35
+    roughness: float = 1.0
+
+    def paint(self, rng: np.random.Generator) -> Sheet:
+        fibres = np.zeros((SIZE, SIZE))
+        for stretch in ((7, 1), (1, 7), (4, 2), (2, 4)):
+            fibres = fibres + fractal(rng, slope=0.5, scale=60, stretch=stretch)
+        fibres = fibres + 1.5 * fractal(rng, slope=0.5, scale=60)
+        clouds = fractal(rng, slope=1.5, scale=3)
+        colour = rgb(self.colour) + (5 * fibres + 2.5 * clouds)[..., None] * self.tint
+        return Sheet(colour, 3e-5 * fibres, self.tile_size, self.roughness)
+
+
+class Laminate(Top):
+    """One colour, with a faint orange peel."""
+
+    kind: Literal["laminate"]
+    colour: Colour
+    tile_size: float = 0.8
+    roughness: float = 0.4
+
+    def paint(self, rng: np.random.Generator) -> Sheet:
+        peel = fractal(rng, slope=1.0, scale=90, finest=200)
+        clouds = fractal(rng, slope=1.8, scale=2)
+        colour = rgb(self.colour) + (0.9 * peel + 1.0 * clouds)[..., None]
+        return Sheet(colour, 6e-6 * peel, self.tile_size, self.roughness)
+
+
+class Leather(Top):
+    """Grain of small rounded cells, darker in the folds between them."""
+
+    kind: Literal["leather"]
+    colour: Colour
+    grain: int = 90
+    tile_size: float = 0.3
+    roughness: float = 0.5
+
+    def paint(self, rng: np.random.Generator) -> Sheet:
+        cell, _, edge = cells(rng, self.grain, warp=0.35)
+        fold = ramp(edge, 0.3, 0.0)
+        tone = rng.normal(0, 0.03, self.grain**2)[cell]
+        clouds = fractal(rng, slope=1.7, scale=2)
+        shade = 1 + tone + 0.05 * clouds - 0.3 * fold + 0.015 * fractal(rng, slope=0.4, scale=90)
+        return Sheet(
+            rgb(self.colour) * shade[..., None], -2e-4 * fold, self.tile_size, self.roughness
+        )
 
 
 def _weave(rng: np.random.Generator) -> tuple[Array, Array]:

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from probe.assets.tabletops.noise import SIZE, blend, fractal, moved, ramp
-from probe.assets.tabletops.sheet import Sheet
+from probe.assets.tabletops.sheet import Colour, Sheet, Top, rgb
 from probe.types import Array
 
 
-@dataclass(frozen=True)
-class Timber:
-    """How a kind of wood looks.
+class Planks(Top):
+    """Staves along u, each cut from another part of the tree.
 
     Attributes:
-        light, dark: sRGB of early and late wood.
+        light, dark: Early and late wood.
         staves: How many lie side by side on a repeat.
-        tile_size: Metres along an edge of the repeat.
         rings: Year rings across a repeat.
         contrast: Of the rings, 0 to 1.
         pores: Share of dark pores, 0 to 1.
@@ -26,8 +24,9 @@ class Timber:
         groove: Pixels of dark joint between staves.
     """
 
-    light: tuple[int, int, int]
-    dark: tuple[int, int, int]
+    kind: Literal["planks"]
+    light: Colour
+    dark: Colour
     staves: int
     tile_size: float = 0.8
     rings: float = 90.0
@@ -37,15 +36,11 @@ class Timber:
     groove: float = 1.2
     roughness: float = 0.55
 
-
-OAK = Timber((203, 166, 119), (150, 108, 68), staves=6, pores=0.8, variety=11)
-WALNUT = Timber((124, 84, 58), (66, 41, 28), staves=4, rings=60, variety=9, contrast=0.75)
-BAMBOO = Timber((224, 190, 134), (190, 148, 92), staves=20, rings=30, pores=0.25, groove=0.6)
-BEECH = Timber((222, 182, 144), (194, 146, 108), staves=10, rings=50, contrast=0.4, groove=0.5)
+    def paint(self, rng: np.random.Generator) -> Sheet:
+        return _planks(self, rng)
 
 
-def planks(timber: Timber, rng: np.random.Generator) -> Sheet:
-    """Staves along u, each cut from another part of the tree."""
+def _planks(timber: Planks, rng: np.random.Generator) -> Sheet:
     width = SIZE / timber.staves
     stave = np.minimum((np.arange(SIZE) / width).astype(int), timber.staves - 1)
     shift_v = rng.integers(0, SIZE, timber.staves)[stave][:, None] * np.ones((1, SIZE))
@@ -57,16 +52,17 @@ def planks(timber: Timber, rng: np.random.Generator) -> Sheet:
     pores = moved(_pores(rng), shift_v, shift_u) * timber.pores
     clouds = fractal(rng, slope=1.6, scale=2, stretch=(4, 1))
 
-    colour = blend(np.array(timber.light), np.array(timber.dark), rings * timber.contrast)
+    light, dark = rgb(timber.light), rgb(timber.dark)
+    colour = blend(light, dark, rings * timber.contrast)
     colour = colour + (tone + 3.5 * fibres + 3.0 * clouds)[..., None] * np.array([1.0, 0.95, 0.85])
-    colour = blend(colour, np.array(timber.dark) * 0.6, 0.7 * pores)
+    colour = blend(colour, dark * 0.6, 0.7 * pores)
     joint = _joints(width, timber.groove)
-    colour = blend(colour, np.array(timber.dark) * 0.4, 0.85 * joint)
+    colour = blend(colour, dark * 0.4, 0.85 * joint)
     height = 2e-5 * fibres - 6e-5 * pores - 3e-4 * joint
     return Sheet(colour, height, timber.tile_size, timber.roughness)
 
 
-def _rings(timber: Timber, rng: np.random.Generator) -> Array:
+def _rings(timber: Planks, rng: np.random.Generator) -> Array:
     """Late wood, 0 to 1: a saw-tooth over a surface that is warped along the grain."""
     warp = 1.6 * fractal(rng, slope=2.2, scale=1.5, stretch=(6, 1), finest=60)
     warp = warp + 0.06 * fractal(rng, slope=1.0, scale=20, stretch=(20, 1))
