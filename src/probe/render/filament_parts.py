@@ -25,6 +25,9 @@ _UNIT_INTENSITY = 39321.6
 _SUN_INTENSITY = 39321.6 * np.pi
 """Lux of a sun that does the same for a surface that faces it."""
 
+_METAL = 0.6
+"""How much like a mirror bare metal is: a whole one shows a dark ceiling, not its own colour."""
+
 _SHADOW_MAP_PX = 2048
 _SUN_RADIUS = 0.05
 """Of the bulb in metres: what makes shadows soft."""
@@ -80,7 +83,7 @@ class Factory:
             # Without highlights a surface shows its texture's own colour (mean error 1.4 of 255).
             return material | {"specular": 0.0, "glossiness": 0.0}
         linear = mjrf.ColorSpace.COLORSPACE_LINEAR
-        material |= {"roughness": surface.roughness, "metallic": surface.metallic}
+        material |= {"roughness": surface.roughness, "metallic": _METAL * surface.metallic}
         if surface.normal is not None:
             material["normal_texture"] = self._image(surface.normal, linear)
         if surface.roughness_map is not None:
