@@ -39,11 +39,36 @@ class RenderFailed(ProbeError):
     """The render worker died twice on the same request."""
 
 
+class WorkerDied(ProbeError):
+    """A worker process was killed from outside, most often for lack of memory."""
+
+    def __init__(self, doing: str) -> None:
+        super().__init__(f"A worker process died while {doing}. Run it again with --workers 1.")
+
+
+class ModelFailed(ProbeError):
+    """A model gave no reply, or none that can be used."""
+
+
+class MissingExtra(ProbeError):
+    """Something needs a package that is installed on demand."""
+
+    def __init__(self, what: str, extra: str) -> None:
+        super().__init__(f"{what} needs more packages: pip install 'probe-vqa[{extra}]'.")
+
+
 class ArmInView(ProbeError):
     """A look at the table while the arm is in the way."""
 
     def __init__(self) -> None:
         super().__init__("The arm hides part of the table. Park it before looking.")
+
+
+class DownloadFailed(ProbeError):
+    """A file can't be fetched."""
+
+    def __init__(self, url: str, reason: str) -> None:
+        super().__init__(f"{url}: {reason}. Run it again to go on, or fetch it by other means.")
 
 
 class OutputFailed(ProbeError):

@@ -12,7 +12,9 @@ from rich.table import Column, Table
 
 from probe.assets.mesh import Surface, TexturedMesh
 from probe.cli.assets_add import add_objects, check_objects
+from probe.cli.assets_fetch import fetch
 from probe.cli.assets_sheet import sheet
+from probe.cli.assets_split import split
 from probe.cli.surroundings import Pool, library
 from probe.files import write_picture
 from probe.render.protocol import TableTop
@@ -23,6 +25,8 @@ from probe.types import Array, Camera, Pose, looking_at
 app = tyro.extras.SubcommandApp()
 app.command(name="add")(add_objects)
 app.command(name="check")(check_objects)
+app.command(split)
+app.command(fetch)
 app.command(sheet)
 
 

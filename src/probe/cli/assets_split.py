@@ -1,0 +1,74 @@
+"""`probe assets split`: what is for training and what for evaluation, stored."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import track
+from rich.table import Column, Table
+
+from probe.assets.importers.parallel import spread
+from probe.assets.library import Library
+from probe.assets.nearness import Fingerprint, NearPair, fingerprint, near_pairs
+from probe.assets.split import EVALUATION_SHARE, Split, read_split, split_objects, write_split
+from probe.cli.surroundings import Pool, library
+from probe.errors import WorkerDied
+
+SHOWN = 20
+
+
+def split(
+    pool: Pool = "all",
+    out: Path = Path("outputs/split.json"),
+    share: float = EVALUATION_SHARE,
+    workers: int = 2,
+) -> None:
+    """Split objects into a training and an evaluation part; near-duplicates stay together.
+
+    If the file is there already, its objects stay where they are, and it is checked for
+    near-duplicates on both sides.
+
+    Args:
+        pool: Which objects.
+        out: File for the split.
+        share: Of groups that go to evaluation, if the file is new.
+        workers: Processes.
+    """
+    objects = library(pool)
+    ids = [spec.id for spec in objects.specs]
+    pairs = near_duplicates(objects, ids, workers)
+    show_pairs(pairs)
+    earlier = read_split(out) if out.exists() else Split(evaluation_share=share, parts={})
+    made = split_objects(ids, pairs, earlier)
+    write_split(out, made)
+    counts = ", ".join(f"{len(made.ids(part))} {part}" for part in ("train", "evaluation"))
+    print(f"{counts}; {len(pairs)} pairs of near-duplicates. The split is {out}")
+
+
+def near_duplicates(objects: Library, ids: Sequence[str], workers: int) -> list[NearPair]:
+    """Near-duplicates among objects of a library, nearest first."""
+    jobs = [(objects, name) for name in ids]
+    made = track(spread(_fingerprint, jobs, workers), "Comparing objects", total=len(jobs))
+    found = {job[1]: seen for job, seen in made if seen is not None}
+    if len(found) < len(jobs):
+        raise WorkerDied("comparing objects")
+    return near_pairs(found)
+
+
+def show_pairs(pairs: Sequence[NearPair]) -> None:
+    """Print the nearest pairs."""
+    if not pairs:
+        return
+    table = Table(Column("near-duplicates", overflow="fold"), "", "fit", "texture")
+    for pair in pairs[:SHOWN]:
+        table.add_row(pair.one, pair.other, f"{pair.fit:.3f}", f"{pair.texture:.2f}")
+    Console().print(table)
+    if len(pairs) > SHOWN:
+        print(f"... and {len(pairs) - SHOWN} more pairs.")
+
+
+def _fingerprint(job: tuple[Library, str]) -> Fingerprint:
+    objects, object_id = job
+    return fingerprint(objects.body(object_id).mesh)
