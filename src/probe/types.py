@@ -8,7 +8,7 @@ in the order in which they multiply: ``world_from_camera @ camera_from_object``.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[Any]
+Ask = Callable[[Sequence[Array], str], str]
+"""A vision-language model: pictures (uint8, each (h, w, 3)) and words in, words out. It raises
+ModelFailed if no reply comes."""
+
 Vector3 = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 

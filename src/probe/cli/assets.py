@@ -12,6 +12,7 @@ from rich.table import Column, Table
 
 from probe.assets.mesh import Surface, TexturedMesh
 from probe.cli.assets_add import add_objects, check_objects
+from probe.cli.assets_annotate import annotate, review
 from probe.cli.assets_fetch import fetch
 from probe.cli.assets_sheet import sheet
 from probe.cli.assets_split import split
@@ -28,6 +29,8 @@ app.command(name="check")(check_objects)
 app.command(split)
 app.command(fetch)
 app.command(sheet)
+app.command(annotate)
+app.command(review)
 
 
 @app.command(name="list")

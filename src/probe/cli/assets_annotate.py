@@ -1,0 +1,134 @@
+"""`probe assets annotate | review`: let a model say what objects are, and correct it by hand."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import tyro
+from PIL import Image
+from rich.progress import track
+
+from probe.assets.annotation.notes import (
+    Note,
+    from_source,
+    note_path,
+    read_note,
+    read_notes,
+    said,
+    write_note,
+)
+from probe.assets.annotation.table import TABLE, corrected, write_table
+from probe.assets.annotation.words import describe
+from probe.assets.library import Library
+from probe.assets.spec import ObjectSpec
+from probe.cli.models import model_behind
+from probe.cli.surroundings import Pool, library
+from probe.errors import BadData, ModelFailed
+from probe.files import encode, write_bytes
+from probe.render.portraits import AROUND, GROUND, portrait
+from probe.render.renderer import Renderer
+from probe.report.review import write_review
+from probe.types import Array, Ask
+
+PAGE = "review.html"
+_SIDE_PX = 448
+_LOADED = 12
+
+
+def annotate(
+    out: Annotated[Path, tyro.conf.Positional],
+    endpoint: str,
+    model: str,
+    pool: Pool = "own",
+    limit: int | None = None,
+    timeout: float = 120.0,
+) -> None:
+    """Show a model each object from six sides and note what it says of it.
+
+    May be interrupted and run again: objects that a model or a person has described already are
+    passed over, those without a usable reply are asked about anew.
+
+    Args:
+        out: Folder for notes and pictures.
+        endpoint: A server that speaks OpenAI's protocol ("http://localhost:8000/v1"); its key is
+            in OPENAI_API_KEY.
+        model: As the server calls it.
+        pool: Which objects; scans need PROBE_ASSETS.
+        limit: Only so many of them.
+        timeout: Seconds to wait for a reply before trying again.
+    """
+    objects, ask = library(pool), model_behind(endpoint, model, timeout)
+    waiting = [spec for spec in objects.specs[:limit] if not _is_done(out, spec)]
+    with Renderer() as renderer:
+        for start in range(0, len(waiting), _LOADED):
+            some = waiting[start : start + _LOADED]
+            renderer.load({spec.id: objects.body(spec.id).mesh for spec in some}, GROUND)
+            for spec in track(some, f"Objects {start + 1} to {start + len(some)}"):
+                write_note(out, _noted(out, spec, _views(out, spec, renderer), ask))
+    _tell(out, objects, limit)
+
+
+def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
+    """Take in corrections of the table, and write it and its page of pictures anew.
+
+    Edit review.csv beside review.html with any program, then run this again: what you changed
+    counts as said by a person, and no model overrules it.
+
+    Args:
+        out: Folder that `probe assets annotate` wrote to.
+    """
+    notes = read_notes(out)
+    if not notes:
+        raise BadData(out, "holds no notes", "Run `probe assets annotate` first.")
+    table = out / TABLE
+    if table.exists():
+        changed = [
+            new for new, old in zip(corrected(table, notes), notes, strict=True) if new != old
+        ]
+        for note in changed:
+            write_note(out, note)
+        print(f"{len(changed)} objects corrected.")
+        notes = read_notes(out)
+    write_table(table, notes)
+    write_review(out / PAGE, notes)
+    print(f"{len(notes)} objects: correct {table} beside {out / PAGE}, then run this again.")
+
+
+def _is_done(out: Path, spec: ObjectSpec) -> bool:
+    path = note_path(out, spec.id)
+    return path.exists() and read_note(path).done
+
+
+def _noted(out: Path, spec: ObjectSpec, views: list[Array], ask: Ask) -> Note:
+    path = note_path(out, spec.id)
+    note = read_note(path) if path.exists() else from_source(spec)
+    try:
+        return said(note, describe(views, ask), "model")
+    except ModelFailed as failure:
+        return note.model_copy(update={"problem": str(failure)[:500]})
+
+
+def _views(out: Path, spec: ObjectSpec, renderer: Renderer) -> list[Array]:
+    """The six pictures of a loaded object; one strip of them is kept for the page."""
+    views = [portrait(renderer, spec.id, spec.size, side, _SIDE_PX) for side in AROUND]
+    strip = Image.fromarray(np.concatenate(views, axis=1))
+    small = strip.resize((strip.width // 2, strip.height // 2), Image.Resampling.LANCZOS)
+    write_bytes(out / "pictures" / f"{spec.id}.jpg", encode(small, "JPEG"))
+    return views
+
+
+def _tell(out: Path, objects: Library, limit: int | None) -> None:
+    wanted = {spec.id for spec in objects.specs[:limit]}
+    notes = [note for note in read_notes(out) if note.id in wanted]
+    counts = Counter("described" if note.done else "without a usable reply" for note in notes)
+    said_so = ", ".join(f"{count} {what}" for what, count in counts.items()) or "none"
+    print(f"{len(wanted)} objects: {said_so}. Notes are in {out / 'notes'}.")
+    for note in notes:
+        if note.problem:
+            print(f"  {note.id}: {note.problem}")
+    if counts["without a usable reply"]:
+        print("Run it again to ask about those.")
+    print(f"`probe assets review {out}` makes a table of them to correct.")
