@@ -6,7 +6,7 @@ import statistics
 from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import tyro
 from rich.console import Console
@@ -25,15 +25,17 @@ from probe.assets.importers.checking import (
 from probe.assets.importers.order import Order
 from probe.assets.importers.source import Axis, Format
 from probe.assets.library import own_folder, scans_folder
-from probe.cli.surroundings import assets_folder, cache_folder, library_folder
+from probe.cli.assets_split import near_duplicates, show_pairs
+from probe.cli.surroundings import assets_folder, cache_folder, library, library_folder
 
-_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001}
+Unit = Literal["m", "cm", "mm"]
+_METRES: dict[Unit, float] = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 
 
 def add_objects(
     format: Annotated[Format, tyro.conf.Positional],
     path: Annotated[Path, tyro.conf.Positional],
-    unit: str | None = None,
+    unit: Unit | None = None,
     up: Axis | None = None,
     licence: str | None = None,
     source: str | None = None,
@@ -52,13 +54,15 @@ def add_objects(
         source: Who made them, for objects whose files don't say.
         workers: Processes.
     """
-    if unit is not None and unit not in _UNITS:
-        raise SystemExit(f"probe: --unit {unit}: it has to be m, cm or mm.")
-    order = Order(format, _UNITS[unit] if unit else None, up, licence, source)
+    order = Order(format, _METRES[unit] if unit else None, up, licence, source)
     sources = find_sources(path, order)
     target = Target(library_folder(), cache_folder())
     running = add(sources, order, target, workers)
-    _tell(list(track(running, "Adding objects", total=len(sources))), target.library)
+    outcomes = list(track(running, "Adding objects", total=len(sources)))
+    _tell(outcomes, target.library)
+    fresh = {outcome.detail for outcome in outcomes if outcome.status == "added"}
+    if fresh:
+        _tell_near(fresh, workers)
 
 
 def check_objects(
@@ -97,6 +101,13 @@ def _sum_up(verdicts: Iterable[Verdict]) -> None:
     if times:
         middle, most = statistics.median(times), max(times)
         print(f"Collision pieces: median {middle:.1f} s, at most {most:.1f} s of CPU an object.")
+
+
+def _tell_near(fresh: set[str], workers: int) -> None:
+    """Say which of the new objects look like one that was there, or like each other."""
+    objects = library("own")
+    pairs = near_duplicates(objects, [spec.id for spec in objects.specs], workers)
+    show_pairs([pair for pair in pairs if fresh & {pair.one, pair.other}])
 
 
 def _tell(outcomes: list[Outcome], library: Path) -> None:

@@ -40,6 +40,8 @@ def split(
     ids = [spec.id for spec in objects.specs]
     pairs = near_duplicates(objects, ids, workers)
     show_pairs(pairs)
+    if out.exists():
+        print(f"{out} is there: its objects stay where they are.")
     earlier = read_split(out) if out.exists() else Split(evaluation_share=share, parts={})
     made = split_objects(ids, pairs, earlier)
     write_split(out, made)

@@ -86,12 +86,12 @@ def candidates_at(path: Path) -> list[Candidate]:
     found: list[Candidate] = []
     claimed: set[Path] = set()
     formats: tuple[Format, ...] = ("bop", "gso", "gltf", "obj")
-    for format in formats:
-        for source in IMPORTERS[format].find(path) if path.exists() else ():
-            if not claimed.intersection([source.mesh, *source.mesh.parents]):
-                found.append(Imported(source, Order(format)))
-            if format in ("bop", "gso"):
-                claimed.add(source.root)
+    for format in formats if path.exists() else ():
+        sources = IMPORTERS[format].find(path)
+        free = [one for one in sources if not claimed & {one.mesh, *one.mesh.parents}]
+        found += [Imported(source, Order(format)) for source in free]
+        if format in ("bop", "gso"):
+            claimed |= {source.root for source in free}
     if not found:
         raise BadData(path, "holds no objects in a format that we read", "See docs/extend/import.")
     return found

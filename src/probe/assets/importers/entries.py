@@ -34,7 +34,9 @@ def guessed_mass(mesh: TexturedMesh) -> float:
 def slug(name: str) -> str:
     """An id for the library from a data set's name for an object."""
     words = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
-    return "own_" + (words[:LONGEST_SLUG].rstrip("_") or "object")
+    if len(words) > LONGEST_SLUG:
+        words = words[: LONGEST_SLUG + 1].rpartition("_")[0] or words[:LONGEST_SLUG]
+    return "own_" + (words or "object")
 
 
 def entry_of(
