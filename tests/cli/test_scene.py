@@ -55,6 +55,17 @@ def test_another_process_writes_the_same_bytes(written, tmp_path, cache):
         assert path.read_bytes() == (tmp_path / path.name).read_bytes(), path.name
 
 
+@pytest.mark.slow
+def test_light_and_camera_change_the_picture_alone(written, tmp_path, cache):
+    looks = ["--lighting", "cellar", "--camera", "front"]
+    result = probe("scene", 5, "--objects", 6, *looks, "--out", tmp_path, cache=cache)
+    assert result.returncode == 0, result.stderr
+    assert (tmp_path / "scene.json").read_bytes() == (written / "scene.json").read_bytes()
+    pictures = [np.asarray(Image.open(f / "picture.png")) for f in (tmp_path, written)]
+    assert pictures[0].shape == (1024, 1024, 3)
+    assert (pictures[0] != pictures[1]).mean() > 0.9
+
+
 @pytest.mark.parametrize(
     ("arguments", "environment", "words"),
     [
@@ -62,8 +73,9 @@ def test_another_process_writes_the_same_bytes(written, tmp_path, cache):
         (["--pool", "scans"], {"PROBE_ASSETS": ""}, "Set PROBE_ASSETS"),
         ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
         (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),
+        (["--lighting", "disco"], {"PROBE_ASSETS": ""}, "morning_kitchen"),
     ],
-    ids=["unsatisfiable", "no scans", "no driver", "unwritable"],
+    ids=["unsatisfiable", "no scans", "no driver", "unwritable", "no such light"],
 )
 def test_failures_are_one_line_with_a_remedy(tmp_path, cache, arguments, environment, words):
     out = [] if "--out" in arguments else ["--out", tmp_path / "out"]

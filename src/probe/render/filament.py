@@ -47,7 +47,6 @@ class Drawer:
         self._meshes = meshes
         api = mjrf.GraphicsApi.GRAPHICS_API_VULKAN
         self._context = mjrf.Context(mjrf.ContextConfig(graphics_api=api))
-        self._context.set_clear_color(_BACKGROUND)
         self._scene = self._context.create_scene(mjrf.SceneParams())
         self._scene.configure_from_model(mujoco.MjModel.from_xml_string(_LOOK))
         self._factory = Factory(self._context, glossy=light.sun is not None)
@@ -116,6 +115,8 @@ class Drawer:
 
     def _read(self, camera: Camera, canvas: Array, mode: mjrf.DrawMode) -> None:
         """Draw one frame into a C-contiguous array."""
+        shown = mode == mjrf.DrawMode.DRAW_MODE_DEFAULT
+        self._context.set_clear_color(_BACKGROUND if shown else [0.0, 0.0, 0.0])
         layout = (
             mjrf.PixelFormat.PIXEL_FORMAT_R32F
             if canvas.dtype == np.float32
@@ -134,7 +135,7 @@ class Drawer:
             draw_mode=mode,
             reflections=False,
             haze=False,
-            skybox=self._backdrop,
+            skybox=shown and self._backdrop,
         )
         request.viewport.width = camera.width_px
         request.viewport.height = camera.height_px
