@@ -59,6 +59,7 @@ def test_objects_are_added_checked_and_split_with_near_duplicates_together(tmp_p
     assert split.read_text() == planted
 
 
+@pytest.mark.slow
 def test_what_cant_be_done_is_told_in_a_line(tmp_path):
     obj_folder(tmp_path / "set")
     told = probe("add", "gso", tmp_path / "set", home=tmp_path, status=1)
