@@ -179,12 +179,13 @@ def _ring(outside: Array, inside: Array, wall: float, base: Base, sectors: int) 
 def _sectors(base: Base, sectors: int) -> list[tuple[Array, Array]]:
     """Directions of each sector and the quarters that they belong to."""
     edges = np.linspace(0, 2 * math.pi, sectors + 1)
+    steps = min(4, base.segments // sectors + 1)  # a six-sided nut is not round
     arcs: list[Array] = [
-        np.linspace(low, high, 4) for low, high in zip(edges[:-1], edges[1:], strict=True)
+        np.linspace(low, high, steps) for low, high in zip(edges[:-1], edges[1:], strict=True)
     ]
     if base.half == (0.0, 0.0):
-        return [(arc, np.zeros(4, dtype=int)) for arc in arcs]
-    curved = [(arc, np.full(4, int(arc[1] // (math.pi / 2)))) for arc in arcs]
+        return [(arc, np.zeros(steps, dtype=int)) for arc in arcs]
+    curved = [(arc, np.full(steps, int(arc[1] // (math.pi / 2)))) for arc in arcs]
     straight = [
         (np.full(2, k * math.pi / 2), np.array([k - 1, k]))
         for k in range(4)
