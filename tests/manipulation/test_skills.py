@@ -182,12 +182,12 @@ def test_without_room_behind_nothing_is_pushed(renderer: Renderer) -> None:
 
 
 def test_a_push_into_the_basket_stops_before_its_wall(renderer: Renderer) -> None:
-    station = stand(renderer, [RED], [at(-0.1, -0.16)])
+    station = stand(renderer, [RED], [at(-0.2, -0.24)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
     result = push(station, frame, frame.labels == 1, "down", LONGEST, BASKET_POSITION)
     assert result.status == "short" and result.swept < LONGEST
-    assert -0.33 < position(station)[1] - 0.025 < -0.28
+    assert -0.42 < position(station)[1] - 0.025 < -0.37
 
 
 def test_a_push_has_limits(renderer: Renderer) -> None:

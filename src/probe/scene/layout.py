@@ -28,7 +28,7 @@ VIEW_SIZE = 0.58
 PICTURE_PX = 1024
 """Edge of the picture in pixels."""
 
-BASKET_POSITION = (-0.20, -0.51, 0.0)
+BASKET_POSITION = (-0.25, -0.60, 0.0)
 """Middle of the basket's floor: beside the work area, outside the picture."""
 
 BASKET_SIZE = (0.36, 0.36, 0.16)

@@ -14,6 +14,9 @@ from probe.world.robot.solids import Cylinder
 
 _SPACING = 0.05
 
+FOLDED = 2.8
+"""Radians of the elbow beyond which the first wrist touches the upper arm, whatever the others."""
+
 
 class Gripper:
     """The 2F-140 as a Hand."""
@@ -40,8 +43,12 @@ class Ur5:
         self._link_spheres = [_cover(link.solids) for link in LINKS[:-1]]
 
     def inverse(self, world_from_tool: Pose) -> list[Array]:
-        """Joint angles, each of shape (6,), that reach a tool pose; empty out of reach."""
-        return ik.inverse(self._base_from_world @ world_from_tool)
+        """Joint angles, each of shape (6,), that reach a tool pose; empty out of reach.
+
+        None of them folds the arm so far that it touches itself.
+        """
+        found = ik.inverse(self._base_from_world @ world_from_tool)
+        return [joints for joints in found if abs(joints[2]) < FOLDED]
 
     def forward(self, joints: Array) -> Pose:
         """world_from_tool of joint angles, shape (6,)."""
