@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +22,7 @@ from tabletops import spec
 class BoxLibrary(Library):
     """Boxes by id."""
 
-    bodies: Mapping[str, Body]
+    bodies: Mapping[str, Body] = field(default_factory=dict[str, Body])
 
     def body(self, object_id: str) -> Body:
         return self.bodies[object_id]
@@ -37,7 +37,7 @@ def box_library(**sizes_and_colours: tuple[float, float, float, int, int, int]) 
         mesh = box(x, y, z, *colour)
         specs.append(entry)
         bodies[entry.id] = Body(mesh, (ConvexPiece(mesh.vertices.astype(float)),))
-    return BoxLibrary(tuple(specs), None, Path(), bodies)
+    return BoxLibrary(tuple(specs), None, Path(), bodies=bodies)
 
 
 def standing(library: Library, *spots: tuple[str, float, float, float]) -> Scene:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -30,7 +30,7 @@ class Served:
 
 
 @contextmanager
-def serving(script: Callable[[int, dict[str, object]], Reply]) -> Iterator[Served]:
+def serving(script: Callable[[int, dict[str, object]], Reply]) -> Generator[Served]:
     """Serve until the block ends; the script is given each request's number and body."""
     served = Served("")
     lock = threading.Lock()

@@ -10,7 +10,6 @@ import tyro
 from rich.console import Console
 from rich.table import Column, Table
 
-from probe.assets.mesh import Surface, TexturedMesh
 from probe.cli.assets_add import add_objects, check_objects
 from probe.cli.assets_annotate import annotate, review
 from probe.cli.assets_fetch import fetch
@@ -18,10 +17,10 @@ from probe.cli.assets_sheet import sheet
 from probe.cli.assets_split import split
 from probe.cli.surroundings import Pool, library
 from probe.files import write_picture
-from probe.render.protocol import TableTop
+from probe.render.portraits import AROUND, GROUND, portrait
 from probe.render.renderer import Renderer
-from probe.scene.scene import PlacedObject
-from probe.types import Array, Camera, Pose, looking_at
+
+_SIDE_PX = 400
 
 app = tyro.extras.SubcommandApp()
 app.command(name="add")(add_objects)
@@ -52,7 +51,7 @@ def list_objects(pool: Pool = "procedural") -> None:
 @app.command
 def show(
     object_id: Annotated[str, tyro.conf.Positional],
-    pool: Pool = "all",
+    pool: Pool = "procedural",
     out: Path = Path("outputs/object.png"),
 ) -> None:
     """Say what the catalogue knows of an object, and draw it.
@@ -70,23 +69,8 @@ def show(
     facts.add_row("triangles", str(len(body.mesh.faces)))
     facts.add_row("collision pieces", str(len(body.pieces)))
     Console().print(facts)
-    write_picture(out, _portrait(body.mesh))
-    print(f"Its picture is {out}")
-
-
-def _portrait(mesh: TexturedMesh) -> Array:
-    """An object on a plain ground from four sides and from above, shape (h, w, 3)."""
-    size = float(np.linalg.norm(mesh.extent))
-    middle = (0.0, 0.0, float(mesh.extent[2]) / 2)
-    ground = TableTop(Surface(np.full((1, 1, 3), 235, dtype=np.uint8)), 1.0, (20 * size, 20 * size))
-    eyes = [(1.0, 1.0, 0.8), (-1.0, 1.0, 0.8), (-1.0, -1.0, 0.8), (0.01, 0.0, 1.6)]
     with Renderer() as renderer:
-        renderer.load({"it": mesh}, ground)
-        views: list[Array] = []
-        for direction in eyes:
-            eye = np.array(middle) + 1.15 * size * np.array(direction)
-            camera = Camera(looking_at(eye, np.array(middle)), 512, 512, fov_y_deg=38)
-            frame = renderer.draw([PlacedObject(1, "it", Pose())], camera, rgb=True)
-            assert frame.rgb is not None
-            views.append(frame.rgb)
-    return np.concatenate(views, axis=1)
+        renderer.load({spec.id: body.mesh}, GROUND)
+        views = [portrait(renderer, spec.id, spec.size, side, _SIDE_PX) for side in AROUND]
+    write_picture(out, np.concatenate(views, axis=1))
+    print(f"Its picture is {out}")

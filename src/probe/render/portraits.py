@@ -12,7 +12,7 @@ from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera, Pose, Vector3, looking_at
 
-GROUND = TableTop(Surface(np.full((1, 1, 3), 235, dtype=np.uint8)), 1.0, (8.0, 8.0))
+GROUND = TableTop(Surface(np.full((1, 1, 3), 170, dtype=np.uint8)), 1.0, (8.0, 8.0))
 """What portraits are taken on; to be loaded with the objects."""
 
 FRONT: Vector3 = (0.45, -1.15, 1.0)

@@ -5,27 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
-import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from probe.assets.library import Library
-from probe.assets.mesh import Surface
 from probe.assets.spec import ObjectSpec
-from probe.render.protocol import TableTop
+from probe.render.portraits import FRONT, GROUND, portrait
 from probe.render.renderer import Renderer
-from probe.scene.scene import PlacedObject
-from probe.types import Array, Camera, Pose, looking_at
 
 TILE_PX = 224
 CAPTION_PX = 20
-NEAREST = 0.7
-"""Metres from which small things are looked at; from nearer a renderer may cut them off."""
-
 LOADED = 24
 """Objects that the renderer holds at once."""
-
-_FRONT = (0.45, -1.15, 1.0)
-_GROUND = TableTop(Surface(np.full((1, 1, 3), 235, dtype=np.uint8)), 1.0, (8.0, 8.0))
 
 
 def one_a_category(specs: Iterable[ObjectSpec]) -> list[ObjectSpec]:
@@ -60,19 +50,6 @@ def _tiles(library: Library, specs: Sequence[ObjectSpec]) -> Iterator[Image.Imag
     with Renderer() as renderer:
         for start in range(0, len(specs), LOADED):
             some = specs[start : start + LOADED]
-            renderer.load({spec.id: library.body(spec.id).mesh for spec in some}, _GROUND)
+            renderer.load({spec.id: library.body(spec.id).mesh for spec in some}, GROUND)
             for spec in some:
-                yield Image.fromarray(_portrait(renderer, spec))
-
-
-def _portrait(renderer: Renderer, spec: ObjectSpec) -> Array:
-    """A loaded object, seen obliquely from the front and filling its tile, shape (h, w, 3)."""
-    size = float(np.linalg.norm(spec.size))
-    middle = np.array([0.0, 0.0, spec.size[2] / 2])
-    away = max(NEAREST, 2 * size)
-    eye = middle + away * np.array(_FRONT) / np.linalg.norm(_FRONT)
-    fov_y_deg = math.degrees(2 * math.atan(0.54 * size / away))
-    camera = Camera(looking_at(eye, middle), TILE_PX, TILE_PX, fov_y_deg)
-    frame = renderer.draw([PlacedObject(1, spec.id, Pose())], camera, rgb=True)
-    assert frame.rgb is not None
-    return frame.rgb
+                yield Image.fromarray(portrait(renderer, spec.id, spec.size, FRONT, TILE_PX))
