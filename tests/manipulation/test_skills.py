@@ -182,12 +182,13 @@ def test_without_room_behind_nothing_is_pushed(renderer: Renderer) -> None:
 
 
 def test_a_push_into_the_basket_stops_before_its_wall(renderer: Renderer) -> None:
-    station = stand(renderer, [RED], [at(-0.2, -0.24)])
+    station = stand(renderer, [RED], [at(-0.18, -0.262)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    result = push(station, frame, frame.labels == 1, "down", LONGEST, BASKET_POSITION)
+    result = push(station, frame, frame.labels == 1, "left", LONGEST, BASKET_POSITION)
     assert result.status == "short" and result.swept < LONGEST
-    assert -0.42 < position(station)[1] - 0.025 < -0.37
+    wall = BASKET_POSITION[0] + BASKET_SIZE[0] / 2
+    assert wall < position(station)[0] - 0.045 < wall + 0.06
 
 
 def test_a_push_has_limits(renderer: Renderer) -> None:

@@ -28,8 +28,8 @@ VIEW_SIZE = 0.58
 PICTURE_PX = 1024
 """Edge of the picture in pixels."""
 
-BASKET_POSITION = (-0.25, -0.60, 0.0)
-"""Middle of the basket's floor: beside the work area, outside the picture."""
+BASKET_POSITION = (-0.55, -0.44, 0.0)
+"""Middle of the basket's floor: beside the arm, outside the picture; few pushes meet it there."""
 
 BASKET_SIZE = (0.36, 0.36, 0.16)
 """Inner extent of the basket along x, y, and the height of its walls."""
