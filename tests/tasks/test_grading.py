@@ -53,7 +53,7 @@ WRONG = Score(False, False, "wrong")
         (Answer("B", (115, 50)), last(columns=slice(150, 180)), Score(False, True, "missed")),
         (Answer("B", (165, 50)), last(columns=slice(150, 180)), RIGHT),
         # In the basket, on the floor.
-        (Answer("B", (115, 50)), last(position=(-0.2, -0.5, 0.02)), Score(False, True, "lost")),
+        (Answer("B", (115, 50)), last(position=(-0.5, -0.45, 0.02)), Score(False, True, "lost")),
         (Answer("B", (115, 50)), last(position=(0.9, 0.0, -0.75)), Score(False, True, "lost")),
         # 24 and 25 visible pixels.
         (
