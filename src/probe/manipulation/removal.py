@@ -8,9 +8,9 @@ from typing import Literal
 
 from probe.manipulation.candidates import Grasp
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.kinematics import line, straight
 from probe.manipulation.obstacles import Obstacles
-from probe.manipulation.routes import WayIn, WayOut, home, way_in, way_out
+from probe.manipulation.parking import park
+from probe.manipulation.routes import WayIn, WayOut, way_in, way_out
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.station.station import Station
@@ -19,7 +19,6 @@ from probe.types import Vector3
 EMPTY = 0.0015
 """Metres between the pads under which they hold nothing."""
 
-_RETREAT = 0.12
 _RELEASE = 0.03
 
 
@@ -67,7 +66,8 @@ def remove(
 ) -> Literal["removed", "blocked", "slipped", "dropped"]:
     """Close, lift, carry and let go; the arm is parked again whatever happens."""
     status = _carry_out(station, removal)
-    _park(station, removal.obstacles, shape)
+    station.grip(station.hand.max_opening)
+    park(station, removal.obstacles, shape.whole(station.hand.max_opening)[::3])
     return status
 
 
@@ -93,16 +93,3 @@ def _carry_out(
         station.follow(leave.lower)
     station.grip(min(removal.grasp.width + _RELEASE, station.hand.max_opening))
     return "removed"
-
-
-def _park(station: Station, obstacles: Obstacles, shape: HandShape) -> None:
-    """Open, lift straight up as far as it goes, and go home."""
-    station.grip(station.hand.max_opening)
-    hand = station.arm.forward(station.joints())
-    for height in (_RETREAT, _RETREAT / 2):
-        up = straight(station.arm, station.joints(), line(hand, (0.0, 0.0, height)))
-        if up is not None and station.follow(up):
-            break
-    points = shape.whole(station.hand.max_opening)[::3]
-    station.follow(home(station.arm, obstacles, station.joints(), points))
-    station.wait(2.0)

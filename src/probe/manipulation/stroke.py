@@ -13,9 +13,10 @@ from probe.manipulation.handshape import HandShape
 from probe.manipulation.kinematics import between, either_way, line, moved, reaching, straight
 from probe.manipulation.looking import still_there
 from probe.manipulation.obstacles import Obstacles
+from probe.manipulation.parking import park
 from probe.manipulation.pushing import DESCENT, Push, pushes
 from probe.manipulation.room import room_ahead
-from probe.manipulation.routes import home, over
+from probe.manipulation.routes import over
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
 from probe.station.station import Station
@@ -147,13 +148,7 @@ def _execute(
             if not station.follow(joints[None]):
                 break
         swept = float((_place(station) - begin) @ along)
-    up = line(station.arm.forward(station.joints()), (0.0, 0.0, DESCENT))
-    lift = straight(station.arm, station.joints(), up)
-    if lift is not None:
-        station.follow(lift)
-    way = home(station.arm, obstacles, station.joints(), shape.whole(0.0)[::3])
-    station.follow(way)
-    station.wait(2.0)
+    park(station, obstacles, shape.whole(0.0)[::3])
     station.grip(station.hand.max_opening)
     end: StrokeEnd = "swept" if swept > route.travel - _SPARE else "blocked"
     return Stroke(end, station.observe(rgb=False), max(0.0, swept - route.push.gap))
