@@ -66,6 +66,12 @@ def test_what_is_buried_falls_first_and_something_flat_lands_on_it(seed, sizes, 
         assert abs(Pose((0, 0, 0), above.wxyz).apply(thin)[2]) == pytest.approx(1)
 
 
+@pytest.mark.parametrize("pile", [(0.0, 0), (0.3, 0), (float("nan"), 0), (0.1, -1)])
+def test_a_pile_that_cannot_be_is_refused(pile):
+    with pytest.raises(Unsatisfiable):
+        Pile(*pile)
+
+
 def test_generators_depend_on_seed_and_purpose_alone():
     def first(*key: int | str) -> float:
         seed, *purpose = key

@@ -22,7 +22,7 @@ from probe.report.pictures import depth_image, label_image
 from probe.scene.document import write_scene
 from probe.scene.layout import View, view_camera
 from probe.scene.lighting import AMBIENT, Lighting
-from probe.scene.sampling import DEFAULT_COUNT
+from probe.scene.sampling import DEFAULT_COUNT, TIGHT, Pile
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.types import Camera
@@ -34,6 +34,8 @@ def scene(
     out: Path = Path("outputs/scene"),
     pool: Pool = "procedural",
     objects: int = DEFAULT_COUNT,
+    reach: float = TIGHT.reach,
+    buried: int = TIGHT.buried,
     gallery: int = 0,
     lighting: str = AMBIENT.name,
     camera: View = "top",
@@ -47,21 +49,23 @@ def scene(
         out: Folder for the files.
         pool: Which objects may appear; scans need PROBE_ASSETS.
         objects: How many.
+        reach: How far from the table's middle they are dropped, metres: less is denser.
+        buried: So many of the smallest are put down first, something larger right over each.
         gallery: If above 0, write this many scenes, from this seed on, and a page of them.
         lighting: "ambient", or surroundings that light the table: a painted room
             (docs/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
         camera: From above, or obliquely from the front.
     """
-    things = library(pool)
+    things, pile = library(pool), Pile(reach, buried)
     with Renderer(cache_folder() / "light") as renderer:
         studio = _Studio(renderer, view_camera(camera), light_of(Lighting(lighting), things.assets))
         if gallery == 0:
-            _write(out, _settle(seed, things, objects), things, studio)
+            _write(out, _settle(seed, things, objects, pile), things, studio)
             print(f"Picture, depth, labels and scene are in {out}")
             return
         entries: list[GalleryEntry] = []
         for number in track(range(seed, seed + gallery), "Settling and drawing"):
-            settled = _settle(number, things, objects)
+            settled = _settle(number, things, objects, pile)
             shares = _write(out / str(number), settled, things, studio)
             entries.append(_entry(settled, shares, things))
         write_gallery(out / "index.html", entries)
@@ -77,8 +81,8 @@ class _Studio:
     light: Illumination
 
 
-def _settle(seed: int, things: Library, count: int) -> Scene:
-    return make_scene(seed, things, table_ids(assets_folder()), count)
+def _settle(seed: int, things: Library, count: int, pile: Pile) -> Scene:
+    return make_scene(seed, things, table_ids(assets_folder()), count, pile)
 
 
 def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> dict[int, Visibility]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from probe.assets.spec import ObjectSpec
 from probe.errors import Unsatisfiable
+from probe.scene.layout import WORK_AREA
 from probe.types import Quaternion
 
 DEFAULT_COUNT = 15
@@ -32,6 +33,20 @@ class Pile:
 
     reach: float = 0.17
     buried: int = 0
+
+    def __post_init__(self) -> None:
+        """Refuse what can't be dropped.
+
+        Raises:
+            Unsatisfiable: The reach leaves the work area, or less than nothing is buried.
+        """
+        if not 0.0 < self.reach <= WORK_AREA / 2:
+            most = WORK_AREA / 2
+            raise Unsatisfiable(
+                f"A pile's reach is above 0 and at most {most} m, not {self.reach}."
+            )
+        if self.buried < 0:
+            raise Unsatisfiable(f"At least 0 objects can be buried, not {self.buried}.")
 
 
 TIGHT = Pile()
