@@ -28,9 +28,10 @@ from probe.manipulation.grasp import grasp_and_remove
 from probe.manipulation.push import LONGEST, SHORTEST, Direction, push
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
-from probe.scene.layout import BASKET_POSITION, BASKET_SIZE
+from probe.scene.layout import BASKET_POSITION
 from probe.scene.scene import PlacedObject, Scene
 from probe.station.simulated import SimulatedStation
+from probe.tasks.grading import whereabouts
 from probe.types import Array, Frame
 from probe.world.scenes import make_scene
 from probe.world.world import World
@@ -152,7 +153,7 @@ def grasped(trial: Trial, things: Library) -> Outcome:
     result = grasp_and_remove(trial.station, trial.frame, trial.mask, BASKET_POSITION)
     spent = time.process_time() - start
     after = trial.world.scene()
-    inside = in_basket(after[trial.target.instance])
+    inside = whereabouts(after[trial.target.instance].pose) == "basket"
     told = result.status == "removed"
     where = "in the basket" if inside else "not in the basket"
     cause = result.status if inside == told else f"{result.status} but {where}"
@@ -193,11 +194,6 @@ def pushed(trial: Trial) -> Outcome:
         trial.station.seconds,
         ratio,
     )
-
-
-def in_basket(placed: PlacedObject) -> bool:
-    offset = np.abs(np.subtract(placed.pose.position, BASKET_POSITION))
-    return bool((offset[:2] < np.array(BASKET_SIZE[:2]) / 2).all())
 
 
 def others_moved(before: Scene, after: Scene, target: PlacedObject) -> int:

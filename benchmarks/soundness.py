@@ -21,9 +21,10 @@ from probe.cli.surroundings import assets_folder, library
 from probe.perception.oracle import Oracle
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
-from probe.scene.layout import BASKET_POSITION, BASKET_SIZE, FLOOR_DEPTH, TABLE_SIZE
+from probe.scene.layout import BASKET_POSITION, FLOOR_DEPTH, TABLE_SIZE
 from probe.scene.scene import PlacedObject, Scene
 from probe.station.simulated import SimulatedStation
+from probe.tasks.grading import whereabouts
 from probe.toolshed.toolshed import MANIPULATIONS, Toolshed
 from probe.types import Array
 from probe.world.model import Item, add_item, new_spec
@@ -33,11 +34,6 @@ from probe.world.world import World
 SUNK = 0.003
 FURTHEST = 5.0
 out = Console()
-
-
-def in_basket(placed: PlacedObject) -> bool:
-    offset = np.abs(np.subtract(placed.pose.position, BASKET_POSITION))
-    return bool((offset[:2] < np.array(BASKET_SIZE[:2]) / 2).all())
 
 
 def lowest(placed: PlacedObject, things: Library) -> Array:
@@ -124,7 +120,7 @@ def main(actions: int = 200, first_seed: int = 61_000) -> None:
                 for complaint in complaints(after, things):
                     wrong += 1
                     out.print(f"seed {seed}, {act}: {complaint}")
-                now = sum(in_basket(placed) for placed in after.objects)
+                now = sum(whereabouts(placed.pose) == "basket" for placed in after.objects)
                 if act[0] == "grasp" and act[1].startswith("Done") and now == held:
                     false += 1
                     out.print(f"seed {seed}: a grasp claims what the basket doesn't hold")

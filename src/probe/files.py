@@ -7,11 +7,15 @@ import io
 import os
 import tempfile
 from pathlib import Path
+from typing import TypeVar
 
 from PIL import Image
+from pydantic import BaseModel, ValidationError
 
-from probe.errors import OutputFailed
+from probe.errors import BadData, OutputFailed
 from probe.types import Array
+
+Document = TypeVar("Document", bound=BaseModel)
 
 
 def write_bytes(path: Path, content: bytes) -> None:
@@ -50,3 +54,37 @@ def encode(image: Image.Image, layout: str) -> bytes:
     buffer = io.BytesIO()
     image.save(buffer, layout)
     return buffer.getvalue()
+
+
+def read_document(
+    path: Path, model: type[Document], remedy: str, missing: str = "Check the path"
+) -> Document:
+    """Read a JSON file that holds one document.
+
+    Args:
+        path: The file.
+        model: Its schema.
+        remedy: What to do about a file that breaks it.
+        missing: What to do about a file that can't be read.
+
+    Raises:
+        BadData: It can't be read, or it breaks the schema; the first broken field is named.
+    """
+    try:
+        return model.model_validate_json(path.read_bytes())
+    except OSError as error:
+        raise BadData(path, error.strerror or str(error), missing) from error
+    except ValidationError as error:
+        raise BadData(path, fault(error, "the file"), remedy) from error
+
+
+def fault(error: ValidationError, whole: str) -> str:
+    """The first thing that breaks a schema: where, and in which way.
+
+    Args:
+        error: What the schema raised.
+        whole: What to call the place where it is no single field.
+    """
+    first = error.errors(include_input=False)[0]
+    place = ".".join(str(part) for part in first["loc"]) or whole
+    return f"{place}: {first['msg']}"

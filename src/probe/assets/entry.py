@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 
 from probe.assets.spec import ObjectSpec
-from probe.errors import BadData
+from probe.files import read_document
 from probe.types import Quaternion, Vector3
 
 Provenance = Literal["source", "measured", "estimated", "model", "human"]
@@ -94,11 +94,4 @@ def read_entry(path: Path) -> Entry:
         BadData: It can't be read or breaks the schema.
     """
     remedy = "Correct it, or remove the object's folder and add the object again."
-    try:
-        return Entry.model_validate_json(path.read_bytes())
-    except OSError as error:
-        raise BadData(path, error.strerror or "can't be read", remedy) from error
-    except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"]) or "the file"
-        raise BadData(path, f"{place}: {first['msg']}", remedy) from error
+    return read_document(path, Entry, remedy, missing=remedy)

@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from probe.assets.library import Library
 from probe.assets.nearness import NearPair
 from probe.errors import BadData
-from probe.files import write_text
+from probe.files import read_document, write_text
 
 Part = Literal["train", "evaluation"]
 EVALUATION_SHARE = 0.2
@@ -117,15 +117,8 @@ def read_split(path: Path) -> Split:
     Raises:
         BadData: It can't be read or breaks the schema.
     """
-    try:
-        return Split.model_validate_json(path.read_bytes())
-    except OSError as error:
-        remedy = "Make it with probe assets split."
-        raise BadData(path, error.strerror or "can't be read", remedy) from error
-    except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(step) for step in first["loc"]) or "the file"
-        raise BadData(path, f"{place}: {first['msg']}", "Correct it or make it anew.") from error
+    missing = "Make it with probe assets split."
+    return read_document(path, Split, "Correct it or make it anew.", missing)
 
 
 def _drawn(first_id: str, share: float) -> Part:

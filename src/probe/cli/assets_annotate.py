@@ -85,13 +85,11 @@ def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
         raise BadData(out, "holds no notes", "Run `probe assets annotate` first.")
     table = out / TABLE
     if table.exists():
-        changed = [
-            new for new, old in zip(corrected(table, notes), notes, strict=True) if new != old
-        ]
+        before, notes = notes, corrected(table, notes)
+        changed = [new for new, old in zip(notes, before, strict=True) if new != old]
         for note in changed:
             write_note(out, note)
         print(f"{len(changed)} objects corrected.")
-        notes = read_notes(out)
     write_table(table, notes)
     write_review(out / PAGE, notes)
     print(f"{len(notes)} objects: correct {table} beside {out / PAGE}, then run this again.")

@@ -10,7 +10,7 @@ from probe.manipulation.routes import home
 from probe.station.station import Station
 from probe.types import Array
 
-RISE = 0.12
+_RISE = 0.12
 """Straight way up before going home, metres."""
 
 _ATTEMPTS = 6
@@ -28,7 +28,7 @@ def park(station: Station, obstacles: Obstacles, points: Array) -> None:
         points: On the hand, in its frame, shape (k, 3).
     """
     for attempt in range(_ATTEMPTS):
-        _rise(station, RISE)
+        _rise(station)
         joints = station.joints()
         drawn_in = np.array([[joints[0], *station.arm.parked[1:]], station.arm.parked])
         way = drawn_in if attempt % 2 else home(station.arm, obstacles, joints, points)
@@ -37,9 +37,9 @@ def park(station: Station, obstacles: Obstacles, points: Array) -> None:
     station.wait(2.0)
 
 
-def _rise(station: Station, height: float) -> None:
+def _rise(station: Station) -> None:
     hand = station.arm.forward(station.joints())
-    for part in (height, height / 2):
-        up = straight(station.arm, station.joints(), line(hand, (0.0, 0.0, part)))
+    for height in (_RISE, _RISE / 2):
+        up = straight(station.arm, station.joints(), line(hand, (0.0, 0.0, height)))
         if up is not None and station.follow(up):
             return

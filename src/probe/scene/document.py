@@ -7,8 +7,7 @@ from typing import Literal
 
 import pydantic
 
-from probe.errors import BadData
-from probe.files import write_text
+from probe.files import read_document, write_text
 from probe.scene.scene import PlacedObject, Scene
 from probe.types import Pose, Quaternion, Vector3
 
@@ -64,13 +63,4 @@ def read_scene(path: Path) -> Scene:
     Raises:
         BadData: The file is missing, truncated or not a scene of this version.
     """
-    try:
-        return SceneDocument.model_validate_json(path.read_bytes()).scene()
-    except OSError as error:
-        raise BadData(path, error.strerror or str(error), "Check the path") from error
-    except pydantic.ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"]) or "the file"
-        raise BadData(
-            path, f"{place}: {first['msg']}", "Write it again with `probe scene`"
-        ) from error
+    return read_document(path, SceneDocument, "Write it again with `probe scene`").scene()

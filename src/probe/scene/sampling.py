@@ -50,7 +50,6 @@ class Pile:
 
 
 TIGHT = Pile()
-DENSE = Pile(reach=0.13, buried=7)
 
 
 @dataclass(frozen=True)

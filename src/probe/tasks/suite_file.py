@@ -8,8 +8,7 @@ from typing import Literal
 
 import pydantic
 
-from probe.errors import BadData
-from probe.files import write_text
+from probe.files import read_document, write_text
 from probe.scene.document import SceneDocument
 from probe.scene.visibility import Visibility
 from probe.tasks.suite import Suite
@@ -167,12 +166,5 @@ def read_suite(path: Path) -> Suite:
     Raises:
         BadData: The file is missing, truncated, changed, or not a suite of this version.
     """
-    try:
-        document = SuiteDocument.model_validate_json(path.read_bytes())
-    except OSError as error:
-        raise BadData(path, error.strerror or str(error), "Check the path") from error
-    except pydantic.ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"]) or "the file"
-        raise BadData(path, f"{place}: {first['msg']}", _REMEDY) from error
+    document = read_document(path, SuiteDocument, _REMEDY)
     return Suite(document.name, tuple(task.task() for task in document.tasks), document.objects)

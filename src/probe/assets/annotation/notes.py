@@ -5,12 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict
 
 from probe.assets.annotation.words import Described
 from probe.assets.spec import ObjectSpec
-from probe.errors import BadData
-from probe.files import write_text
+from probe.files import read_document, write_text
 
 Origin = Literal["source", "model", "human"]
 """Who says so: what the object came with, a model, or a person."""
@@ -71,12 +70,7 @@ def read_note(path: Path) -> Note:
         BadData: It can't be read or breaks the schema.
     """
     remedy = "Delete it and annotate again; that object alone is asked about anew."
-    try:
-        return Note.model_validate_json(path.read_bytes())
-    except OSError as error:
-        raise BadData(path, error.strerror or "can't be read", remedy) from error
-    except ValidationError as error:
-        raise BadData(path, str(error.errors()[0]["msg"]), remedy) from error
+    return read_document(path, Note, remedy, missing=remedy)
 
 
 def write_note(folder: Path, note: Note) -> None:

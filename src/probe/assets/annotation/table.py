@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from probe.assets.annotation.notes import FIELDS, Note, said
 from probe.assets.annotation.words import Described
 from probe.errors import BadData
-from probe.files import write_text
+from probe.files import fault, write_text
 
 TABLE = "review.csv"
 _REMEDY = "Correct that line, or delete the file to have it written anew; nothing was changed."
@@ -67,6 +67,4 @@ def _words(path: Path, number: int, line: Mapping[str, str | None]) -> Described
     try:
         return Described.model_validate(values)
     except ValidationError as error:
-        first = error.errors()[0]
-        field = ".".join(str(part) for part in first["loc"])
-        raise BadData(f"{path}:{number}", f"{field}: {first['msg']}", _REMEDY) from error
+        raise BadData(f"{path}:{number}", fault(error, "the line"), _REMEDY) from error

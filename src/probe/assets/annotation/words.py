@@ -11,6 +11,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from probe.assets.colours import Colour
 from probe.errors import ModelFailed
+from probe.files import fault
 from probe.types import Array, Ask
 
 VIEWS = 6
@@ -92,6 +93,5 @@ def parse(reply: str) -> Described:
 
 def _reason(error: ValueError) -> str:
     if isinstance(error, ValidationError):
-        first = error.errors()[0]
-        return f"{'.'.join(str(part) for part in first['loc']) or 'reply'}: {first['msg']}"
+        return fault(error, "reply")
     return f"its JSON is broken ({error})"

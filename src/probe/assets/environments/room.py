@@ -10,6 +10,7 @@ import yaml
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from probe.errors import BadData
+from probe.files import fault
 
 Side = Literal["front", "right", "back", "left", "floor", "ceiling"]
 SIDES: tuple[Side, ...] = ("front", "right", "back", "left", "floor", "ceiling")
@@ -90,7 +91,5 @@ def rooms() -> dict[str, Room]:
     try:
         found = TypeAdapter(list[Room]).validate_python(yaml.load(text, yaml.CSafeLoader))
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"])
-        raise BadData("rooms.yaml", f"{place}: {first['msg']}", "Correct it.") from error
+        raise BadData("rooms.yaml", fault(error, "the file"), "Correct it.") from error
     return {room.id: room for room in found}

@@ -13,6 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 from probe.assets.importers.source import Facts, Frame, Importer, Source, Symmetries
 from probe.assets.importers.stanford import ply_texture, read_ply
 from probe.errors import BadData, BadMesh
+from probe.files import fault
 
 INFO = "models_info.json"
 MAX_INFO_BYTES = 16 * 2**20
@@ -65,9 +66,7 @@ def read_models(path: Path) -> dict[int, Model]:
     except OSError as error:
         raise BadData(path, error.strerror or "can't be read", "Download it again.") from error
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"]) or "the file"
-        raise BadData(path, f"{place}: {first['msg']}", "Download it again.") from error
+        raise BadData(path, fault(error, "the file"), "Download it again.") from error
 
 
 def _facts(source: Source) -> Facts:

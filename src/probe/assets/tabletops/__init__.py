@@ -16,6 +16,7 @@ from probe.assets.tabletops.sheet import Sheet, Top
 from probe.assets.tabletops.stone import Cast, Cork, Granite, Marble, Slate, Terrazzo
 from probe.assets.tabletops.wood import Planks
 from probe.errors import BadData
+from probe.files import fault
 
 _Cloth = Linen | Gingham | Striped | Felt | Laminate | Leather
 _Stone = Granite | Marble | Slate | Terrazzo | Cork | Cast
@@ -43,9 +44,7 @@ def _top(raw: dict[str, Any]) -> Top:
     try:
         return TypeAdapter[Top](_AnyTop).validate_python(raw)
     except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"])
-        reason = f"entry {raw.get('id')}, {place}: {first['msg']}"
+        reason = f"entry {raw.get('id')}, {fault(error, 'all of it')}"
         raise BadData("tabletops.yaml", reason, "Correct it.") from error
 
 
