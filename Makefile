@@ -15,7 +15,7 @@ demo: .venv/.ready driver
 test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS)
 
-test-slow: .venv/.ready driver
+test-slow: .venv/.ready driver .venv/.blender
 	$(BIN)/pytest -m "slow and not gpu"
 
 check: .venv/.ready
@@ -33,6 +33,9 @@ format: .venv/.ready
 
 .venv/.ready: requirements.lock pyproject.toml
 	@PYTHON="$(PYTHON)" scripts/make-venv
+
+.venv/.blender: .venv/.ready
+	@scripts/add-blender
 
 driver: .venv/.ready
 	@PYTHON="$(BIN)/python" scripts/ensure-driver

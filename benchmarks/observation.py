@@ -44,12 +44,12 @@ def bare_frame(scene: Scene, things: Library) -> float:
     from probe.render.filament import Drawer
     from probe.render.illumination import AMBIENT
     from probe.render.light_packing import LightPacker
-    from probe.render.packing import pack, pack_table
+    from probe.render.packing import pack, table_quad
     from probe.render.protocol import TableTop
 
     table = load_table(scene.table, assets_folder())
     meshes = {o.object_id: pack(things.body(o.object_id).mesh) for o in scene.objects}
-    top = pack_table(TableTop(table.surface, table.tile_size, TABLE_SIZE))
+    top = pack(table_quad(TableTop(table.surface, table.tile_size, TABLE_SIZE)))
     read, write = os.pipe()
     if os.fork() == 0:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Filament reports its set-up on stdout

@@ -5,8 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from lamps import lamp, shades
 from probe.errors import UnknownName
-from probe.render.illumination import AMBIENT, directions
+from probe.render.illumination import AMBIENT
 from probe.render.lighting import light_of
 from probe.render.renderer import Renderer
 from probe.render.sunlight import illuminate
@@ -22,26 +23,11 @@ CARD = PlacedObject(2, "card", Pose((0.0, 0.0, 0.001)))
 CAMERA = top_camera(256)
 
 
-def lamp(colour=(1.0, 1.0, 1.0), yaw=0.0):
-    """Coloured surroundings with one bright lamp, 45 degrees up towards +x at yaw 0."""
-    towards = directions(64)
-    near = towards @ np.array([1, 0, 1]) / math.sqrt(2) > math.cos(math.radians(4))
-    return illuminate(np.where(near[..., None], 80.0, 0.6) * np.array(colour), yaw)
-
-
 @pytest.fixture(scope="module")
 def loaded(renderer):
     meshes = {"post": box(0.05, 0.05, 0.12, 200, 200, 200), "card": card(0.3, plain(255, 255, 255))}
     renderer.load(meshes, grey_table())
     return renderer
-
-
-def shades(frame, distance=0.07):
-    """Mean brightness of the table beside the post: towards +x, -x, +y, -y."""
-    step = round(distance / 0.58 * 256)
-    spots = [(0, step), (0, -step), (-step, 0), (step, 0)]
-    grey = frame.rgb.astype(float).mean(axis=2)
-    return [grey[128 + v - 3 : 131 + v, 128 + u - 3 : 131 + u].mean() for v, u in spots]
 
 
 def test_a_shadow_falls_away_from_the_lamp_and_turns_with_it(loaded):

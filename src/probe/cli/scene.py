@@ -16,6 +16,7 @@ from probe.files import encode, write_bytes, write_picture
 from probe.render.illumination import Illumination
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, measure, photograph
+from probe.render.protocol import Engine
 from probe.render.renderer import Renderer
 from probe.report.gallery import GalleryEntry, write_gallery
 from probe.report.pictures import depth_image, label_image
@@ -39,6 +40,7 @@ def scene(
     gallery: int = 0,
     lighting: str = AMBIENT.name,
     camera: View = "top",
+    renderer: Engine = "filament",
 ) -> None:
     """Settle a cluttered table from a seed and photograph it.
 
@@ -55,10 +57,11 @@ def scene(
         lighting: "ambient", or surroundings that light the table: a painted room
             (docs/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
         camera: From above, or obliquely from the front.
+        renderer: What draws colour; blender needs the extra of that name, and more time.
     """
     things, pile = library(pool), Pile(reach, buried)
-    with Renderer(cache_folder() / "light") as renderer:
-        studio = _Studio(renderer, view_camera(camera), light_of(Lighting(lighting), things.assets))
+    with Renderer(cache_folder() / "light", renderer) as drawing:
+        studio = _Studio(drawing, view_camera(camera), light_of(Lighting(lighting), things.assets))
         if gallery == 0:
             _write(out, _settle(seed, things, objects, pile), things, studio)
             print(f"Picture, depth, labels and scene are in {out}")

@@ -1,12 +1,13 @@
-"""Is there a Vulkan driver? A missing one aborts the process that asks Filament, so ask first."""
+"""Is what the engines need on this machine? Without it they abort their process, so ask first."""
 
 from __future__ import annotations
 
 import ctypes
 import functools
 import sys
+from importlib.util import find_spec
 
-from probe.errors import NoGraphicsDriver
+from probe.errors import MissingExtra, NoGraphicsDriver
 
 _REMEDY = (
     "On Debian or Ubuntu without a GPU: apt-get install mesa-vulkan-drivers. "
@@ -14,6 +15,16 @@ _REMEDY = (
 )
 _INSTANCE_CREATE_INFO = 1
 _INCOMPATIBLE_DRIVER = -9
+
+
+_BLENDER_NEEDS = (
+    *("EGL.so.1", "GL.so.1", "X11.so.6", "Xfixes.so.3"),
+    *("Xi.so.6", "Xrender.so.1", "SM.so.6", "xkbcommon.so.0"),
+)
+_BLENDER_REMEDY = (
+    "On Debian or Ubuntu: apt-get install libegl1 libgl1 libgl1-mesa-dri libx11-6 libxfixes3 "
+    "libxi6 libxrender1 libsm6 libxkbcommon0."
+)
 
 
 class _InstanceCreateInfo(ctypes.Structure):
@@ -56,6 +67,23 @@ def require_driver() -> None:
     vulkan.vkDestroyInstance(instance, None)
     if count.value == 0:
         raise NoGraphicsDriver(f"The Vulkan driver offers no device. {_REMEDY}")
+
+
+@functools.cache
+def require_blender() -> None:
+    """Return if Blender is installed with the system's libraries it needs.
+
+    Raises:
+        MissingExtra: The Python package isn't there.
+        NoGraphicsDriver: A library of the system's isn't.
+    """
+    if find_spec("bpy") is None:
+        raise MissingExtra("Drawing with Blender (Python 3.11)", "blender")
+    for name in _BLENDER_NEEDS:
+        try:
+            ctypes.CDLL(f"lib{name}")
+        except OSError as error:
+            raise NoGraphicsDriver(f"Blender needs lib{name}. {_BLENDER_REMEDY}") from error
 
 
 if __name__ == "__main__":

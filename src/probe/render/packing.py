@@ -42,14 +42,14 @@ def pack(mesh: TexturedMesh) -> PackedMesh:
     )
 
 
-def pack_table(table: TableTop) -> PackedMesh:
+def table_quad(table: TableTop) -> TexturedMesh:
     """The table's top as one quad at z = 0, its texture repeated."""
     corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], dtype=np.float32)
     vertices = corners * np.array([*table.extent, 0.0], dtype=np.float32) / 2
     uvs = vertices[:, :2] * np.array([1, -1], np.float32) / np.float32(table.tile_size)
     normals = np.tile(np.array([0, 0, 1], np.float32), (4, 1))
     faces = np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32)
-    return pack(TexturedMesh(vertices, normals, uvs, faces, table.surface))
+    return TexturedMesh(vertices, normals, uvs, faces, table.surface)
 
 
 def _tangent_frames(normals: Array) -> Array:

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from probe.assets.mesh import Surface, TexturedMesh
 from probe.render.illumination import Illumination
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera
+
+Engine = Literal["filament", "blender"]
+"""What draws colour pictures."""
 
 
 @dataclass(frozen=True, eq=False)

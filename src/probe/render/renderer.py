@@ -2,25 +2,34 @@
 
 from __future__ import annotations
 
-import socket
 import subprocess
-import sys
 import tempfile
 from collections.abc import Mapping, Sequence
-from multiprocessing.connection import Connection
 from pathlib import Path
 from types import TracebackType
 
 from probe.assets.mesh import TexturedMesh
 from probe.errors import RenderFailed
-from probe.render.driver import require_driver
+from probe.render.driver import require_blender, require_driver
 from probe.render.illumination import AMBIENT, Illumination
-from probe.render.protocol import Answer, Draw, Drawn, Load, Outline, Outlines, Request, TableTop
+from probe.render.processes import start_module
+from probe.render.protocol import (
+    Answer,
+    Draw,
+    Drawn,
+    Engine,
+    Load,
+    Outline,
+    Outlines,
+    Request,
+    TableTop,
+)
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera, Frame
 
-TIMEOUT = 120.0
-"""Seconds after which a silent worker counts as dead; a cold shader cache takes about 10."""
+TIMEOUTS: dict[Engine, float] = {"filament": 120.0, "blender": 900.0}
+"""Seconds after which a silent worker counts as dead; a cold shader cache takes Filament about 10,
+Blender up to 50, and one picture of Blender's 30 on two idle cores without GPU."""
 
 
 class Renderer:
@@ -31,14 +40,20 @@ class Renderer:
 
     Args:
         cache: Folder in which light prepared for drawing is kept; None to prepare it each time.
+        engine: What draws colour. Depth and labels are Filament's either way.
 
     Raises:
-        NoGraphicsDriver: On construction, when the machine has no Vulkan driver.
+        NoGraphicsDriver: On construction, when the machine has no Vulkan driver, or no EGL for
+            Blender.
+        MissingExtra: Blender isn't installed.
     """
 
-    def __init__(self, cache: Path | None = None) -> None:
+    def __init__(self, cache: Path | None = None, engine: Engine = "filament") -> None:
         require_driver()
+        if engine == "blender":
+            require_blender()
         self._cache = cache
+        self._engine: Engine = engine
         self._load: Load | None = None
         self._worker: _Worker | None = None
 
@@ -109,7 +124,7 @@ class Renderer:
     def _start(self) -> _Worker:
         if self._load is None:
             raise ValueError("load() before draw()")
-        worker = _Worker(self._cache)
+        worker = _Worker(self._engine, self._cache)
         self._worker = worker
         worker.ask(self._load)
         return worker
@@ -118,20 +133,14 @@ class Renderer:
 class _Worker:
     """One worker process and the socket to it."""
 
-    def __init__(self, cache: Path | None) -> None:
-        ours, theirs = socket.socketpair()
+    def __init__(self, engine: Engine, cache: Path | None) -> None:
         folder = [] if cache is None else [str(cache)]
-        # Filament reports its set-up on stdout and its faults on stderr.
+        # The engines report their set-up on stdout and their faults on stderr.
         self._errors = tempfile.TemporaryFile("w+")  # noqa: SIM115 - closed in stop()
-        self._process = subprocess.Popen(
-            [sys.executable, "-m", "probe.render.worker", str(theirs.fileno()), *folder],
-            pass_fds=[theirs.fileno()],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=self._errors,
+        self._process, self._pipe = start_module(
+            "probe.render.worker", engine, *folder, stderr=self._errors.fileno()
         )
-        theirs.close()
-        self._pipe = Connection(ours.detach())
+        self._timeout = TIMEOUTS[engine]
 
     @property
     def pid(self) -> int:
@@ -139,8 +148,8 @@ class _Worker:
 
     def ask(self, request: Request) -> Answer:
         self._pipe.send(request)
-        if not self._pipe.poll(TIMEOUT):
-            raise TimeoutError(f"no answer in {TIMEOUT:.0f} s")
+        if not self._pipe.poll(self._timeout):
+            raise TimeoutError(f"no answer in {self._timeout:.0f} s")
         return self._pipe.recv()
 
     def last_words(self) -> str:

@@ -1,15 +1,11 @@
-"""The render worker: answers requests in a process of its own, and draws in forked children.
+"""The render worker: answers requests in a process of its own.
 
-A driver's fault aborts a process, and Filament leaks some 30 MB with every RGB frame; a child that
-draws one picture and exits costs 0.2 s more and can do neither harm. The worker itself never
-touches the driver: that is what makes forking safe.
+`python -m probe.render.worker HANDLE ENGINE [CACHE]`; HANDLE is that of a connection.
 """
 
 from __future__ import annotations
 
-import multiprocessing
 import sys
-from collections.abc import Callable
 from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -19,53 +15,31 @@ import numpy as np
 from probe.assets.cache import Cache
 from probe.assets.mesh import Surface
 from probe.render.filament import Drawer
-from probe.render.illumination import AMBIENT, Illumination
+from probe.render.illumination import AMBIENT
 from probe.render.light_packing import LightPacker
-from probe.render.packing import PackedMesh, pack, pack_table
+from probe.render.packing import PackedMesh, pack, table_quad
+from probe.render.painters import BlenderPainter, FilamentPainter, Painter
+from probe.render.processes import Child
 from probe.render.protocol import Answer, Draw, Drawn, Load, Outline, Outlines, Request
 from probe.types import Array
 
-_FORK = multiprocessing.get_context("fork")
 _PLAIN = Surface(np.full((1, 1, 3), 255, dtype=np.uint8))
-
-
-class _Child:
-    """A forked process that answers requests over a pipe."""
-
-    def __init__(self, parent: Connection, serve: Callable[[Connection], None]) -> None:
-        self.pipe, theirs = _FORK.Pipe()
-
-        def run() -> None:
-            parent.close()
-            self.pipe.close()
-            serve(theirs)
-
-        self._process = _FORK.Process(target=run, daemon=True)
-        self._process.start()
-        theirs.close()
-
-    def stop(self) -> None:
-        self.pipe.close()
-        self._process.join()
 
 
 class _Loaded:
     """The objects at hand, and the child that draws labels and depth of them."""
 
-    def __init__(self, load: Load, client: Connection, lights: LightPacker) -> None:
+    def __init__(self, load: Load, client: Connection) -> None:
         self._client = client
-        self._lights = lights
-        self._meshes = {name: pack(mesh) for name, mesh in load.meshes.items()}
-        self._table = pack_table(load.table)
-        self._labeller: _Child | None = None
+        self.meshes = {name: pack(mesh) for name, mesh in load.meshes.items()}
+        self.table = pack(table_quad(load.table))
+        self._labeller: Child | None = None
 
-    def draw(self, request: Draw) -> Drawn:
-        painter = None if request.light is None else self._painter(request, request.light)
+    def draw(self, request: Draw, painter: Painter) -> Drawn:
+        if request.light is not None:
+            painter.begin(request)
         depth, labels = self._ask_labeller(replace(request, light=None))
-        rgb: Array | None = None
-        if painter:
-            rgb = painter.pipe.recv()
-            painter.stop()
+        rgb = None if request.light is None else painter.finish()
         return Drawn(depth=depth, labels=labels, rgb=rgb)
 
     def outlines(self, request: Outline) -> Outlines:
@@ -76,22 +50,13 @@ class _Loaded:
             self._labeller.stop()
 
     def _ask_labeller(self, request: Draw | Outline):  # noqa: ANN202 - what the pipe carries
-        self._labeller = self._labeller or _Child(self._client, self._serve_labels)
+        self._labeller = self._labeller or Child(self._client, self._serve_labels)
         self._labeller.pipe.send(request)
         return self._labeller.pipe.recv()
 
-    def _painter(self, request: Draw, light: Illumination) -> _Child:
-        packed = self._lights.pack(light)
-
-        def paint(pipe: Connection) -> None:
-            drawer = Drawer(self._meshes, self._table, packed)
-            pipe.send(drawer.rgb(request.objects, request.camera))
-
-        return _Child(self._client, paint)
-
     def _serve_labels(self, pipe: Connection) -> None:
-        meshes = {name: _untextured(mesh) for name, mesh in self._meshes.items()}
-        drawer = Drawer(meshes, _untextured(self._table), LightPacker().pack(AMBIENT))
+        meshes = {name: _untextured(mesh) for name, mesh in self.meshes.items()}
+        drawer = Drawer(meshes, _untextured(self.table), LightPacker().pack(AMBIENT))
         while True:
             try:
                 request: Draw | Outline = pipe.recv()
@@ -113,7 +78,7 @@ def _untextured(mesh: PackedMesh) -> PackedMesh:
     )
 
 
-def serve(client: Connection, lights: LightPacker) -> None:
+def serve(client: Connection, painter: Painter) -> None:
     """Answer requests until the client goes away."""
     loaded: _Loaded | None = None
     while True:
@@ -124,15 +89,25 @@ def serve(client: Connection, lights: LightPacker) -> None:
         if isinstance(request, Load):
             if loaded:
                 loaded.stop()
-            loaded = _Loaded(request, client, lights)
+            loaded = _Loaded(request, client)
+            painter.load(request, loaded)
             answer: Answer = None
         elif loaded is None:
             raise ValueError("Draw before Load")
+        elif isinstance(request, Draw):
+            answer = loaded.draw(request, painter)
         else:
-            answer = loaded.draw(request) if isinstance(request, Draw) else loaded.outlines(request)
+            answer = loaded.outlines(request)
         client.send(answer)
 
 
+def _painter(client: Connection, engine: str, cache: str | None) -> Painter:
+    if engine == "blender":
+        return BlenderPainter()
+    return FilamentPainter(client, LightPacker(Cache(Path(cache)) if cache else None))
+
+
 if __name__ == "__main__":
-    handle, *folder = sys.argv[1:]
-    serve(Connection(int(handle)), LightPacker(Cache(Path(folder[0])) if folder else None))
+    handle, engine, *folder = sys.argv[1:]
+    connection = Connection(int(handle))
+    serve(connection, _painter(connection, engine, folder[0] if folder else None))

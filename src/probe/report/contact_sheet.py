@@ -26,8 +26,10 @@ def one_a_category(specs: Iterable[ObjectSpec]) -> list[ObjectSpec]:
     return list(first.values())
 
 
-def contact_sheet(library: Library, specs: Sequence[ObjectSpec], *, named: bool) -> Image.Image:
-    """One tile an object in rows, numbered, with names beneath if wanted.
+def contact_sheet(
+    library: Library, specs: Sequence[ObjectSpec], *, named: bool, first: int = 1
+) -> Image.Image:
+    """One tile an object in rows, numbered from `first`, with names beneath if wanted.
 
     Raises:
         RenderFailed: The renderer died twice on one of them.
@@ -41,7 +43,7 @@ def contact_sheet(library: Library, specs: Sequence[ObjectSpec], *, named: bool)
     for k, (spec, tile) in enumerate(zip(specs, _tiles(library, specs), strict=True)):
         x, y = k % columns * TILE_PX, k // columns * height
         sheet.paste(tile, (x, y))
-        caption = f"{k + 1}  {spec.name}" if named else f"{k + 1}"
+        caption = f"{first + k}  {spec.name}" if named else f"{first + k}"
         pen.text((x + 4, y + TILE_PX + 2), caption, fill=(20, 20, 20), font=font)
     return sheet
 

@@ -1,0 +1,127 @@
+"""Blender's pictures beside Filament's: the same scene, aligned, in the same colours; the bytes."""
+
+import os
+import signal
+from importlib.util import find_spec
+
+import numpy as np
+import psutil
+import pytest
+from scipy.ndimage import binary_erosion
+
+from lamps import lamp, shades
+from probe.errors import MissingExtra
+from probe.render import driver
+from probe.render.illumination import AMBIENT
+from probe.render.renderer import Renderer
+from probe.scene.layout import front_camera, top_camera
+from probe.scene.scene import PlacedObject
+from probe.types import Pose
+from shapes import box, card, grey_table, plain
+
+CAMERA = top_camera(256)
+COLOURS = {"red": (200, 40, 30), "sand": (210, 190, 140), "navy": (30, 40, 110)}
+CARDS = [
+    PlacedObject(n, name, Pose((0.16 * (n - 2), 0.15, 0.001)))
+    for n, name in enumerate(COLOURS, start=1)
+]
+POST = PlacedObject(4, "post", Pose())
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(find_spec("bpy") is None, reason="Blender's package isn't installed"),
+]
+
+
+@pytest.fixture(scope="module", params=["filament", "blender"])
+def drawing(request):
+    with Renderer(engine=request.param) as it:
+        load(it)
+        yield it
+
+
+@pytest.fixture(scope="module")
+def blender():
+    with Renderer(engine="blender") as it:
+        load(it)
+        yield it
+
+
+def load(renderer):
+    cards = {name: card(0.1, plain(*rgb)) for name, rgb in COLOURS.items()}
+    renderer.load(cards | {"post": box(0.05, 0.05, 0.12, 200, 200, 200)}, grey_table())
+
+
+def test_ambient_light_shows_a_card_in_its_own_colour(drawing):
+    frame = drawing.draw(CARDS, CAMERA, rgb=True)
+    for item in CARDS:
+        shown = frame.rgb[binary_erosion(frame.labels == item.instance, iterations=3)]
+        assert np.abs(shown.mean(axis=0) - COLOURS[item.object_id]).max() <= 8
+
+
+def test_a_shadow_falls_away_from_the_lamp(drawing):
+    lit = shades(drawing.draw([POST], CAMERA, rgb=True, light=lamp()))
+    assert lit[1] < 0.9 * lit[0] and min(lit) == lit[1]
+    even = shades(drawing.draw([POST], CAMERA, rgb=True))
+    assert max(even) - min(even) < 6
+
+
+def test_surroundings_tint_everything(drawing):
+    frame = drawing.draw([POST], CAMERA, rgb=True, light=lamp((1.0, 0.45, 0.4)))
+    red, green, blue = frame.rgb.reshape(-1, 3).mean(axis=0)
+    assert red > 1.25 * green and red > 1.25 * blue
+
+
+@pytest.mark.parametrize("camera", [CAMERA, front_camera(256)], ids=["top", "front"])
+def test_pictures_lie_on_the_labels_to_a_pixel(drawing, camera):
+    frame = drawing.draw([*CARDS, POST], camera, rgb=True)
+    edges = outline(frame.labels)
+    steps = outline(frame.rgb.astype(float).sum(axis=2))
+    fit = {
+        (v, u): np.corrcoef(edges.ravel(), np.roll(steps, (v, u), (0, 1)).ravel())[0, 1]
+        for v in (-2, -1, 0, 1, 2)
+        for u in (-2, -1, 0, 1, 2)
+    }
+    v, u = max(fit, key=lambda shift: fit[shift])
+    assert abs(v) <= 1 and abs(u) <= 1
+
+
+def outline(picture):
+    """How much a picture changes at each pixel, both ways about it alike; steps count as one."""
+    down, across = np.gradient(np.asarray(picture, float))
+    changes = np.abs(down) + np.abs(across)
+    return np.minimum(changes, 0.5 * np.percentile(changes[changes > 0], 90))
+
+
+def test_bytes_do_not_depend_on_what_was_drawn_before(blender):
+    first = picture(blender, lamp())
+    blender.draw(CARDS, front_camera(256), rgb=True, light=AMBIENT)
+    assert picture(blender, lamp()) == first
+    with Renderer(engine="blender") as another:
+        load(another)
+        assert picture(another, lamp()) == first
+
+
+def picture(renderer, light=AMBIENT):
+    return renderer.draw([POST], CAMERA, rgb=True, light=light).rgb.tobytes()
+
+
+def test_a_killed_blender_is_started_again_and_none_is_left(blender):
+    with Renderer(engine="blender") as renderer:
+        load(renderer)
+        first = picture(renderer)
+        processes = psutil.Process(renderer.pid).children(recursive=True)
+        easel = next(p for p in processes if "probe.render.blender" in p.cmdline())
+        os.kill(easel.pid, signal.SIGKILL)
+        assert picture(renderer) == first
+        processes = psutil.Process(renderer.pid).children(recursive=True)
+    gone, alive = psutil.wait_procs(processes, timeout=10)
+    assert gone and not alive
+
+
+def test_a_missing_package_is_named(monkeypatch):
+    driver.require_blender.cache_clear()
+    monkeypatch.setattr(driver, "find_spec", lambda name: None)
+    with pytest.raises(MissingExtra, match=r"probe-vqa\[blender\]"):
+        Renderer(engine="blender")
+    driver.require_blender.cache_clear()
