@@ -60,7 +60,7 @@ class Cache:
             OutputFailed: The disk is full, or the folder can't be written.
         """
         buffer = io.BytesIO()
-        np.savez(buffer, **arrays)  # pyright: ignore[reportArgumentType] # no name is allow_pickle
+        np.savez_compressed(buffer, **arrays)  # pyright: ignore[reportArgumentType] # no name is allow_pickle
         write_bytes(self.path(key), buffer.getvalue())
 
     def path(self, key: str) -> Path:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -11,6 +12,7 @@ import tyro
 from PIL import Image
 from rich.progress import track
 
+from probe.assets.annotation.applying import apply_notes
 from probe.assets.annotation.notes import (
     Note,
     from_source,
@@ -25,7 +27,7 @@ from probe.assets.annotation.words import describe
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.cli.models import model_behind
-from probe.cli.surroundings import Pool, library
+from probe.cli.surroundings import Pool, library, library_folder
 from probe.errors import BadData, ModelFailed
 from probe.files import encode, write_bytes
 from probe.render.portraits import AROUND, GROUND, portrait
@@ -69,6 +71,7 @@ def annotate(
             for spec in track(some, f"Objects {start + 1} to {start + len(some)}"):
                 write_note(out, _noted(out, spec, _views(out, spec, renderer), ask))
     _tell(out, objects, limit)
+    _carry_over(read_notes(out))
 
 
 def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
@@ -92,7 +95,14 @@ def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
         print(f"{len(changed)} objects corrected.")
     write_table(table, notes)
     write_review(out / PAGE, notes)
+    _carry_over(notes)
     print(f"{len(notes)} objects: correct {table} beside {out / PAGE}, then run this again.")
+
+
+def _carry_over(notes: Sequence[Note]) -> None:
+    """Objects of one's own are called so from now on."""
+    if changed := apply_notes(library_folder(), notes):
+        print(f"{changed} objects of {library_folder()} go by their new words now.")
 
 
 def _is_done(out: Path, spec: ObjectSpec) -> bool:
