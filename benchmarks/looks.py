@@ -9,6 +9,7 @@ import os
 import tempfile
 import time
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from probe.assets.tabletops import tops
 from probe.cli.surroundings import assets_folder, library
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
+from probe.render.protocol import Engine
 from probe.render.renderer import Renderer
 from probe.render.sunlight import illuminate
 from probe.scene.layout import View, view_camera
@@ -41,14 +43,14 @@ def seconds(act: Callable[[], object], repeats: int = REPEATS) -> float:
     return float(np.median(taken))
 
 
-def pictures() -> None:
+def pictures(engine: Engine, repeats: int) -> None:
     """Print the time of a picture with depth and labels, by light and camera."""
     pool = "scans" if assets_folder() else "procedural"
     things = library(pool)
     scene = make_scene(0, things, table_ids(assets_folder()))
-    with tempfile.TemporaryDirectory() as folder, Renderer(Path(folder)) as renderer:
+    with tempfile.TemporaryDirectory() as folder, Renderer(Path(folder), engine) as renderer:
         load_scene(renderer, scene, things, load_table(scene.table, assets_folder()))
-        print(f"15 {pool} objects, 1024 x 1024, {os.cpu_count()} cores: wall seconds, n {REPEATS}")
+        print(f"{engine}: 15 {pool} objects, 1024 x 1024, {os.cpu_count()} cores, n {repeats}:")
         for lighting in LIGHTS:
             light = light_of(lighting, None)
             for view in VIEWS:
@@ -58,7 +60,9 @@ def pictures() -> None:
                     return photograph(renderer, scene, camera=camera, light=light)  # noqa: B023
 
                 first = seconds(draw, 1)
-                print(f"  {lighting.name:16} {view:6} {seconds(draw):.2f} (first {first:.2f})")
+                print(
+                    f"  {lighting.name:16} {view:6} {seconds(draw, repeats):.2f} s (first {first:.2f})"
+                )
 
 
 def preparations() -> None:
@@ -74,5 +78,7 @@ def preparations() -> None:
 
 
 if __name__ == "__main__":
-    pictures()
+    pictures("filament", REPEATS)
+    if find_spec("bpy"):
+        pictures("blender", 2)
     preparations()

@@ -30,7 +30,7 @@ def _cut(content: bytes) -> bytes:
 
 
 def _flip(content: bytes) -> bytes:
-    place = content.index(np.float32(5).tobytes())
+    place = content.index(b"a.npy") + 60  # within that array's compressed bytes
     return content[:place] + bytes([content[place] ^ 255]) + content[place + 1 :]
 
 
