@@ -60,9 +60,8 @@ def pictures(engine: Engine, repeats: int) -> None:
                     return photograph(renderer, scene, camera=camera, light=light)  # noqa: B023
 
                 first = seconds(draw, 1)
-                print(
-                    f"  {lighting.name:16} {view:6} {seconds(draw, repeats):.2f} s (first {first:.2f})"
-                )
+                later = seconds(draw, repeats)
+                print(f"  {lighting.name:16} {view:6} {later:.2f} s (first {first:.2f})")
 
 
 def preparations() -> None:
