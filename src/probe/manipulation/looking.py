@@ -7,24 +7,29 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
+from scipy.spatial.transform import Rotation
 
+from probe.manipulation.registration import Motions, Surface, fit, register
 from probe.manipulation.terrain import lifted
 from probe.types import Array, Frame
-
-_Motion = tuple[float, float, float]
 
 SAME = 0.003
 """Metres by which a pixel's depth may differ and still show the same."""
 
-_POINTS = 250
-_FOUND = 0.55
-_SLACK = 0.15
-_SLACK_LIMITS = (0.002, 0.008)
-_SHIFT_COST = 4.0
-_ROUGHLY = (np.arange(-8, 9) * 0.005, np.radians([-30.0, -15.0, 0.0, 15.0, 30.0]))
-_FINELY = (np.arange(-3, 4) * 0.002, np.radians([-8.0, -4.0, 0.0, 4.0, 8.0]))
-_STOPS = 0.06
+_POINTS, _FEW = 200, 60
+_STEP = 0.06
+_TIPS = np.radians([0.0, 25.0, -25.0, 50.0])
+_TURNS = np.radians([0.0, 20.0, -20.0, 40.0, -40.0])
+_ROUGH = 0.012
+_SLACK, _SLACK_LIMITS = 0.15, (0.002, 0.004)
+_TRIED, _KEPT = 12, 3
+_SLIDES = (np.arange(-4, 5) * 0.010, np.arange(-4, 5) * 0.005, np.arange(-3, 4) * 0.002)
+_HIDING_COST = 0.5
+_FOUND = 0.5
+_ON_TABLE = 0.0015
+_PATCH_PX = 100
 _NOWHERE = np.zeros(3)
+_UP = np.array([0.0, 0.0, 1.0])
 
 
 def still_there(before: Frame, after: Frame, mask: Array) -> float:
@@ -39,7 +44,7 @@ class Found:
 
     Attributes:
         mask: Which pixels show it, bool, shape (h, w).
-        shift: How its middle moved over the table, metres, shape (3,).
+        shift: How its middle moved, metres, shape (3,).
     """
 
     mask: Array
@@ -47,11 +52,12 @@ class Found:
 
 
 def tracked(before: Frame, after: Frame, mask: Array, way: Array = _NOWHERE) -> Found | None:
-    """Find a thing again that may have slid and turned a little on the table.
+    """Find a thing again that may have slid, turned and tipped on the table.
 
     Args:
         before: Where the mask is known.
-        after: Where it is looked for, up to 40 degrees turned and 4 cm beside the way.
+        after: Where it is looked for: on the way and a few centimetres beside it, turned by up to
+            some 60 degrees, tipped by up to some 45.
         mask: bool, shape (h, w).
         way: A straight line from where it was, on which it may have stopped anywhere, metres,
             shape (3,).
@@ -63,72 +69,96 @@ def tracked(before: Frame, after: Frame, mask: Array, way: Array = _NOWHERE) -> 
     if len(points) == 0:
         return None
     few = points[:: max(1, len(points) // _POINTS)]
-    # A tall thing may have tipped a little; a flat one would be taken for the table.
-    slack = float(np.clip(_SLACK * points[:, 2].max(), *_SLACK_LIMITS))
-    # What showed something else before, and shows it still, isn't the thing.
+    # What showed something else before, and shows it still, isn't the thing; nor is the table.
     possible = mask | (np.abs(after.depth - before.depth) > SAME)
-    look = _Look(after, possible, few.mean(axis=0), slack)
-    stops = math.ceil(float(np.linalg.norm(way)) / _STOPS) + 1
-    places = [look.search(few, (*stop, 0.0), _ROUGHLY) for stop in np.linspace(0, way[:2], stops)]
-    best, _ = max(places, key=lambda place: place[1])
-    best, share = look.search(few, best, _FINELY)
-    if share < _FOUND:
+    surface = Surface.of(after, possible)
+    surface.possible[surface.points[..., 2] < _ON_TABLE] = False
+    # A tall thing may have tipped a little; a flat one would be taken for what it lies on.
+    slack = float(np.clip(_SLACK * points[:, 2].max(), *_SLACK_LIMITS))
+    motion, merit = _placed(surface, few, way, slack)
+    if merit < _FOUND:
         return None
-    uv, same = look.compared(points, best)
-    found = np.zeros_like(mask, bool)
-    columns, rows = uv[same].T
-    found[rows, columns] = True
-    return Found(ndimage.binary_closing(found, iterations=2), np.array([*best[:2], 0.0]))
+    rows, columns, _, inside = surface.under(motion.apply(points)[0])
+    shown = np.zeros_like(mask, bool)
+    top, left = surface.corner
+    shown[rows[inside] + top, columns[inside] + left] = True
+    shift = motion.apply(few)[0].mean(axis=0) - few.mean(axis=0)
+    return Found(ndimage.binary_closing(shown, iterations=2), shift)
 
 
-@dataclass(frozen=True, eq=False)
-class _Look:
-    """A search for points in a frame.
+def arrived(before: Frame, after: Frame, mask: Array, way: Array) -> Array | None:
+    """What stands now where less stood before, on the way of a thing that can't be told any more.
 
-    Attributes:
-        frame: Where they are looked for.
-        possible: Pixels that may show them, bool, shape (h, w).
-        middle: What they turn about, shape (3,).
-        slack: By how much a depth may differ, metres.
+    Args:
+        before: Where the thing was known.
+        after: Afterwards.
+        mask: The thing, bool, shape (h, w).
+        way: A straight line from where it was, metres, shape (3,).
+
+    Returns:
+        The largest such patch on the way, bool, shape (h, w); None if there is none.
     """
-
-    frame: Frame
-    possible: Array
-    middle: Array
-    slack: float
-
-    def search(
-        self, points: Array, start: _Motion, steps: tuple[Array, Array]
-    ) -> tuple[_Motion, float]:
-        """The shift in x and y and the turn at which most points fit; and how many do."""
-        best, best_merit, best_share = start, -math.inf, 0.0
-        shifts, turns = steps
-        for turn in start[2] + turns:
-            for x in shifts:
-                for y in shifts:
-                    motion = (start[0] + float(x), start[1] + float(y), float(turn))
-                    share = float(self.compared(points, motion)[1].mean())
-                    merit = share - _SHIFT_COST * math.hypot(x, y)
-                    if merit > best_merit:
-                        best, best_merit, best_share = motion, merit, share
-        return best, best_share
-
-    def compared(self, points: Array, motion: _Motion) -> tuple[Array, Array]:
-        """Pixels of moved points, int, shape (n, 2), and whether the frame shows them there."""
-        camera = self.frame.camera
-        placed = _moved(points - self.middle, motion) + self.middle
-        uv = np.floor(camera.project(placed)).astype(int)
-        inside = (uv >= 0).all(axis=1) & (uv < [camera.width_px, camera.height_px]).all(axis=1)
-        uv = np.clip(uv, 0, [camera.width_px - 1, camera.height_px - 1])
-        depth = camera.world_from_camera.inverse().apply(placed)[:, 2]
-        shown = self.frame.depth[uv[:, 1], uv[:, 0]]
-        possible = inside & self.possible[uv[:, 1], uv[:, 0]]
-        return uv, possible & (np.abs(shown - depth) < self.slack)
+    risen = ndimage.binary_opening(before.depth - after.depth > SAME, iterations=2)
+    patches, count = ndimage.label(risen)
+    if count == 0:
+        return None
+    middle = lifted(before, mask).mean(axis=0)
+    stops = (
+        middle + np.linspace(0, 1, math.ceil(float(np.linalg.norm(way)) / 0.01) + 1)[:, None] * way
+    )
+    corridor = np.zeros_like(mask, bool)
+    pixels = before.camera.project(stops)
+    for shift in np.round(pixels - pixels[0]).astype(int):
+        corridor |= np.roll(mask, (int(shift[1]), int(shift[0])), axis=(0, 1))
+    overlaps = np.bincount(patches[corridor], minlength=count + 1)
+    overlaps[0] = 0
+    best = int(np.argmax(overlaps))
+    return patches == best if overlaps[best] >= _PATCH_PX else None
 
 
-def _moved(points: Array, motion: _Motion) -> Array:
-    """Points turned about the vertical and shifted on the table."""
-    x, y, turn = motion
-    c, s = math.cos(turn), math.sin(turn)
-    rotation = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    return points @ rotation.T + np.array([x, y, 0.0])
+def _placed(surface: Surface, points: Array, way: Array, slack: float) -> tuple[Motions, float]:
+    """The motion that explains best what is seen, and how well: slid and turned, or tipped."""
+    few = points[:: max(1, len(points) // _FEW)]
+    slid = _best(
+        surface, few, _guesses(points, way, _TIPS[:1]).slid(_grid(_SLIDES[0])), slack, _TRIED
+    )
+    tipped = _best(surface, few, _guesses(points, way, _TIPS[1:]), _ROUGH, _TRIED)
+    guesses = slid.and_also(tipped)
+    settled = register(surface, points, guesses)
+    motions = _best(surface, points, guesses.and_also(settled), slack, _KEPT)
+    # A plane slides on itself unnoticed; where it ends tells how far it went.
+    for slide in _SLIDES[1:]:
+        motions = _best(surface, points, motions.slid(_grid(slide)), slack, _KEPT)
+    motions = motions.and_also(register(surface, points, motions))
+    best = _best(surface, points, motions, slack, 1)
+    return best, float(_merits(surface, points, best, slack)[0])
+
+
+def _guesses(points: Array, way: Array, tips: Array) -> Motions:
+    """Where a thing may be now: stops along the way, tips about its middle, turns."""
+    length = float(np.linalg.norm(way))
+    hinge = np.cross(_UP, way / length) if length > 0 else np.array([0.0, 1.0, 0.0])
+    turned = [
+        (Rotation.from_rotvec(tip * hinge) * Rotation.from_rotvec(turn * _UP)).as_matrix()
+        for tip in tips
+        for turn in _TURNS
+    ]
+    stops = np.linspace(0, 1, math.ceil(length / _STEP) + 1)[:, None] * way
+    rotations = np.tile(np.stack(turned), (len(stops), 1, 1))
+    return Motions(rotations, np.repeat(stops, len(turned), axis=0), points.mean(axis=0))
+
+
+def _grid(steps: Array) -> Array:
+    """Shifts over the table by every pair of steps, shape (k, 3)."""
+    x, y = (part.ravel() for part in np.meshgrid(steps, steps))
+    return np.column_stack([x, y, np.zeros(len(x))])
+
+
+def _best(surface: Surface, points: Array, motions: Motions, slack: float, count: int) -> Motions:
+    order = np.argsort(-_merits(surface, points, motions, slack), kind="stable")
+    return motions[order[:count]]
+
+
+def _merits(surface: Surface, points: Array, motions: Motions, slack: float) -> Array:
+    shown, hiding = fit(surface, points, motions, slack)
+    return shown - _HIDING_COST * hiding

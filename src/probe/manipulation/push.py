@@ -7,10 +7,11 @@ from typing import Literal
 
 import numpy as np
 
-from probe.manipulation.looking import still_there, tracked
+from probe.manipulation.looking import arrived, still_there, tracked
 from probe.manipulation.stroke import Stroke, stroke
+from probe.manipulation.terrain import lifted
 from probe.station.station import Station
-from probe.types import Array, Frame, Vector3
+from probe.types import Array, Frame, Pose, Vector3
 
 Direction = Literal["up", "down", "left", "right"]
 """In the picture of the fixed camera."""
@@ -18,7 +19,7 @@ Direction = Literal["up", "down", "left", "right"]
 PushStatus = Literal["pushed", "short", "unmoved", "no_space", "unreachable", "blocked"]
 """What came of a push:
 
-pushed: The tool swept as far as was asked for.
+pushed: The tool swept, or the thing went, as far as was asked for.
 short: It swept less: the basket or the arm's reach ended it.
 unmoved: It swept, but the thing looks as it did.
 no_space: There is no free spot behind the thing where the tool could come down.
@@ -29,7 +30,7 @@ blocked: Something stopped the arm.
 SHORTEST, LONGEST = 0.03, 0.20
 """Distances that may be asked for, metres."""
 
-STROKES = 3
+STROKES = 4
 """Sweeps that one push may take: what rolls, tips or turns aside is pushed on from where it is."""
 
 _ALONG = {
@@ -42,6 +43,7 @@ _STAYED = 0.9
 _SHORT = 0.01
 _FAR_ENOUGH = 0.8
 _LEAST = 0.02
+_IN_VAIN = 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,26 +92,58 @@ def push(
     if not SHORTEST <= distance_m <= LONGEST:
         raise ValueError(f"a push goes {SHORTEST} to {LONGEST} m, not {distance_m} m")
     along = _ALONG[direction]
-    result, place = PushResult("no_space", frame), mask
-    while result.strokes < STROKES and result.moved is not None:
-        left = distance_m - result.moved
+    result, track = PushResult("no_space", frame), _Track(mask)
+    while result.strokes < STROKES and track.mask is not None:
+        left = distance_m - track.gone
         if left < max(_LEAST, (1 - _FAR_ENOUGH) * distance_m):
             break
-        done = stroke(station, result.frame, place, along, left, basket)
+        done = stroke(station, result.frame, track.mask, along, left, basket, track.in_vain)
         if done.end in ("no_space", "unreachable"):
             return result if result.strokes else PushResult(done.end, done.frame)
-        found = tracked(result.frame, done.frame, place, along * done.swept)
-        moved = None if found is None else result.moved + float(found.shift @ along)
-        swept = max(result.swept, result.moved + done.swept)
-        status = _status(done, swept, distance_m)
+        swept = max(result.swept, track.gone + done.swept)
+        track = _follow(track, result.frame, done, along)
+        moved = track.gone if track.sure else None
+        status = _status(done, max(swept, moved or 0.0), distance_m)
         result = PushResult(status, done.frame, swept, moved, result.strokes + 1)
-        place = place if found is None else found.mask
     if result.status == "pushed" and still_there(frame, result.frame, mask) > _STAYED:
         return replace(result, status="unmoved")
     return result
 
 
-def _status(done: Stroke, swept: float, asked: float) -> PushStatus:
-    if swept > asked - _SHORT:
+@dataclass(frozen=True, eq=False)
+class _Track:
+    """Where a thing has got to.
+
+    Attributes:
+        mask: Which pixels show it; None if nothing that could be it is seen.
+        gone: How far it went along the push, metres.
+        sure: Whether it was told by its shape all the time.
+        in_vain: Starts from which it was pushed and hardly moved.
+    """
+
+    mask: Array | None
+    gone: float = 0.0
+    sure: bool = True
+    in_vain: tuple[Pose, ...] = ()
+
+
+def _follow(track: _Track, before: Frame, done: Stroke, along: Array) -> _Track:
+    """Where a thing is after a stroke."""
+    assert track.mask is not None
+    way = along * done.swept
+    found = tracked(before, done.frame, track.mask, way)
+    if found is not None:
+        mask, sure, step = found.mask, track.sure, float(found.shift @ along)
+    else:
+        mask, sure, step = arrived(before, done.frame, track.mask, way), False, done.swept
+        if mask is not None:
+            ahead = lifted(done.frame, mask).mean(axis=0) - lifted(before, track.mask).mean(axis=0)
+            step = float(np.clip(ahead @ along, 0.0, done.swept))
+    in_vain = (*track.in_vain, *done.starts) if step < _IN_VAIN * done.swept else ()
+    return _Track(mask, track.gone + step, sure, in_vain)
+
+
+def _status(done: Stroke, reached: float, asked: float) -> PushStatus:
+    if reached > asked - _SHORT:
         return "pushed"
     return "blocked" if done.end == "blocked" else "short"

@@ -20,7 +20,7 @@ from probe.manipulation.routes import over
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
 from probe.station.station import Station
-from probe.types import Array, Frame, Vector3
+from probe.types import Array, Frame, Pose, Vector3
 
 StrokeEnd = Literal["swept", "no_space", "unreachable", "blocked"]
 """How a stroke ended: the tool went its whole way; there is nowhere to begin; the arm can't follow
@@ -45,11 +45,13 @@ class Stroke:
         frame: The table afterwards, without colours.
         swept: How far the tool went from where it should have touched, metres; less than asked
             for where the basket or the arm's reach ended it.
+        starts: world_from_hand where it began; none if it didn't.
     """
 
     end: StrokeEnd
     frame: Frame
     swept: float = 0.0
+    starts: tuple[Pose, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +64,13 @@ class _Route:
 
 
 def stroke(
-    station: Station, frame: Frame, mask: Array, along: Array, distance: float, basket: Vector3
+    station: Station,
+    frame: Frame,
+    mask: Array,
+    along: Array,
+    distance: float,
+    basket: Vector3,
+    unlike: Sequence[Pose] = (),
 ) -> Stroke:
     """Sweep once behind what a mask shows; the arm starts and ends parked.
 
@@ -73,12 +81,15 @@ def stroke(
         along: Unit direction, level, shape (3,).
         distance: How far to push it, metres.
         basket: Middle of the basket's floor.
+        unlike: Starts that need not be tried again.
     """
     terrain = survey(frame, basket)
     target = target_of(frame, mask, terrain)
     shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
     distance = min(distance, room_ahead(target, terrain, along, basket))
-    options = list(islice(pushes(target, terrain, shape, along, distance), _TRIED))
+    every = pushes(target, terrain, shape, along, distance)
+    fresh = (option for option in every if not any(_close(option, pose) for pose in unlike))
+    options = list(islice(fresh, _TRIED))
     result = Stroke("unreachable" if options else "no_space", frame)
     if distance < _LEAST:
         return result
@@ -91,12 +102,12 @@ def stroke(
         if result.end == "swept" or result.swept > 0 or stayed < _STAYED:
             break
         # Stopped before it met the thing, which is still where it was: from elsewhere, then.
-        options = [option for option in options if not _close(option, best.push)]
+        options = [option for option in options if not _close(option, best.push.start)]
     return result
 
 
-def _close(one: Push, other: Push) -> bool:
-    apart = np.subtract(one.start.position, other.start.position)
+def _close(one: Push, other: Pose) -> bool:
+    apart = np.subtract(one.start.position, other.position)
     return float(np.linalg.norm(apart)) < _SAME_START
 
 
@@ -151,7 +162,8 @@ def _execute(
     park(station, obstacles, shape.whole(0.0)[::3])
     station.grip(station.hand.max_opening)
     end: StrokeEnd = "swept" if swept > route.travel - _SPARE else "blocked"
-    return Stroke(end, station.observe(rgb=False), max(0.0, swept - route.push.gap))
+    frame = station.observe(rgb=False)
+    return Stroke(end, frame, max(0.0, swept - route.push.gap), (route.push.start,))
 
 
 def _place(station: Station) -> Array:
