@@ -11,10 +11,11 @@ from rich.progress import track
 
 from probe.agents.random import Random
 from probe.agents.scripted import Scripted
-from probe.assets.library import Library, open_library
+from probe.assets.library import Library
 from probe.assets.tables import load_table
-from probe.cli.surroundings import assets_folder, cache_folder
+from probe.cli.surroundings import assets_folder, everything
 from probe.episodes.files import append_record, read_records
+from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.pictures import frames
 from probe.episodes.play import play, score
 from probe.episodes.record import EpisodeRecord
@@ -33,7 +34,6 @@ from probe.tasks.task import Task
 
 AgentName = Literal["scripted", "random"]
 
-RECORDS, SUITE = "records.jsonl", "suite.json"
 _PICTURE_PX = 512
 
 
@@ -66,7 +66,7 @@ def report(out: Annotated[Path, tyro.conf.Positional]) -> None:
 
 def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int) -> None:
     """Add the records that a folder doesn't hold yet, and the suite they are about."""
-    things = _everything()
+    things = everything()
     check_objects(suite, things)
     write_suite(out / SUITE, suite)
     records = out / RECORDS
@@ -89,7 +89,7 @@ def write_run_report(out: Path) -> Path:
     """Draw and grade every record of a folder; returns the page."""
     suite = read_suite(out / SUITE)
     tasks = {task.id: task for task in suite.tasks}
-    things = _everything()
+    things = everything()
     views: list[EpisodeView] = []
     with Renderer() as renderer:
         for record in track(read_records(out / RECORDS), "Drawing and grading"):
@@ -118,12 +118,6 @@ def _view(
     return EpisodeView(
         task.kind, record, score(task, record, renderer), task.answer, tuple(pictures)
     )
-
-
-def _everything() -> Library:
-    """All objects at hand: scans too where their folder is known."""
-    pool = "all" if assets_folder() else "procedural"
-    return open_library(pool, assets_folder(), cache_folder())
 
 
 def _agent(name: AgentName, task: Task, number: int) -> Agent:

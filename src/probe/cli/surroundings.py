@@ -7,7 +7,7 @@ from pathlib import Path
 
 from probe.assets.library import Library, Pool, open_library
 
-__all__ = ["Pool", "assets_folder", "cache_folder", "library", "library_folder"]
+__all__ = ["Pool", "assets_folder", "cache_folder", "everything", "library", "library_folder"]
 
 
 def assets_folder() -> Path | None:
@@ -31,3 +31,9 @@ def library_folder() -> Path:
 def library(pool: Pool) -> Library:
     """The objects of a pool."""
     return open_library(pool, assets_folder(), cache_folder(), library_folder())
+
+
+def everything() -> Library:
+    """All objects that suites are made of: scans too where their folder is known."""
+    pool = "all" if assets_folder() else "procedural"
+    return open_library(pool, assets_folder(), cache_folder())

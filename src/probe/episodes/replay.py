@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from probe.episodes.episode import Witness
 from probe.episodes.files import line_of
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.run import Witness, run_episode
+from probe.episodes.run import run_episode
 from probe.episodes.turns import Call, Question, Turn
 from probe.toolshed.toolshed import Toolshed
 

@@ -1,0 +1,123 @@
+"""One episode under way: a call in, a result out, the record so far. Knows no agent, no engine."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import Protocol
+
+from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
+from probe.episodes.turns import Call, Question, Turn
+from probe.errors import ProbeError
+from probe.scene.scene import Scene
+from probe.toolshed.refusals import EpisodeOver
+from probe.toolshed.result import ToolResult
+from probe.toolshed.toolshed import Toolshed
+from probe.types import Array
+
+FAILED = "Something failed that is not your doing; the episode has ended."
+"""What an agent reads of a failure of ours; the record alone says what it was."""
+
+
+class Witness(Protocol):
+    """Sees the table as it really is, for the record; no tool and no agent gets to it."""
+
+    def snapshot(self) -> Scene:
+        """The table as it really is."""
+        ...
+
+    def joints(self) -> Array:
+        """Joint angles as measured, radians, shape (n,)."""
+        ...
+
+
+class Episode:
+    """A question, the tools to answer it with, and all that has been done so far.
+
+    Args:
+        task: Name of the task, for the record.
+        question: What is asked.
+        toolshed: Fresh, over the table that the witness watches.
+        witness: Tells the record where things are.
+        agent_name: For the record.
+        run: Number of the run, for the record.
+    """
+
+    def __init__(
+        self,
+        task: str,
+        question: Question,
+        toolshed: Toolshed,
+        witness: Witness,
+        *,
+        agent_name: str,
+        run: int = 0,
+    ) -> None:
+        self._toolshed = toolshed
+        self._witness = witness
+        start = _table(witness)
+        # Replaced whole after each step, so that it is true whenever it is looked at.
+        self._record = EpisodeRecord(task, agent_name, run, question, start, (), None, "stopped")
+        self._idle_since = time.perf_counter()
+
+    @property
+    def record(self) -> EpisodeRecord:
+        """What has happened; it ends as "stopped" as long as another call may follow."""
+        return self._record
+
+    @property
+    def ended(self) -> bool:
+        """Whether further calls do nothing."""
+        return self._record.end != "stopped"
+
+    def step(self, call: Call) -> Turn:
+        """Do one call; a ProbeError that a tool raises ends the episode as our fault.
+
+        Returns:
+            The call as it was recorded, and what came of it.
+        """
+        call = _storable(call)
+        if self.ended:
+            return Turn(call, ToolResult(str(EpisodeOver()), ended=True, status="refused"))
+        asked = time.perf_counter()
+        try:
+            result = self._toolshed.call(call.name, call.values)
+        except ProbeError as error:
+            return Turn(call, self.fail(error))
+        self._add(call, result, asked - self._idle_since, time.perf_counter() - asked)
+        self._idle_since = time.perf_counter()
+        return Turn(call, result)
+
+    def fail(self, error: Exception) -> ToolResult:
+        """End the episode as our fault, which is no answer and mustn't count as a wrong one."""
+        fault = f"{type(error).__name__}: {error}"
+        self._record = replace(self._record, end="fault", fault=fault)
+        return ToolResult(FAILED, ended=True, status="refused")
+
+    def _add(self, call: Call, result: ToolResult, thinking: float, working: float) -> None:
+        before, after = self._record, _table(self._witness)
+        step = Step(call, result.status, result.text, result.point_px, after)
+        agent, tools = before.seconds.agent, before.seconds.tools
+        self._record = replace(
+            before,
+            steps=(*before.steps, step),
+            answer=self._toolshed.answer,
+            end=_end(self._toolshed),
+            seconds=Seconds((*agent, thinking), (*tools, working)),
+        )
+
+
+def _table(witness: Witness) -> Table:
+    return Table(witness.snapshot(), tuple(float(angle) for angle in witness.joints()))
+
+
+def _storable(call: Call) -> Call:
+    """The call as UTF-8 can hold it; models may send halves of surrogate pairs."""
+    parts = (call.name, call.arguments, call.words)
+    return Call(*(part.encode("utf-8", "replace").decode() for part in parts))
+
+
+def _end(toolshed: Toolshed) -> End:
+    if toolshed.answer is not None:
+        return "answered"
+    return "out_of_turns" if toolshed.ended else "stopped"

@@ -1,0 +1,61 @@
+"""A folder of records and the suite that they are about, for one process or several."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+from collections.abc import Generator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+from probe.episodes.files import append_record, read_records
+from probe.episodes.record import EpisodeRecord
+from probe.errors import BadData, OutputFailed
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import read_suite, write_suite
+
+RECORDS, SUITE = "records.jsonl", "suite.json"
+
+
+def start_folder(out: Path, suite: Suite) -> None:
+    """Make a folder that records about a suite can be added to, or see that it is one.
+
+    Raises:
+        BadData: It is about another suite, or its records can't be read.
+        OutputFailed: It can't be written.
+    """
+    if (out / SUITE).exists() and read_suite(out / SUITE) != suite:
+        raise BadData(out / SUITE, "is another suite", "Choose another folder")
+    write_suite(out / SUITE, suite)
+    if (out / RECORDS).exists():
+        read_records(out / RECORDS)
+
+
+def add_run(out: Path, record: EpisodeRecord) -> None:
+    """Add a record as the next run of its agent on its task.
+
+    Raises:
+        BadData: A record that is there already can't be read.
+        OutputFailed: It can't be written; those that were there are still whole.
+    """
+    path = out / RECORDS
+    with _alone(out):
+        earlier = read_records(path) if path.exists() else []
+        mine = [r.run for r in earlier if (r.task, r.agent) == (record.task, record.agent)]
+        append_record(path, replace(record, run=max(mine, default=-1) + 1))
+
+
+@contextmanager
+def _alone(folder: Path) -> Generator[None]:
+    """Keep other processes from adding a record; the lock leaves no file and dies with us."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        handle = os.open(folder, os.O_RDONLY)
+    except OSError as error:
+        raise OutputFailed(folder, error.strerror or str(error)) from error
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(handle)

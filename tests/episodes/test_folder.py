@@ -1,0 +1,43 @@
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from probe.episodes.files import read_records
+from probe.episodes.folder import add_run, start_folder
+from probe.errors import BadData, OutputFailed
+from probe.tasks.suite_file import demo_suite
+
+
+def test_a_folder_belongs_to_one_suite(tmp_path):
+    suite = demo_suite()
+    start_folder(tmp_path, suite)
+    start_folder(tmp_path, suite)
+    with pytest.raises(BadData, match="another suite. Choose another folder"):
+        start_folder(tmp_path, replace(suite, tasks=suite.tasks[:1]))
+
+
+def test_records_that_cannot_be_read_are_found_at_the_start(tmp_path):
+    (tmp_path / "records.jsonl").write_text('{"version":')
+    with pytest.raises(BadData, match=r"records.jsonl, line 1"):
+        start_folder(tmp_path, demo_suite())
+
+
+def test_runs_are_numbered_by_task_and_agent(tmp_path, play):
+    record = play()
+    others = (replace(record, agent="b"), replace(record, task="t-2"))
+    for one in (record, record, *others, record):
+        add_run(tmp_path / "new", one)
+    kept = read_records(tmp_path / "new" / "records.jsonl")
+    assert [(r.task, r.agent, r.run) for r in kept] == [
+        ("t-1", "fixed", 0),
+        ("t-1", "fixed", 1),
+        ("t-1", "b", 0),
+        ("t-2", "fixed", 0),
+        ("t-1", "fixed", 2),
+    ]
+
+
+def test_a_folder_that_cannot_be_made_is_named():
+    with pytest.raises(OutputFailed, match="/proc/nowhere"):
+        start_folder(Path("/proc/nowhere"), demo_suite())
