@@ -1,4 +1,4 @@
-"""The command line: `probe demo | scene | assets | suite | run | report`."""
+"""The command line: `probe demo | scene | assets | suite | run | report | serve`."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ from probe.cli.assets import app as assets_app
 from probe.cli.demo import demo
 from probe.cli.run import report, run
 from probe.cli.scene import scene
+from probe.cli.serve import serve
 from probe.cli.suite import app as suite_app
 from probe.errors import ProbeError
 
 app = tyro.extras.SubcommandApp()
-for command in (demo, scene, run, report):
+for command in (demo, scene, run, report, serve):
     app.command(command)
 app.command(assets_app, name="assets")
 app.command(suite_app, name="suite")

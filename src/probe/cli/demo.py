@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from importlib import resources
 from pathlib import Path
 
 from probe.cli.run import run_suite, write_run_report
-from probe.tasks.suite_file import read_suite
+from probe.tasks.suite_file import demo_suite
 
 
 def demo(out: Path = Path("outputs/demo")) -> None:
@@ -15,7 +14,5 @@ def demo(out: Path = Path("outputs/demo")) -> None:
     Args:
         out: Folder for the records, pictures and the page.
     """
-    with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
-        suite = read_suite(path)
-    run_suite(suite, "scripted", out, runs=1)
+    run_suite(demo_suite(), "scripted", out, runs=1)
     print(f"Open {write_run_report(out)} in a browser.")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from probe import manipulation
 from probe.assets.library import Library
 from probe.assets.tables import TableMaterial
+from probe.episodes.episode import Episode
 from probe.episodes.grading import grade_episode, question_of
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.run import run_episode
@@ -54,6 +55,15 @@ def play(
     tools, station = set_table(task, library, table, renderer, pictures=False)
     question = question_of(task)
     return run_episode(task.id, question, agent, tools, station, agent_name=agent_name, run=run)
+
+
+def open_episode(
+    task: Task, agent_name: str, library: Library, table: TableMaterial, renderer: Renderer
+) -> Episode:
+    """A fresh episode with pictures, for somebody who acts from outside; see play()."""
+    tools, station = set_table(task, library, table, renderer, pictures=True)
+    question = question_of(task, tools.first_picture())
+    return Episode(task.id, question, tools, station, agent_name=agent_name)
 
 
 def score(task: Task, record: EpisodeRecord, renderer: Renderer) -> Score:

@@ -35,6 +35,12 @@ def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
     return Suite(name, tasks, {id: body_digest(library.body(id)) for id in ids})
 
 
+def part(suite: Suite, task: Task) -> Suite:
+    """One task of a suite alone, with the hashes of its objects."""
+    ids = sorted({placed.object_id for placed in task.scene.objects})
+    return Suite(suite.name, (task,), {id: suite.objects[id] for id in ids})
+
+
 def check_objects(suite: Suite, library: Library) -> None:
     """Refuse a library whose objects aren't those that the suite was made with.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from importlib import resources
 from pathlib import Path
 from typing import Literal
 
@@ -168,3 +169,9 @@ def read_suite(path: Path) -> Suite:
     """
     document = read_document(path, SuiteDocument, _REMEDY)
     return Suite(document.name, tuple(task.task() for task in document.tasks), document.objects)
+
+
+def demo_suite() -> Suite:
+    """The six tasks that come with the package."""
+    with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
+        return read_suite(path)

@@ -1,0 +1,77 @@
+"""`probe serve`: the five tools for any program that speaks MCP."""
+
+from __future__ import annotations
+
+import sys
+from functools import partial
+from pathlib import Path
+
+from probe.assets.library import Library
+from probe.assets.tables import load_table
+from probe.cli.surroundings import everything
+from probe.doors.session import Session
+from probe.doors.words import question_text
+from probe.episodes.episode import Episode
+from probe.episodes.folder import start_folder
+from probe.episodes.grading import question_of
+from probe.episodes.play import open_episode
+from probe.errors import MissingExtra, UnknownName
+from probe.render.renderer import Renderer
+from probe.scene.seeds import generator
+from probe.tasks.suite import Suite, check_objects, part
+from probe.tasks.suite_file import demo_suite, read_suite
+from probe.tasks.task import Task
+
+
+def serve(
+    suite: Path | None = None,
+    task: str | None = None,
+    seed: int = 0,
+    out: Path = Path("outputs/serve"),
+    agent: str = "mcp",
+) -> None:
+    """Let another program use the tools on one task, over MCP on standard input and output.
+
+    One process is one session: one client, one table, one episode. See docs/serve.md.
+
+    Args:
+        suite: A file that `probe suite build` wrote; without it, the demo suite.
+        task: Id of a task of it; without it, the seed chooses.
+        seed: Chooses a task.
+        out: Folder that the record is added to; `probe report` shows it.
+        agent: Who acts, for the record.
+    """
+    try:
+        from probe.doors.mcp_server import serve as serve_mcp
+    except ImportError as error:
+        raise MissingExtra("Serving the tools", "serve") from error
+    tasks = demo_suite() if suite is None else read_suite(suite)
+    chosen = _chosen(tasks, task, seed)
+    things = everything()
+    with Renderer() as renderer:
+        start_folder(out, tasks)
+        opening = partial(_open, part(tasks, chosen), things, renderer, agent)
+        session = Session(opening, out)
+        question = question_of(chosen)
+        # Standard output is the protocol's. Some clients show no instructions to their model.
+        print(question_text(question), file=sys.stderr)
+        try:
+            serve_mcp(session, question)
+        finally:
+            session.close()
+
+
+def _chosen(suite: Suite, task: str | None, seed: int) -> Task:
+    tasks = {each.id: each for each in suite.tasks}
+    if task is None:
+        return suite.tasks[int(generator(seed, "serve").integers(len(suite.tasks)))]
+    if task not in tasks:
+        raise UnknownName("task", task, list(tasks))
+    return tasks[task]
+
+
+def _open(suite: Suite, things: Library, renderer: Renderer, agent: str) -> Episode:
+    """Set the table of a suite's only task."""
+    check_objects(suite, things)
+    (task,) = suite.tasks
+    return open_episode(task, agent, things, load_table(task.scene.table, things.assets), renderer)

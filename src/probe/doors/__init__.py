@@ -1,0 +1,1 @@
+"""Ways in for others: programs that bring their own agent to a table of ours."""

@@ -1,0 +1,24 @@
+"""What a client is told besides the tools' own texts: product text. Knows no answer."""
+
+from __future__ import annotations
+
+from probe.episodes.turns import Question
+from probe.toolshed.toolshed import MANIPULATIONS, TURNS
+
+_INSTRUCTIONS = f"""\
+Before you stands a table with a pile of objects, seen by a camera from above, with a robot arm \
+beside it. You are asked one question about these objects that can't be answered by looking \
+alone: move what is in the way, look again, then answer with answer_question. You may answer \
+once; an episode that ends without an answer counts as wrong.
+
+You have {TURNS} tool calls in all, and {MANIPULATIONS} of them may be grasps or pushes."""
+
+
+def question_text(question: Question) -> str:
+    """The question and its options, one a line."""
+    return "\n".join([question.text, *(f"{letter}: {text}" for letter, text in question.options)])
+
+
+def instructions(question: Question) -> str:
+    """How an episode goes, and what is asked."""
+    return f"{_INSTRUCTIONS}\n\nThe question:\n{question_text(question)}"

@@ -1,0 +1,73 @@
+"""`probe serve` from outside, short of an episode: what it refuses, and how it starts."""
+
+import os
+import subprocess
+import sys
+from dataclasses import replace
+
+import pytest
+
+from probe.tasks.suite_file import demo_suite, write_suite
+
+WITHOUT_EXTRA = "import sys; sys.modules['fastmcp'] = None; from probe.cli import main; main()"
+
+
+def python(*arguments, cache, **environment):
+    return subprocess.run(
+        [sys.executable, *map(str, arguments)],
+        env={**os.environ, "XDG_CACHE_HOME": str(cache), "PROBE_ASSETS": "", **environment},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.fixture
+def other(tmp_path):
+    """A folder of records about another suite."""
+    write_suite(tmp_path / "other" / "suite.json", replace(demo_suite(), name="other"))
+    return tmp_path / "other"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environment", "words"),
+    [
+        (["--task", "beneath-0"], {}, "There is no task called 'beneath-0'. Known: beneath-2"),
+        (["--suite", "/nowhere.json"], {}, "/nowhere.json"),
+        (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),
+        (["--out", "OTHER"], {}, "is another suite. Choose another folder"),
+        ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
+    ],
+    ids=["no such task", "no suite", "unwritable", "another suite's folder", "no driver"],
+)
+def test_failures_are_one_line_with_a_remedy(tmp_path, cache, other, arguments, environment, words):
+    told = [str(other) if word == "OTHER" else word for word in arguments]
+    out = [] if "--out" in told else ["--out", tmp_path / "out"]
+    result = python("-m", "probe", "serve", *told, *out, cache=cache, **environment)
+    assert result.returncode == 1 and result.stdout == ""
+    assert words in result.stderr and len(result.stderr.strip().splitlines()) == 1
+    assert not (tmp_path / "out").exists()
+
+
+def test_without_the_extra_it_says_what_to_install(cache, tmp_path):
+    result = python("-c", WITHOUT_EXTRA, "serve", "--out", tmp_path / "out", cache=cache)
+    assert result.returncode == 1
+    assert "pip install 'probe-vqa[serve]'" in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_nothing_else_waits_for_fastmcp(cache):
+    told = "import sys, probe.cli; print({'fastmcp', 'mcp', 'mcp_types'} & set(sys.modules))"
+    assert python("-c", told, cache=cache).stdout == "set()\n"
+
+
+@pytest.mark.slow
+def test_objects_that_have_changed_are_refused(cache, tmp_path):
+    suite = demo_suite()
+    write_suite(tmp_path / "s.json", replace(suite, objects=dict.fromkeys(suite.objects, "0" * 16)))
+    told = ("serve", "--suite", tmp_path / "s.json", "--out", tmp_path / "out")
+    result = python("-m", "probe", *told, cache=cache)
+    assert result.returncode == 1 and result.stdout == ""
+    assert "has changed since" in result.stderr
+    assert not (tmp_path / "out" / "records.jsonl").exists()
