@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from probe.assets.library import open_library
 from probe.episodes.files import read_records
-from probe.tasks.suite_file import read_suite
+from probe.tasks.suite import freeze
+from probe.tasks.suite_file import demo_suite, read_suite, write_suite
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 
@@ -66,6 +68,20 @@ def test_an_agent_is_scored_and_its_record_replays(example, tmp_path):
     assert record.manipulations == 1 and "right, 1 manipulation(s)" in told
     again = example("replay.py", "--folder", tmp_path / "run")
     assert "Replayed byte for byte.\nGraded: right. The replay: right.\n" in again
+
+
+@pytest.mark.slow
+def test_another_program_plays_over_mcp(example, tmp_path, cache):
+    # Frozen anew: the hashes of objects hold for one type of machine.
+    tasks, things = demo_suite().tasks, open_library("procedural", None, cache)
+    write_suite(tmp_path / "suite.json", freeze("here", tasks, things))
+    out = tmp_path / "run"
+    told = example("mcp_client.py", "--out", out, "--suite", tmp_path / "suite.json")
+    assert "the green mug covered one object" in told and "Done: object_1 was lifted" in told
+    (record,) = read_records(out / "records.jsonl")
+    assert record.end == "answered" and record.agent == "mcp" and len(record.steps) == 4
+    with Image.open(out / "grasp_and_remove.jpg") as image:
+        assert image.size == (1024, 1024)
 
 
 @pytest.mark.slow
