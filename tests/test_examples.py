@@ -9,10 +9,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from probe.assets.library import open_library
 from probe.episodes.files import read_records
-from probe.tasks.suite import freeze
-from probe.tasks.suite_file import demo_suite, read_suite, write_suite
+from probe.tasks.suite_file import read_suite
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 
@@ -71,12 +69,9 @@ def test_an_agent_is_scored_and_its_record_replays(example, tmp_path):
 
 
 @pytest.mark.slow
-def test_another_program_plays_over_mcp(example, tmp_path, cache):
-    # Frozen anew: the hashes of objects hold for one type of machine.
-    tasks, things = demo_suite().tasks, open_library("procedural", None, cache)
-    write_suite(tmp_path / "suite.json", freeze("here", tasks, things))
+def test_another_program_plays_over_mcp(example, tmp_path):
     out = tmp_path / "run"
-    told = example("mcp_client.py", "--out", out, "--suite", tmp_path / "suite.json")
+    told = example("mcp_client.py", "--out", out)
     assert "the green mug covered one object" in told and "Done: object_1 was lifted" in told
     (record,) = read_records(out / "records.jsonl")
     assert record.end == "answered" and record.agent == "mcp" and len(record.steps) == 4

@@ -21,7 +21,7 @@ from probe.episodes.play import play, score
 from probe.episodes.turns import Question, Turn
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
-from probe.tasks.suite import freeze
+from probe.tasks.suite import part
 from probe.tasks.suite_file import demo_suite, write_suite
 from probe.toolshed.result import ToolResult
 
@@ -41,11 +41,10 @@ def task():
 
 
 @pytest.fixture(scope="module")
-def server(cache, library, task, tmp_path_factory):
+def server(cache, task, tmp_path_factory):
     """A function from a folder for records to a command that serves the mug's task."""
     suite = tmp_path_factory.mktemp("suite") / "suite.json"
-    # Frozen anew: the hashes of objects hold for one type of machine.
-    write_suite(suite, freeze("mug", (task,), library))
+    write_suite(suite, part(demo_suite(), task))
     told = ("-m", "probe", "serve", "--suite", suite, "--task", MUG, "--out")
     return lambda out, *more: (*told, out, *more)
 

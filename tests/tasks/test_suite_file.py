@@ -12,11 +12,11 @@ from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import LETTERS
 from task_examples import FIND, SCENE, with_answer
 
-HASHES = {placed.object_id: "0123456789abcdef" for placed in SCENE.objects}
+FINGERPRINTS = {placed.object_id: (3.0, 0.5) for placed in SCENE.objects}
 SUITE = Suite(
     "small",
     (FIND, replace(with_answer("E"), id="count-1", kind="count", subject="lime", cover=1)),
-    HASHES,
+    FINGERPRINTS,
 )
 
 
@@ -64,7 +64,7 @@ def edit(path: Path, place: list, value: object) -> None:
 @pytest.mark.parametrize(
     ("place", "value", "reason"),
     [
-        (["version"], 2, "version"),
+        (["version"], 1, "version"),
         (["canary"], "", "canary"),
         (["tasks", 0, "answer"], "C", "find-0123abcd isn't what it was"),
         (["tasks", 0, "scene", "objects", 1, "position", 0], 0.11, "isn't what it was"),
@@ -73,7 +73,7 @@ def edit(path: Path, place: list, value: object) -> None:
         (["tasks", 0, "targets"], [9], r"tasks.0: .*instances \[9\]"),
         (["tasks", 1, "id"], "find-0123abcd", "twice"),
         (["manifest"], {}, "manifest differ"),
-        (["objects"], {}, "which has no hash"),
+        (["objects"], {}, "which has no fingerprint"),
     ],
 )
 def test_an_edited_suite_is_refused_by_place(path: Path, place, value, reason):

@@ -1,15 +1,12 @@
-"""A frozen set of tasks, and the hashes that say whether it is still what it was."""
+"""A frozen set of tasks, and the fingerprints that say whether it is still what it was."""
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
+from probe.assets.fingerprint import Fingerprint, fingerprint, same
 from probe.assets.library import Library
-from probe.assets.mesh import Body
 from probe.errors import BadData, UnknownName
 from probe.tasks.task import Task
 
@@ -21,22 +18,22 @@ class Suite:
     Attributes:
         name: "v1", "demo".
         tasks: In a fixed order.
-        objects: Content hash of each object that appears, by id; see body_digest().
+        objects: Fingerprint of each object that appears, by id.
     """
 
     name: str
     tasks: tuple[Task, ...]
-    objects: Mapping[str, str]
+    objects: Mapping[str, Fingerprint]
 
 
 def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
-    """A suite of these tasks, with the hashes of their objects as they are now."""
+    """A suite of these tasks, with the fingerprints of their objects as they are now."""
     ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
-    return Suite(name, tasks, {id: body_digest(library.body(id)) for id in ids})
+    return Suite(name, tasks, {id: fingerprint(library.body(id)) for id in ids})
 
 
 def part(suite: Suite, task: Task) -> Suite:
-    """One task of a suite alone, with the hashes of its objects."""
+    """One task of a suite alone, with the fingerprints of its objects."""
     ids = sorted({placed.object_id for placed in task.scene.objects})
     return Suite(suite.name, (task,), {id: suite.objects[id] for id in ids})
 
@@ -48,19 +45,10 @@ def check_objects(suite: Suite, library: Library) -> None:
         BadData: An object is missing or differs.
     """
     remedy = "Use the assets and the release that the suite was made with, or build it anew"
-    for object_id, digest in suite.objects.items():
+    for object_id, frozen in suite.objects.items():
         try:
             body = library.body(object_id)
         except UnknownName as error:
             raise BadData(f"suite {suite.name}", f"there is no {object_id} here", remedy) from error
-        if body_digest(body) != digest:
+        if not same(fingerprint(body), frozen):
             raise BadData(f"suite {suite.name}", f"{object_id} has changed since", remedy)
-
-
-def body_digest(body: Body) -> str:
-    """Content hash of an object's mesh and collision pieces; 16 hex digits."""
-    content = hashlib.sha256(body.mesh.digest().encode())
-    for piece in body.pieces:
-        content.update(np.ascontiguousarray(piece.vertices, dtype=np.float64).tobytes())
-        content.update(b"/")
-    return content.hexdigest()[:16]

@@ -117,12 +117,12 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
 
 
 class SuiteDocument(pydantic.BaseModel, extra="forbid"):
-    """A whole suite; the manifest holds a hash of every task and of every object."""
+    """A whole suite, with a hash of every task and a fingerprint of every object."""
 
-    version: Literal[1] = 1
+    version: Literal[2] = 2
     name: str = pydantic.Field(min_length=1)
     canary: str = CANARY
-    objects: dict[str, str]
+    objects: dict[str, tuple[float, ...]]
     manifest: dict[str, str]
     tasks: list[TaskDocument]
 
@@ -141,7 +141,9 @@ class SuiteDocument(pydantic.BaseModel, extra="forbid"):
                 raise ValueError(f"task {task.id} isn't what it was when the suite was frozen")
             unknown = {placed.object_id for placed in task.scene.objects} - set(self.objects)
             if unknown:
-                raise ValueError(f"task {task.id} shows {sorted(unknown)[0]}, which has no hash")
+                raise ValueError(
+                    f"task {task.id} shows {sorted(unknown)[0]}, which has no fingerprint"
+                )
         return self
 
 
