@@ -12,6 +12,7 @@ from probe.cli.run import report, run
 from probe.cli.scene import scene
 from probe.cli.serve import serve
 from probe.cli.suite import app as suite_app
+from probe.cli.tools import app as tools_app
 from probe.errors import ProbeError
 
 app = tyro.extras.SubcommandApp()
@@ -19,6 +20,7 @@ for command in (demo, scene, run, report, serve):
     app.command(command)
 app.command(assets_app, name="assets")
 app.command(suite_app, name="suite")
+app.command(tools_app, name="tools")
 
 
 def main() -> None:

@@ -1,0 +1,110 @@
+"""`probe tools bench`: how often the tools work, alone, on true targets."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import tyro
+from rich.console import Console
+from rich.progress import Progress
+from rich.table import Table
+
+from probe.assets.library import Library
+from probe.cli.surroundings import Pool, library
+from probe.episodes.luck import NOISES, NoiseName
+from probe.errors import BadData
+from probe.render.renderer import Renderer
+from probe.report.tools_page import Failure, write_tools_page
+from probe.trials.summary import Summary, summarise
+from probe.trials.trial import Tool, Trial
+from probe.trials.work import Settings, Shard, carry_out, picture_path, read_trials, start
+
+app = tyro.extras.SubcommandApp()
+PAGE = "index.html"
+
+
+@app.command
+def bench(
+    out: Path = Path("outputs/tools"),
+    pool: Pool = "procedural",
+    noise: NoiseName = "none",
+    grasps: int = 300,
+    pushes: int = 200,
+    first_seed: int = 40_000,
+    shard: str = "0/1",
+    sigma: float | None = None,
+) -> None:
+    """Try grasps and pushes on tables of 15 objects and report how often they work.
+
+    Targets are drawn evenly from what is seen (30 % and 400 pixels), at most five a table; each is
+    tried on the same restored table, with its true mask. May be interrupted and run again.
+
+    Args:
+        out: Folder for trials, pictures of failures and the page.
+        pool: Which objects; scans need PROBE_ASSETS.
+        noise: How far the hand errs.
+        grasps: Attempts.
+        pushes: Attempts.
+        first_seed: Of the first table.
+        shard: "0/2" and "1/2" in two processes share the work; then run once more with "0/1"
+            and no attempts for the page of both.
+        sigma: Standard deviation of a grasp's error in metres, instead of the noise's own.
+    """
+    level = NOISES[noise]
+    error = level.grasp if sigma is None else sigma
+    settings = Settings(pool=pool, grasp_noise=error, push_noise=level.push, first_seed=first_seed)
+    start(out, settings)
+    part, things = _shard(shard), library(pool)
+    with Renderer() as renderer, Progress() as bar:
+        todo: tuple[tuple[Tool, int], ...] = (("grasp", grasps), ("push", pushes))
+        for tool, total in todo:
+            wanted = -(-total // part.count)
+            task = bar.add_task(f"{tool} attempts", total=wanted)
+            for count in carry_out(out, tool, wanted, settings, things, renderer, part):
+                bar.update(task, completed=count)
+    _report(out, settings, things)
+
+
+def _report(out: Path, settings: Settings, things: Library) -> None:
+    trials = read_trials(out)
+    summaries: list[Summary] = []
+    for tool in ("grasp", "push"):
+        some = [trial for trial in trials if trial.tool == tool]
+        if some:
+            summaries.append(summarise(tool, some))
+    error = f"{1000 * settings.grasp_noise:.1f} mm" if settings.grasp_noise else "none"
+    title = f"The tools alone: {settings.pool} objects, error of the hand in grasps {error}"
+    failures = [_failure(trial, things) for trial in trials if not trial.good]
+    write_tools_page(out / PAGE, title, summaries, failures)
+    for summary in summaries:
+        _print(summary)
+    print(f"The page with pictures of {len(failures)} failures is {out / PAGE}")
+
+
+def _failure(trial: Trial, things: Library) -> Failure:
+    asked = "" if trial.distance is None else f" {100 * trial.distance:.0f} cm {trial.direction}"
+    went = "" if trial.ratio is None else f", went {100 * trial.ratio:.0f} % of it"
+    name = things[trial.object_id].name
+    tool: Tool = trial.tool
+    title = f"{tool} {name}{asked}{went} (seed {trial.seed}, {trial.share:.0%} visible)"
+    return Failure(title, trial.cause, picture_path(trial))
+
+
+def _print(summary: Summary) -> None:
+    table = Table("rate", "share", "of n", "95 % by scene", title=summary.tool)
+    for rate in summary.rates:
+        interval = f"{rate.low:.0%} to {rate.high:.0%}"
+        table.add_row(rate.name, f"{rate.share:.1%}", f"{rate.held} of {rate.n}", interval)
+    for name, median, most in summary.seconds:
+        table.add_row(f"{name}, CPU s", f"{median:.2f}", "", f"p95 {most:.2f}")
+    console = Console()
+    console.print(table)
+    console.print("outcomes: " + ", ".join(f"{cause} {n}" for cause, n in summary.causes))
+
+
+def _shard(text: str) -> Shard:
+    found = re.fullmatch(r"(\d+)/(\d+)", text)
+    if not found or int(found[1]) >= int(found[2]):
+        raise BadData("--shard", f"{text!r} is no part of the work", 'Say "0/2" or "1/2".')
+    return Shard(int(found[1]), int(found[2]))

@@ -1,0 +1,36 @@
+"""The tools' own report: rates, causes, classes, and a picture of each failure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import jinja2
+
+from probe.files import write_text
+from probe.trials.summary import Summary
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A failed trial to look at: what was tried, what came of it, its picture's file."""
+
+    title: str
+    cause: str
+    picture: str
+
+
+def write_tools_page(
+    path: Path, title: str, summaries: Sequence[Summary], failures: Sequence[Failure]
+) -> None:
+    """Write the page; it opens from disk and loads nothing from elsewhere."""
+    environment = jinja2.Environment(
+        loader=jinja2.PackageLoader("probe.report"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    page = environment.get_template("tools.html")
+    write_text(path, page.render(title=title, summaries=summaries, failures=failures))

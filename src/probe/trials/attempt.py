@@ -1,0 +1,160 @@
+"""Tries one tool on one target and asks the simulator what came of it."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import time
+from collections.abc import Generator
+
+import numpy as np
+
+from probe import manipulation
+from probe.assets.library import Library
+from probe.episodes.luck import Lucky, Noise
+from probe.manipulation.grasp import GraspResult
+from probe.manipulation.push import LONGEST, SHORTEST, PushResult
+from probe.render.renderer import Renderer
+from probe.scene.layout import BASKET_POSITION
+from probe.scene.scene import PlacedObject, Scene
+from probe.station.simulated import SimulatedStation
+from probe.station.station import Arm, Hand
+from probe.tasks.grading import whereabouts
+from probe.toolshed.skills import Direction
+from probe.trials.table import Laid
+from probe.trials.trial import Tool, Trial
+from probe.types import Array, Frame
+
+MOVED = 0.03
+"""Metres from which on another object counts as moved."""
+
+_FELL_SHORT = 0.01
+_ALONG: dict[Direction, tuple[int, int, int]] = {
+    "left": (-1, 0, 0),
+    "right": (1, 0, 0),
+    "up": (0, 1, 0),
+    "down": (0, -1, 0),
+}
+
+
+def attempt(
+    tool: Tool, laid: Laid, target: PlacedObject, things: Library, renderer: Renderer, noise: Noise
+) -> tuple[Trial, Frame]:
+    """Restore the table, try the tool, measure.
+
+    Returns:
+        What came of it, and the table afterwards.
+    """
+    laid.world.restore(laid.start)
+    station = _Timed(SimulatedStation(laid.world, renderer))
+    skills = Lucky(manipulation, noise, laid.scene.seed, 0)
+    trying = _grasp if tool == "grasp" else _push
+    start = time.process_time()
+    found, frame = trying(skills, station, laid, target)
+    spent = time.process_time() - start
+    after, spec = laid.world.scene(), things[target.object_id]
+    moved = [
+        placed
+        for placed in laid.scene.objects
+        if placed.instance != target.instance
+        and math.dist(placed.pose.position, after[placed.instance].pose.position) > MOVED
+    ]
+    lost = sum(whereabouts(after[o.instance].pose) == "off the table" for o in moved)
+    common: dict[str, object] = {
+        "tool": tool,
+        "seed": laid.scene.seed,
+        "instance": target.instance,
+        "object_id": target.object_id,
+        "others_moved": len(moved),
+        "others_lost": lost,
+        "share": laid.share(target),
+        "mass": spec.mass,
+        "longest": max(spec.size),
+        "planning": spent - station.seconds,
+        "execution": station.seconds,
+    }
+    return Trial.model_validate(common | found(after)), frame
+
+
+def _grasp(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
+    result = skills.grasp_and_remove(station, laid.frame, laid.mask(target), BASKET_POSITION)
+    assert isinstance(result, GraspResult)
+
+    def found(after: Scene) -> dict[str, object]:
+        inside = whereabouts(after[target.instance].pose) == "basket"
+        return {
+            "direction": None,
+            "distance": None,
+            "status": result.status,
+            "good": inside,
+            "executed": result.status == "removed",
+            "truthful": inside == (result.status == "removed"),
+            "ratio": None,
+            "tries": result.tries,
+            "width": result.width,
+        }
+
+    return found, result.frame
+
+
+def _push(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
+    directions = list(_ALONG)
+    direction = directions[int(laid.rng.integers(len(directions)))]
+    distance = float(laid.rng.uniform(SHORTEST, LONGEST))
+    result = skills.push(
+        station, laid.frame, laid.mask(target), direction, distance, BASKET_POSITION
+    )
+    assert isinstance(result, PushResult)
+
+    def found(after: Scene) -> dict[str, object]:
+        way = np.subtract(after[target.instance].pose.position, target.pose.position)
+        ratio = float(way @ np.array(_ALONG[direction])) / distance
+        reached = max(result.swept, result.moved or 0.0)
+        return {
+            "direction": direction,
+            "distance": distance,
+            "status": result.status,
+            "good": ratio >= 0.5,
+            "executed": reached > distance - _FELL_SHORT,
+            "truthful": True,
+            "ratio": ratio,
+            "tries": result.strokes,
+            "width": 0.0,
+        }
+
+    return found, result.frame
+
+
+class _Timed:
+    """A Station that adds up the CPU seconds spent in it."""
+
+    def __init__(self, station: SimulatedStation) -> None:
+        self.arm: Arm = station.arm
+        self.hand: Hand = station.hand
+        self.seconds = 0.0
+        self._station = station
+
+    def observe(self, *, rgb: bool) -> Frame:
+        with self._clock():
+            return self._station.observe(rgb=rgb)
+
+    def joints(self) -> Array:
+        return self._station.joints()
+
+    def follow(self, path: Array) -> bool:
+        with self._clock():
+            return self._station.follow(path)
+
+    def grip(self, opening: float) -> float:
+        with self._clock():
+            return self._station.grip(opening)
+
+    def wait(self, seconds: float) -> None:
+        with self._clock():
+            self._station.wait(seconds)
+
+    @contextlib.contextmanager
+    def _clock(self) -> Generator[None]:
+        start = time.process_time()
+        yield
+        self.seconds += time.process_time() - start

@@ -1,0 +1,165 @@
+"""Many trials, scene by scene, into a file that is whole at any moment and can be gone on with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from probe.assets.library import Library, Pool
+from probe.episodes.luck import Noise
+from probe.errors import BadData, Unsatisfiable
+from probe.files import encode, fault, read_document, write_bytes, write_text
+from probe.render.renderer import Renderer
+from probe.scene.scene import PlacedObject
+from probe.trials.attempt import attempt
+from probe.trials.table import Laid, lay
+from probe.trials.trial import Tool, Trial
+from probe.types import Array
+
+SETTINGS, PICTURES = "settings.json", "pictures"
+_SIDE_PX = 512
+_OUTLINE = np.array([255, 40, 200], np.uint8)
+
+
+class Settings(BaseModel):
+    """What trials of one folder have in common."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    version: int = 1
+    pool: Pool
+    grasp_noise: float
+    push_noise: float
+    first_seed: int
+
+    @property
+    def noise(self) -> Noise:
+        """By how much the hand errs."""
+        return Noise(self.grasp_noise, self.push_noise)
+
+
+@dataclass(frozen=True)
+class Shard:
+    """Part of the work: of every `count` scenes the one with this number."""
+
+    number: int = 0
+    count: int = 1
+
+    def file(self, out: Path) -> Path:
+        """Where its trials are kept."""
+        return out / f"trials-{self.number}-of-{self.count}.jsonl"
+
+
+def start(out: Path, settings: Settings) -> None:
+    """Make the folder, or see that it is about the same settings.
+
+    Raises:
+        BadData: It is about others.
+        OutputFailed: It can't be written.
+    """
+    path = out / SETTINGS
+    if path.exists() and read_document(path, Settings, "Choose another folder.") != settings:
+        raise BadData(path, "was made with other settings", "Choose another folder.")
+    write_text(path, settings.model_dump_json(indent=1) + "\n")
+
+
+def read_trials(out: Path) -> list[Trial]:
+    """All trials of a folder, by tool, seed and order.
+
+    Raises:
+        BadData: A line is no trial.
+    """
+    files = sorted(out.glob("trials-*.jsonl"))
+    found = [trial for file in files for trial in _read(file)]
+    return sorted(found, key=lambda trial: (trial.tool, trial.seed))
+
+
+def carry_out(
+    out: Path,
+    tool: Tool,
+    wanted: int,
+    settings: Settings,
+    things: Library,
+    renderer: Renderer,
+    shard: Shard,
+) -> Iterator[int]:
+    """Do what is missing of so many trials; yields after each scene how many there are.
+
+    Raises:
+        BadData: What is there can't be read.
+        OutputFailed: The disk is full; what was there is still whole.
+    """
+    path = shard.file(out)
+    done = _read(path) if path.exists() else []
+    seeds = {trial.seed for trial in done if trial.tool == tool}
+    count = sum(trial.tool == tool for trial in done)
+    seed = settings.first_seed + shard.number
+    while count < wanted:
+        if seed not in seeds:
+            fresh = _scene(out, tool, seed, wanted - count, settings, things, renderer)
+            done += fresh
+            write_bytes(path, b"".join(t.model_dump_json().encode() + b"\n" for t in done))
+            count += len(fresh)
+            yield count
+        seed += shard.count
+
+
+def picture_path(trial: Trial) -> str:
+    """Where the pictures of a failure lie, in the folder."""
+    return f"{PICTURES}/{trial.tool}-{trial.seed}-{trial.instance}.jpg"
+
+
+def _scene(
+    out: Path,
+    tool: Tool,
+    seed: int,
+    at_most: int,
+    settings: Settings,
+    things: Library,
+    renderer: Renderer,
+) -> list[Trial]:
+    try:
+        laid = lay(seed, tool, things, renderer)
+    except Unsatisfiable:
+        return []
+    made: list[Trial] = []
+    for target in laid.targets[:at_most]:
+        trial, _ = attempt(tool, laid, target, things, renderer, settings.noise)
+        made.append(trial)
+        if not trial.good:
+            _photograph(out / picture_path(trial), laid, target, renderer)
+    return made
+
+
+def _photograph(path: Path, laid: Laid, target: PlacedObject, renderer: Renderer) -> None:
+    """The table before, with the target outlined, beside the table as it is now."""
+    camera = laid.frame.camera
+    before = renderer.draw(laid.scene.objects, camera, rgb=True).rgb
+    after = renderer.draw(laid.world.scene().objects, camera, rgb=True).rgb
+    assert before is not None and after is not None
+    pair = np.concatenate([_outlined(before, laid.mask(target)), after], axis=1)
+    small = Image.fromarray(pair).resize((2 * _SIDE_PX, _SIDE_PX), Image.Resampling.BOX)
+    write_bytes(path, encode(small, "JPEG"))
+
+
+def _outlined(picture: Array, mask: Array) -> Array:
+    down, across = np.gradient(mask.astype(float))
+    edge = (np.abs(down) + np.abs(across)) > 0
+    edge |= np.roll(edge, 1, 0) | np.roll(edge, 1, 1)
+    return np.where(edge[..., None], _OUTLINE, picture)
+
+
+def _read(path: Path) -> list[Trial]:
+    trials: list[Trial] = []
+    for number, line in enumerate(path.read_bytes().splitlines(), start=1):
+        try:
+            trials.append(Trial.model_validate_json(line))
+        except ValidationError as error:
+            remedy = "Delete this line; its scene is tried again."
+            raise BadData(f"{path}:{number}", fault(error, "the line"), remedy) from error
+    return trials
