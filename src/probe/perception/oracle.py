@@ -7,10 +7,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from probe.assets.colours import main_colours
 from probe.assets.spec import ObjectSpec
 from probe.errors import ProbeError
-from probe.perception.outline import box_of, interior_point, shape_word
+from probe.perception.looks import look_of
+from probe.perception.outline import box_of, interior_point
 from probe.perception.things import Thing, Words
 from probe.types import Array, Frame
 
@@ -80,7 +80,7 @@ class Oracle:
         if patch not in self._told:
             if frame.rgb is None:
                 raise NoLabels("colours")
-            self._told[patch] = _look(mask, frame.rgb, frame)
+            self._told[patch] = _look(mask, frame)
         return self._told[patch]
 
 
@@ -91,14 +91,9 @@ def _patch(mask: Array, frame: Frame) -> str:
     return content.hexdigest()
 
 
-def _look(mask: Array, rgb: Array, frame: Frame) -> Words:
-    colours = main_colours(rgb[mask])
-    rows, columns = np.nonzero(mask)
-    centres = np.column_stack([columns, rows]) + 0.5
-    heights = frame.camera.lift(centres, frame.depth[rows, columns])[:, 2]
-    shape = shape_word(mask, heights)
-    look = " and ".join(colours)
-    return Words(None, "", colours, f"something mostly hidden: {look}, what shows is {shape}")
+def _look(mask: Array, frame: Frame) -> Words:
+    colours, look = look_of(mask, frame)
+    return Words(None, "", colours, f"something mostly hidden: {look}")
 
 
 def _is_seen(share: float, pixels: int) -> bool:
