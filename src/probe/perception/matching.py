@@ -50,8 +50,8 @@ def match(description: str, things: Sequence[Thing]) -> Match | None:
     Returns:
         None if nothing that shows fits.
     """
-    if place := _PLACE.search(description):
-        return _at(float(place[1]), float(place[2]), things)
+    if place := place_in(description):
+        return _at(*place, things)
     said = tokens(description)
     wanted = [word for word in said if word not in SPATIAL and word not in GENERIC]
     noun = head(description)
@@ -68,6 +68,12 @@ def match(description: str, things: Sequence[Thing]) -> Match | None:
     for choice in choices:
         equal.sort(key=_EXTREMES[choice])
     return Match(equal[0], () if choices else tuple(equal[1:]))
+
+
+def place_in(description: str) -> tuple[float, float] | None:
+    """(u, v) of a place that a description gives in pixels ("the thing at (512, 300)")."""
+    place = _PLACE.search(description)
+    return (float(place[1]), float(place[2])) if place else None
 
 
 def _at(u: float, v: float, things: Sequence[Thing]) -> Match | None:
