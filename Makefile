@@ -15,7 +15,7 @@ demo: .venv/.ready driver
 test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS)
 
-test-slow: .venv/.ready driver .venv/.blender
+test-slow: .venv/.ready driver .venv/.blender .venv/.torch
 	$(BIN)/pytest -m "slow and not gpu"
 
 check: .venv/.ready
@@ -36,6 +36,9 @@ format: .venv/.ready
 
 .venv/.blender: .venv/.ready
 	@scripts/add-blender
+
+.venv/.torch: .venv/.ready
+	@PYTHON="$(PYTHON)" scripts/add-torch
 
 driver: .venv/.ready
 	@PYTHON="$(BIN)/python" scripts/ensure-driver
