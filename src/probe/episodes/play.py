@@ -10,7 +10,7 @@ from probe.episodes.grading import grade_episode, question_of
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Agent
-from probe.perception.oracle import Oracle
+from probe.perception.choice import Perceiver, ideal
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import BASKET_POSITION
@@ -18,17 +18,46 @@ from probe.station.simulated import SimulatedStation
 from probe.tasks.grading import Score
 from probe.tasks.task import Task
 from probe.toolshed.toolshed import Toolshed
+from probe.types import Pose
 from probe.world.world import World
 
 
 def set_table(
-    task: Task, library: Library, table: TableMaterial, renderer: Renderer, *, pictures: bool
+    task: Task,
+    library: Library,
+    table: TableMaterial,
+    renderer: Renderer,
+    *,
+    pictures: bool,
+    perceiver: Perceiver = ideal,
 ) -> tuple[Toolshed, SimulatedStation]:
-    """A task's table, fresh, with the tools over it and the station that the record watches."""
+    """A task's table, fresh, with the tools over it and the station that the record watches.
+
+    Args:
+        task: Says what is on the table.
+        library: Has the task's objects.
+        table: What the table is made of.
+        renderer: Draws what the station sees; what was loaded in it is replaced.
+        pictures: Whether the tools show any.
+        perceiver: Makes what the tools see with.
+    """
     load_scene(renderer, task.scene, library, table)
     station = SimulatedStation(World(task.scene, library), renderer)
     words = {item.instance: library[item.object_id] for item in task.scene.objects}
-    tools = Toolshed(station, Oracle(words), manipulation, BASKET_POSITION, pictures=pictures)
+
+    def poses() -> dict[int, Pose]:
+        return {placed.instance: placed.pose for placed in station.snapshot().objects}
+
+    perception = perceiver(words, poses)
+    tools = Toolshed(
+        station,
+        perception.detector,
+        manipulation,
+        BASKET_POSITION,
+        pictures=pictures,
+        finder=perception.finder,
+        teller=perception.teller,
+    )
     return tools, station
 
 

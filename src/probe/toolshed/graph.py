@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
+from probe.perception.scene_graph import Entry, SceneGraph
 from probe.perception.things import Thing
 from probe.toolshed.regions import CLEAR, CLUTTERED, regions
 from probe.toolshed.relations import EDGE_PX, NEAR_PX, ON_SHARE, STEP, relations
@@ -24,20 +25,32 @@ _REGIONS = f"""\
 # Ninths of the picture that are at least {CLUTTERED:.0%} covered, and at most {CLEAR:.0%}."""
 
 
+_TOLD_RELATIONS = """\
+# Between neighbours, as a model judges them from the picture: left_of, right_of, above, below as
+# seen in it; touching, on, covering."""
+
+_TOLD_REGIONS = """\
+# Ninths of the picture that seem at least half covered, and empty."""
+
+
 def scene_text(things: Sequence[Thing], frame: Frame) -> str:
     """Objects, relations and regions as YAML, the thresholds as its comments."""
     parts = regions(things, (frame.depth.shape[0], frame.depth.shape[1]))
-    lines = [_INTRODUCTION, "objects:" if things else "objects: []"]
-    for number, thing in enumerate(things, start=1):
-        lines += [f"- number: {number}", *(f"  {line}" for line in thing_lines(thing))]
-    found = relations(things, frame)
-    lines += [_RELATIONS, "relations:" if found else "relations: []"]
-    lines += [f"- {first + 1} {kind} {second + 1}" for first, kind, second in found]
-    lines += [_REGIONS, f"cluttered: {_listed(parts.cluttered)}", f"clear: {_listed(parts.clear)}"]
-    return "\n".join(lines)
+    graph = SceneGraph(
+        tuple(Entry(thing.words, thing.point_px, thing.box_px) for thing in things),
+        tuple(relations(things, frame)),
+        tuple(parts.cluttered),
+        tuple(parts.clear),
+    )
+    return _graph_text(graph, _RELATIONS, _REGIONS)
 
 
-def thing_lines(thing: Thing) -> list[str]:
+def told_text(graph: SceneGraph) -> str:
+    """A graph that a model made of the picture, in the same form."""
+    return _graph_text(graph, _TOLD_RELATIONS, _TOLD_REGIONS)
+
+
+def thing_lines(thing: Thing | Entry) -> list[str]:
     """One thing as lines of YAML."""
     name = [f"name: {_text(thing.words.name)}"] if thing.words.name is not None else []
     return [
@@ -46,6 +59,20 @@ def thing_lines(thing: Thing) -> list[str]:
         f"point: {list(thing.point_px)}",
         f"box: {list(thing.box_px)}",
     ]
+
+
+def _graph_text(graph: SceneGraph, on_relations: str, on_regions: str) -> str:
+    lines = [_INTRODUCTION, "objects:" if graph.entries else "objects: []"]
+    for number, entry in enumerate(graph.entries, start=1):
+        lines += [f"- number: {number}", *(f"  {line}" for line in thing_lines(entry))]
+    lines += [on_relations, "relations:" if graph.relations else "relations: []"]
+    lines += [f"- {first + 1} {kind} {second + 1}" for first, kind, second in graph.relations]
+    lines += [
+        on_regions,
+        f"cluttered: {_listed(graph.cluttered)}",
+        f"clear: {_listed(graph.clear)}",
+    ]
+    return "\n".join(lines)
 
 
 def _text(words: str) -> str:

@@ -21,22 +21,27 @@ CHANGED_SHARE = 0.03
 
 @dataclass(frozen=True, eq=False)
 class _Look:
-    """A thing's pixels when its handle was given out: mask (h, w) and their depth (n,)."""
+    """A thing as it was when its handle was given out, and the depth of its pixels, shape (n,)."""
 
-    mask: Array
+    thing: Thing
     depth: Array
 
 
 class Handles:
     """All handles of an episode; they number requests, so the same thing may have several."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, detected: bool = True) -> None:
+        """Detected: whether a handle's thing has to be among those that are detected now.
+
+        Else it is good as long as its pixels keep their depth.
+        """
+        self._detected = detected
         self._looks: dict[str, _Look] = {}
 
     def issue(self, thing: Thing, frame: Frame) -> str:
         """A new handle for a thing in a frame."""
         name = f"object_{len(self._looks) + 1}"
-        self._looks[name] = _Look(thing.mask, frame.depth[thing.mask])
+        self._looks[name] = _Look(thing, frame.depth[thing.mask])
         return name
 
     def resolve(self, name: str, view: View) -> Thing:
@@ -52,14 +57,16 @@ class Handles:
         # A changed depth settles it without detecting anything.
         if _has_moved(look, view.frame):
             raise StaleHandle(name)
-        thing = _owner(look.mask, view.things)
+        if not self._detected:
+            return look.thing
+        thing = _owner(look.thing.mask, view.things)
         if thing is None:
             raise StaleHandle(name)
         return thing
 
 
 def _has_moved(look: _Look, frame: Frame) -> bool:
-    still = np.abs(frame.depth[look.mask] - look.depth) <= MOVED
+    still = np.abs(frame.depth[look.thing.mask] - look.depth) <= MOVED
     return float(still.mean()) < 1 - CHANGED_SHARE
 
 

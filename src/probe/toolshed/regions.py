@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from probe.perception.scene_graph import Region
 from probe.perception.things import Thing
 
 CLUTTERED = 0.5
@@ -15,15 +16,18 @@ CLUTTERED = 0.5
 CLEAR = 0.05
 """Share up to which it counts as clear."""
 
-_ROWS = ("top", "middle", "bottom")
-_COLUMNS = ("left", "centre", "right")
+_ROWS: tuple[tuple[Region, Region, Region], ...] = (
+    ("top left", "top centre", "top right"),
+    ("middle left", "middle centre", "middle right"),
+    ("bottom left", "bottom centre", "bottom right"),
+)
 
 
 class Regions(NamedTuple):
     """Names of parts of the picture, from top left to bottom right."""
 
-    cluttered: list[str]
-    clear: list[str]
+    cluttered: list[Region]
+    clear: list[Region]
 
 
 def regions(things: Sequence[Thing], shape: tuple[int, int]) -> Regions:
@@ -33,10 +37,10 @@ def regions(things: Sequence[Thing], shape: tuple[int, int]) -> Regions:
         taken |= thing.mask
     found = Regions([], [])
     for row, band in zip(_ROWS, np.array_split(taken, 3, axis=0), strict=True):
-        for column, part in zip(_COLUMNS, np.array_split(band, 3, axis=1), strict=True):
+        for name, part in zip(row, np.array_split(band, 3, axis=1), strict=True):
             share = float(part.mean())
             if share >= CLUTTERED:
-                found.cluttered.append(f"{row} {column}")
+                found.cluttered.append(name)
             elif share <= CLEAR:
-                found.clear.append(f"{row} {column}")
+                found.clear.append(name)
     return found

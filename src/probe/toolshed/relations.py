@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
 
 import numpy as np
 
+from probe.perception.scene_graph import Contact, Relation, Side
 from probe.perception.things import Thing
 from probe.types import Array, Frame
 
@@ -25,17 +25,6 @@ ON_SHARE = 0.5
 """Share of its outline that a thing has in common with another one it is on."""
 
 _REACH_PX = 3
-
-Contact = Literal["on", "covering", "touching"]
-Side = Literal["left_of", "right_of", "above", "below"]
-
-
-class Relation(NamedTuple):
-    """One thing's relation to another; both by their place in the list."""
-
-    first: int
-    kind: Contact | Side
-    second: int
 
 
 @dataclass

@@ -5,10 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
-from probe.perception.matching import match
+from probe.perception.asking import UnusableReply
+from probe.perception.matching import Match, match
+from probe.perception.pointer import Finder
+from probe.perception.scene_graph import Teller
 from probe.perception.things import Detector, Thing
 from probe.station.station import Station
-from probe.toolshed.graph import scene_text, thing_lines
+from probe.toolshed.graph import scene_text, thing_lines, told_text
 from probe.toolshed.handles import Handles
 from probe.toolshed.outcomes import grasp_words, push_words
 from probe.toolshed.parse import parse
@@ -37,6 +40,10 @@ _NOT_FOUND = (
     "Nothing that shows in the picture fits this description. It may be hidden by other objects "
     "or not be there at all. Other words, or a place like (512, 300), may help."
 )
+_UNREADABLE = (
+    "The perception model's reply could not be used: {reason}. Nothing changed on the table. Call "
+    "{tool} again, or go by the picture."
+)
 _LAST_TURN = "This was the last turn; the episode has ended."
 
 
@@ -55,6 +62,8 @@ class Toolshed:
         basket: Vector3,
         *,
         pictures: bool = True,
+        finder: Finder | None = None,
+        teller: Teller | None = None,
     ) -> None:
         """Set up the tools and look at the table once.
 
@@ -64,6 +73,8 @@ class Toolshed:
             skills: Grasps and pushes.
             basket: Middle of the basket's floor, metres.
             pictures: Whether results carry pictures; texts are the same without.
+            finder: Finds what words describe; None to match them with what the detector finds.
+            teller: Tells the scene graph; None to make it from what the detector finds.
         """
         self.answer: Answer | None = None
         self.ended = False
@@ -74,7 +85,9 @@ class Toolshed:
         self._basket = basket
         self._pictures = pictures
         self._view = View(station, detector)
-        self._handles = Handles()
+        self._finder = finder
+        self._teller = teller
+        self._handles = Handles(detected=finder is None)
 
     def first_picture(self) -> Array | None:
         """The picture that comes with the question; None if nobody looks at pictures."""
@@ -102,7 +115,7 @@ class Toolshed:
     def _run(self, request: Request) -> ToolResult:
         match request:
             case PerceiveScene():
-                return ToolResult(scene_text(self._view.things, self._view.frame), self._picture())
+                return self._perceive()
             case FindObject(description=description):
                 return self._find(description)
             case GraspAndRemove():
@@ -115,8 +128,21 @@ class Toolshed:
             case _:
                 assert_never(request)
 
+    def _perceive(self) -> ToolResult:
+        if self._teller is None:
+            text = scene_text(self._view.things, self._view.frame)
+            return ToolResult(text, self._picture())
+        try:
+            text = told_text(self._teller.tell(self._view.coloured))
+        except UnusableReply as failure:
+            return self._unreadable("perceive_scene", failure)
+        return ToolResult(text, self._picture())
+
     def _find(self, description: str) -> ToolResult:
-        found = match(description, self._view.things)
+        try:
+            found = self._meant(description)
+        except UnusableReply as failure:
+            return self._unreadable("find_object", failure)
         if found is None:
             return ToolResult(_NOT_FOUND, self._picture(), status="failed")
         handle = self._handles.issue(found.thing, self._view.frame)
@@ -126,6 +152,15 @@ class Toolshed:
             lines.append(f"others_that_fit_as_well: [{places}]")
         picture = outlined(self._view.rgb, found.thing) if self._pictures else None
         return ToolResult("\n".join(lines), picture, point_px=found.thing.point_px)
+
+    def _meant(self, description: str) -> Match | None:
+        if self._finder is None:
+            return match(description, self._view.things)
+        return self._finder.find(description, self._view.coloured)
+
+    def _unreadable(self, tool: str, failure: UnusableReply) -> ToolResult:
+        text = _UNREADABLE.format(reason=failure, tool=tool)
+        return ToolResult(text, self._picture(), status="failed")
 
     def _grasp(self, request: GraspAndRemove) -> ToolResult:
         thing = self._take_up(request.object_id)

@@ -28,10 +28,16 @@ class View:
     @property
     def rgb(self) -> Array:
         """The picture, sRGB uint8, shape (h, w, 3)."""
+        rgb = self.coloured.rgb
+        assert rgb is not None
+        return rgb
+
+    @property
+    def coloured(self) -> Frame:
+        """The current frame with its colours."""
         if self._frame.rgb is None:
             self._frame = self._station.observe(rgb=True)
-        assert self._frame.rgb is not None
-        return self._frame.rgb
+        return self._frame
 
     @property
     def things(self) -> tuple[Thing, ...]:
