@@ -32,14 +32,22 @@ class Margin:
     Attributes:
         side: Metres between the hand and all that is seen.
         spread: Metres by which the open pads are further apart than what they close on.
+        press: Metres that all but the pads' ends may come in below the edges of what they pass.
     """
 
     side: float
     spread: float
+    press: float = 0.0
 
 
-MARGINS = (Margin(0.002, 0.028), Margin(0.002, 0.014), Margin(0.0, 0.008))
-"""From comfortable to tight."""
+MARGINS = (
+    Margin(0.002, 0.028),
+    Margin(0.002, 0.014),
+    Margin(0.0, 0.008),
+    Margin(0.0, 0.008, 0.010),
+    Margin(0.0, 0.006, 0.020),
+)
+"""From comfortable to tight; the last ones push neighbours aside with the fingers' backs."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,12 +125,12 @@ class Room:
             rotations=np.repeat(one.rotations, len(_BACK), axis=0),
             centres=one.centres - (_BACK[:, None] + reach) * along,
         )
-        return bool(_clear(self.full, points, ways).all())
+        return bool(_clear(self.full, points, ways, self.margin.press).all())
 
     def _closes(self, one: Hands, opening: float) -> bool:
         width = float(one.widths[0])
         swept = self.shape.swept(opening, width) - [0.0, 0.0, self.shape.hand.pad_reach(width)]
-        return bool(_clear(self.bare, swept, one)[0])
+        return bool(_clear(self.bare, swept, one, self.margin.press)[0])
 
     def _tips_free(self, hands: Hands) -> Array:
         """Whether the tips stay above all when open and above the rest when closed, shape (n,)."""
@@ -140,7 +148,7 @@ class Room:
         return self.shape.tips(opening) - [0.0, 0.0, self.shape.hand.pad_reach(width)]
 
 
-def _clear(terrain: Terrain, points: Array, hands: Hands) -> Array:
+def _clear(terrain: Terrain, points: Array, hands: Hands, press: float = 0.0) -> Array:
     """Whether points in each hand's frame, from its centre, lie above the terrain, shape (n,)."""
     world = np.matmul(points, hands.rotations.transpose(0, 2, 1)) + hands.centres[:, None]
-    return (world[..., 2] > terrain.below(world) + TIP_CLEARANCE).all(axis=1)
+    return (world[..., 2] > terrain.below(world) + TIP_CLEARANCE - press).all(axis=1)

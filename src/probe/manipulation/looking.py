@@ -108,8 +108,9 @@ def arrived(before: Frame, after: Frame, mask: Array, way: Array) -> Array | Non
     )
     corridor = np.zeros_like(mask, bool)
     pixels = before.camera.project(stops)
-    for shift in np.round(pixels - pixels[0]).astype(int):
-        corridor |= np.roll(mask, (int(shift[1]), int(shift[0])), axis=(0, 1))
+    shifts: Array = np.round(pixels - pixels[0]).astype(int)
+    for u, v in shifts.tolist():
+        corridor |= np.roll(mask, (v, u), axis=(0, 1))
     overlaps = np.bincount(patches[corridor], minlength=count + 1)
     overlaps[0] = 0
     best = int(np.argmax(overlaps))

@@ -42,7 +42,8 @@ _ALONG = {
 _STAYED = 0.9
 _SHORT = 0.01
 _FAR_ENOUGH = 0.8
-_LEAST = 0.02
+_LEAST = 0.008
+_BELIEVED = 0.5
 _IN_VAIN = 0.3
 
 
@@ -138,7 +139,8 @@ def _follow(track: _Track, before: Frame, done: Stroke, along: Array) -> _Track:
         mask, sure, step = arrived(before, done.frame, track.mask, way), False, done.swept
         if mask is not None:
             ahead = lifted(done.frame, mask).mean(axis=0) - lifted(before, track.mask).mean(axis=0)
-            step = float(np.clip(ahead @ along, 0.0, done.swept))
+            # It may be something else that got there: so not all of the way is believed.
+            step = float(np.clip(ahead @ along, 0.0, _BELIEVED * done.swept))
     in_vain = (*track.in_vain, *done.starts) if step < _IN_VAIN * done.swept else ()
     return _Track(mask, track.gone + step, sure, in_vain)
 

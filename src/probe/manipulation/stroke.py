@@ -28,7 +28,7 @@ any such path; something stopped the arm."""
 
 _TRIED = 40
 _PARTS = (1.0, 0.75, 0.5, 0.25)
-_LEAST = 0.02
+_LEAST = 0.008
 _STAYED = 0.9
 _SPARE = 0.005
 _CREEP = 0.004
