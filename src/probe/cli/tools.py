@@ -34,6 +34,7 @@ def bench(
     first_seed: int = 40_000,
     shard: str = "0/1",
     sigma: float | None = None,
+    graspgen: str | None = None,
 ) -> None:
     """Try grasps and pushes on tables of 15 objects and report how often they work.
 
@@ -50,10 +51,18 @@ def bench(
         shard: "0/2" and "1/2" in two processes share the work; then run once more with "0/1"
             and no attempts for the page of both.
         sigma: Standard deviation of a grasp's error in metres, instead of the noise's own.
+        graspgen: Address of a GraspGen server ("tcp://localhost:5556") that proposes the grasps,
+            instead of the built-in planner.
     """
     level = NOISES[noise]
     error = level.grasp if sigma is None else sigma
-    settings = Settings(pool=pool, grasp_noise=error, push_noise=level.push, first_seed=first_seed)
+    settings = Settings(
+        pool=pool,
+        grasp_noise=error,
+        push_noise=level.push,
+        first_seed=first_seed,
+        graspgen=graspgen,
+    )
     start(out, settings)
     part, things = _shard(shard), library(pool)
     with Renderer() as renderer, Progress() as bar:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,6 +43,10 @@ class Grasp:
     merit: float
 
 
+Planner = Callable[[Target, Terrain, Hand], list[Grasp]]
+"""Finds grasps of a target among what a terrain shows, best first; `propose` is one."""
+
+
 def propose(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     """Grasps of a target, best first, whose straight way in touches nothing seen.
 
@@ -71,13 +76,14 @@ def _fitting(room: Room, hands: Hands, target: Target, bonus: float) -> list[Gra
     for start in range(0, len(order), _CHUNK):
         some = order[start : start + _CHUNK]
         for index in some[room.way_free(hands[some])]:
-            found.append(_grasp(room, hands, int(index), float(merits[index])))
+            found.append(grasp_of(room, hands, int(index), float(merits[index])))
         if len(found) >= _WANTED:
             break
     return found
 
 
-def _grasp(room: Room, hands: Hands, index: int, merit: float) -> Grasp:
+def grasp_of(room: Room, hands: Hands, index: int, merit: float) -> Grasp:
+    """One of several hands as a grasp."""
     width, rotation = float(hands.widths[index]), hands.rotations[index]
     origin = hands.centres[index] - room.shape.hand.pad_reach(width) * rotation[:, 2]
     opening = float(room.openings(hands.widths[index]))

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from probe.manipulation.candidates import Grasp, propose
+from probe.manipulation.candidates import Grasp, Planner, propose
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.looking import still_there, tracked
 from probe.manipulation.removal import Removal, plan_removal, remove
@@ -63,7 +63,13 @@ class GraspResult:
     merit: float
 
 
-def grasp_and_remove(station: Station, frame: Frame, mask: Array, drop_at: Vector3) -> GraspResult:
+def grasp_and_remove(
+    station: Station,
+    frame: Frame,
+    mask: Array,
+    drop_at: Vector3,
+    planner: Planner = propose,
+) -> GraspResult:
     """Grasp what a mask shows, lift it and let it go over the basket.
 
     A grasp that fails is followed by another one while the thing can still be found by its
@@ -74,12 +80,13 @@ def grasp_and_remove(station: Station, frame: Frame, mask: Array, drop_at: Vecto
         frame: The table as it is now.
         mask: Which pixels show the thing, bool, shape (h, w).
         drop_at: Middle of the basket's floor.
+        planner: Proposes the grasps.
     """
     result = GraspResult("no_candidate", frame, 0, 0, 0.0, 0.0, 0.0)
     failed: list[Grasp] = []
     shape = HandShape(station.hand)
     for number in range(TRIES):
-        status, removal, count = _plan(station, frame, mask, drop_at, shape, failed)
+        status, removal, count = _plan(station, frame, mask, drop_at, shape, failed, planner)
         if number == 0:
             result = replace(result, status=status, candidates=count)
         if removal is None:
@@ -111,11 +118,12 @@ def _plan(
     basket: Vector3,
     shape: HandShape,
     failed: Sequence[Grasp],
+    planner: Planner,
 ) -> tuple[GraspStatus, Removal | None, int]:
     """The best grasp unlike those that failed, with its paths; else why there is none."""
     terrain = survey(frame, basket)
     target = target_of(frame, mask, terrain)
-    grasps = propose(target, terrain, station.hand)
+    grasps = planner(target, terrain, station.hand)
     fresh = [g for g in grasps if not any(_alike(g, other) for other in failed)]
     if not fresh:
         return "no_candidate", None, len(grasps)

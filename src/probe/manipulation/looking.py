@@ -108,9 +108,12 @@ def arrived(before: Frame, after: Frame, mask: Array, way: Array) -> Array | Non
     )
     corridor = np.zeros_like(mask, bool)
     pixels = before.camera.project(stops)
-    shifts: Array = np.round(pixels - pixels[0]).astype(int)
-    for u, v in shifts.tolist():
-        corridor |= np.roll(mask, (v, u), axis=(0, 1))
+    rows, columns = np.nonzero(mask)
+    height, width = mask.shape
+    for step in pixels - pixels[0]:
+        v, u = rows + round(float(step[1])), columns + round(float(step[0]))
+        inside = (v >= 0) & (v < height) & (u >= 0) & (u < width)
+        corridor[v[inside], u[inside]] = True
     overlaps = np.bincount(patches[corridor], minlength=count + 1)
     overlaps[0] = 0
     best = int(np.argmax(overlaps))

@@ -20,7 +20,7 @@ from probe.scene.scene import PlacedObject, Scene
 from probe.station.simulated import SimulatedStation
 from probe.station.station import Arm, Hand
 from probe.tasks.grading import whereabouts
-from probe.toolshed.skills import Direction
+from probe.toolshed.skills import Direction, Skills
 from probe.trials.table import Laid
 from probe.trials.trial import Tool, Trial
 from probe.types import Array, Frame
@@ -38,7 +38,13 @@ _ALONG: dict[Direction, tuple[int, int, int]] = {
 
 
 def attempt(
-    tool: Tool, laid: Laid, target: PlacedObject, things: Library, renderer: Renderer, noise: Noise
+    tool: Tool,
+    laid: Laid,
+    target: PlacedObject,
+    things: Library,
+    renderer: Renderer,
+    noise: Noise,
+    skills: Skills = manipulation,
 ) -> tuple[Trial, Frame]:
     """Restore the table, try the tool, measure.
 
@@ -47,10 +53,10 @@ def attempt(
     """
     laid.world.restore(laid.start)
     station = _Timed(SimulatedStation(laid.world, renderer))
-    skills = Lucky(manipulation, noise, laid.scene.seed, 0)
+    lucky = Lucky(skills, noise, laid.scene.seed, 0)
     trying = _grasp if tool == "grasp" else _push
     start = time.process_time()
-    found, frame = trying(skills, station, laid, target)
+    found, frame = trying(lucky, station, laid, target)
     spent = time.process_time() - start
     after, spec = laid.world.scene(), things[target.object_id]
     moved = [

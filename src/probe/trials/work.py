@@ -10,12 +10,16 @@ import numpy as np
 from PIL import Image
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from probe import manipulation
 from probe.assets.library import Library, Pool
 from probe.episodes.luck import Noise
 from probe.errors import BadData, Unsatisfiable
 from probe.files import encode, fault, read_document, write_bytes, write_text
+from probe.manipulation import Planned
+from probe.manipulation.graspgen import GraspGen
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject
+from probe.toolshed.skills import Skills
 from probe.trials.attempt import attempt
 from probe.trials.table import Laid, lay
 from probe.trials.trial import Tool, Trial
@@ -36,6 +40,13 @@ class Settings(BaseModel):
     grasp_noise: float
     push_noise: float
     first_seed: int
+    graspgen: str | None = None
+    """Address of a GraspGen server; None for the built-in planner."""
+
+    @property
+    def skills(self) -> Skills:
+        """With grasps from the planner that was asked for."""
+        return Planned(GraspGen(self.graspgen)) if self.graspgen else manipulation
 
     @property
     def noise(self) -> Noise:
@@ -129,7 +140,7 @@ def _scene(
         return []
     made: list[Trial] = []
     for target in laid.targets[:at_most]:
-        trial, _ = attempt(tool, laid, target, things, renderer, settings.noise)
+        trial, _ = attempt(tool, laid, target, things, renderer, settings.noise, settings.skills)
         made.append(trial)
         if not trial.good:
             _photograph(out / picture_path(trial), laid, target, renderer)

@@ -1,0 +1,41 @@
+"""The skills with a planner of one's choice for the grasps."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from probe.manipulation.candidates import Planner
+from probe.manipulation.grasp import GraspResult, grasp_and_remove
+from probe.manipulation.push import Direction, PushResult, push
+from probe.station.station import Station
+from probe.types import Array, Frame, Vector3
+
+
+@dataclass(frozen=True)
+class Planned:
+    """Grasping and pushing, like this package itself, but grasps come from another planner.
+
+    Attributes:
+        planner: Such as a `GraspGen`.
+    """
+
+    planner: Planner
+
+    def grasp_and_remove(
+        self, station: Station, frame: Frame, mask: Array, drop_at: Vector3, /
+    ) -> GraspResult:
+        """See probe.manipulation.grasp."""
+        return grasp_and_remove(station, frame, mask, drop_at, self.planner)
+
+    def push(
+        self,
+        station: Station,
+        frame: Frame,
+        mask: Array,
+        direction: Direction,
+        distance: float,
+        basket: Vector3,
+        /,
+    ) -> PushResult:
+        """See probe.manipulation.push."""
+        return push(station, frame, mask, direction, distance, basket)
