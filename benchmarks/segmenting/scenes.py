@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from probe.assets.tables import load_table, table_ids
-from probe.cli.surroundings import assets_folder, library
+from probe.cli.surroundings import assets_folder, cache_folder, library
 from probe.errors import Unsatisfiable
 from probe.perception.oracle import SEEN_PX, SEEN_SHARE
+from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
+from probe.scene.lighting import AMBIENT, Lighting
 from probe.types import Array, Frame
 from probe.world.scenes import make_scene
 
@@ -34,10 +36,11 @@ class Picture:
     seen: tuple[int, ...]
 
 
-def pictures(seeds: Sequence[int]) -> Iterator[Picture]:
-    """One picture a seed; seeds without a settled scene are named and left out."""
+def pictures(seeds: Sequence[int], lighting: str = AMBIENT.name) -> Iterator[Picture]:
+    """One picture a seed, in a light by name; seeds that don't settle are named and left out."""
     things, tables = library("scans"), table_ids(assets_folder())
-    with Renderer() as renderer:
+    light = light_of(Lighting(lighting), assets_folder())
+    with Renderer(cache_folder() / "light") as renderer:
         for seed in seeds:
             try:
                 scene = make_scene(seed, things, tables)
@@ -45,7 +48,7 @@ def pictures(seeds: Sequence[int]) -> Iterator[Picture]:
                 print(failure, flush=True)
                 continue
             load_scene(renderer, scene, things, load_table(scene.table, assets_folder()))
-            frame = photograph(renderer, scene)
+            frame = photograph(renderer, scene, light=light)
             shown = measure(renderer, scene)
             seen = tuple(
                 instance
