@@ -31,7 +31,9 @@ def main(folder: Path = Path("outputs/examples/agent")) -> None:
     with Renderer() as renderer:
         table = load_table(task.scene.table, None)
         # Without pictures, as it was run; texts don't depend on it.
-        tools, station = set_table(task, things, table, renderer, pictures=False)
+        tools, station = set_table(
+            task, things, table, renderer, pictures=False, noise=record.noise, run=record.run
+        )
         again = replay(record, tools, station)
         # Grading needs no physics: the record holds every pose after every call.
         before, after = score(task, record, renderer), score(task, again, renderer)

@@ -44,7 +44,7 @@ def test_a_line_that_is_cut_off_is_named(tmp_path, play):
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        ({"version": 2}, "version"),
+        ({"version": 1}, "version"),
         ({"end": "bored"}, "end"),
         ({"start": {"scene": None, "joints": []}}, "start.scene"),
         ({"more": 1}, "more"),

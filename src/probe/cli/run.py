@@ -16,6 +16,7 @@ from probe.assets.tables import load_table
 from probe.cli.surroundings import assets_folder, everything
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.luck import NOISES, Noise, NoiseName
 from probe.episodes.pictures import frames
 from probe.episodes.play import play, score
 from probe.episodes.record import EpisodeRecord
@@ -42,6 +43,7 @@ def run(
     agent: AgentName = "scripted",
     out: Path = Path("outputs/run"),
     runs: int = 1,
+    noise: NoiseName = "none",
 ) -> None:
     """Let an agent work on every task of a suite; goes on where an earlier run stopped.
 
@@ -50,8 +52,9 @@ def run(
         agent: Who acts; neither needs a model.
         out: Folder for the records.
         runs: Episodes of each task.
+        noise: How far the hand errs; "paper" fails as often as the paper's.
     """
-    run_suite(read_suite(suite), agent, out, runs)
+    run_suite(read_suite(suite), agent, out, runs, NOISES[noise])
     print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
 
 
@@ -64,13 +67,19 @@ def report(out: Annotated[Path, tyro.conf.Positional]) -> None:
     print(f"The report is {write_run_report(out)}")
 
 
-def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int) -> None:
-    """Add the records that a folder doesn't hold yet, and the suite they are about."""
+def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int, noise: Noise) -> None:
+    """Add the records that a folder doesn't hold yet, and the suite they are about.
+
+    Raises:
+        BadData: What is there was run with another noise, or is about another suite.
+    """
     things = everything()
     check_objects(suite, things)
     write_suite(out / SUITE, suite)
     records = out / RECORDS
     earlier = read_records(records) if records.exists() else []
+    if any(record.noise != noise for record in earlier):
+        raise BadData(records, "was run with another noise", "Choose another folder")
     done = {(record.task, record.agent, record.run) for record in earlier}
     waiting = [
         (task, number)
@@ -82,7 +91,8 @@ def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int) -> None:
         for task, number in track(waiting, f"{agent} at work"):
             table = load_table(task.scene.table, assets_folder())
             actor = _agent(agent, task, number)
-            append_record(records, play(task, actor, agent, things, table, renderer, number))
+            record = play(task, actor, agent, things, table, renderer, number, noise)
+            append_record(records, record)
 
 
 def write_run_report(out: Path) -> Path:

@@ -6,6 +6,7 @@ from typing import Literal
 
 import pydantic
 
+from probe.episodes.luck import Noise
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
 from probe.episodes.turns import Call, Question
 from probe.scene.document import SceneDocument
@@ -55,10 +56,17 @@ class SecondsDocument(_Document):
     tools: tuple[float, ...]
 
 
+class NoiseDocument(_Document):
+    """Standard deviations of the hand's errors, metres."""
+
+    grasp: float
+    push: float
+
+
 class EpisodeDocument(_Document):
     """One episode."""
 
-    version: Literal[1] = 1
+    version: Literal[2] = 2
     task: str
     agent: str
     run: int
@@ -70,6 +78,7 @@ class EpisodeDocument(_Document):
     end: End
     fault: str | None
     seconds: SecondsDocument | None
+    noise: NoiseDocument
 
     @staticmethod
     def of(record: EpisodeRecord, *, timed: bool = True) -> EpisodeDocument:
@@ -87,6 +96,7 @@ class EpisodeDocument(_Document):
             end=record.end,
             fault=record.fault,
             seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
+            noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
         )
 
     def record(self) -> EpisodeRecord:
@@ -103,6 +113,7 @@ class EpisodeDocument(_Document):
             end=self.end,
             fault=self.fault,
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
+            noise=Noise(self.noise.grasp, self.noise.push),
         )
 
 

@@ -38,6 +38,8 @@ NoiseName = Literal["none", "paper"]
 NOISES: dict[NoiseName, Noise] = {"none": Noise(), "paper": Noise(grasp=0.010)}
 """By name; "paper" is calibrated to the paper's 73.5 % of grasps (docs/tools/bench.md)."""
 
+NO_NOISE = NOISES["none"]
+
 
 class Lucky:
     """Skills, carried out by a hand that errs.

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from probe import manipulation
 from probe.assets.library import Library
 from probe.assets.tables import TableMaterial
 from probe.episodes.episode import Episode
 from probe.episodes.grading import grade_episode, question_of
+from probe.episodes.luck import NO_NOISE, Lucky, Noise
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Agent
@@ -30,6 +33,8 @@ def set_table(
     *,
     pictures: bool,
     perceiver: Perceiver = ideal,
+    noise: Noise = NO_NOISE,
+    run: int = 0,
 ) -> tuple[Toolshed, SimulatedStation]:
     """A task's table, fresh, with the tools over it and the station that the record watches.
 
@@ -40,6 +45,8 @@ def set_table(
         renderer: Draws what the station sees; what was loaded in it is replaced.
         pictures: Whether the tools show any.
         perceiver: Makes what the tools see with.
+        noise: How far the hand errs.
+        run: Of the episode's runs; each has its own luck.
     """
     load_scene(renderer, task.scene, library, table)
     station = SimulatedStation(World(task.scene, library), renderer)
@@ -52,7 +59,7 @@ def set_table(
     tools = Toolshed(
         station,
         perception.detector,
-        manipulation,
+        Lucky(manipulation, noise, task.seed, run),
         BASKET_POSITION,
         pictures=pictures,
         finder=perception.finder,
@@ -69,6 +76,7 @@ def play(
     table: TableMaterial,
     renderer: Renderer,
     run: int = 0,
+    noise: Noise = NO_NOISE,
 ) -> EpisodeRecord:
     """Let an agent that needs no pictures work on a task.
 
@@ -79,11 +87,13 @@ def play(
         library: Has the task's objects.
         table: What the table is made of.
         renderer: Draws what the station sees; what was loaded in it is replaced.
-        run: Number of the run, for the record.
+        run: Number of the run, for the record; each has its own luck.
+        noise: How far the hand errs.
     """
-    tools, station = set_table(task, library, table, renderer, pictures=False)
-    question = question_of(task)
-    return run_episode(task.id, question, agent, tools, station, agent_name=agent_name, run=run)
+    tools, station = set_table(task, library, table, renderer, pictures=False, noise=noise, run=run)
+    asked = question_of(task)
+    record = run_episode(task.id, asked, agent, tools, station, agent_name=agent_name, run=run)
+    return replace(record, noise=noise)
 
 
 def open_episode(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from probe.episodes.luck import NO_NOISE, Noise
 from probe.episodes.turns import Call, Question
 from probe.scene.scene import Scene
 from probe.toolshed.result import Answer, Status
@@ -62,6 +63,7 @@ class EpisodeRecord:
         end: Why it ended; "stopped" is the agent's own choice, "fault" is our failure.
         fault: What failed, for the end "fault".
         seconds: Timing, which no comparison takes into account.
+        noise: How far the hand erred; with the task's seed and the run it gives the same luck.
     """
 
     task: str
@@ -74,6 +76,7 @@ class EpisodeRecord:
     end: End
     fault: str | None = None
     seconds: Seconds = Seconds()
+    noise: Noise = NO_NOISE
 
     @property
     def scenes(self) -> tuple[Scene, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from probe.episodes.episode import Witness
 from probe.episodes.files import line_of
@@ -30,10 +31,11 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> Episo
 
     Args:
         record: What happened the first time.
-        toolshed: Fresh, over a table that stands as at the record's start.
+        toolshed: Fresh, over a table that stands as at the record's start, with the record's noise
+            and run.
         witness: Tells the new record where things are.
     """
-    return run_episode(
+    again = run_episode(
         record.task,
         record.question,
         Recorded(record),
@@ -42,13 +44,14 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> Episo
         agent_name=record.agent,
         run=record.run,
     )
+    return replace(again, noise=record.noise)
 
 
 def differences(first: EpisodeRecord, second: EpisodeRecord) -> list[str]:
     """Where two records differ, timing apart; empty exactly if their bytes are the same."""
     found = [
         name
-        for name in ("task", "agent", "run", "question", "start", "answer", "end", "fault")
+        for name in ("task", "agent", "run", "question", "start", "answer", "end", "fault", "noise")
         if getattr(first, name) != getattr(second, name)
     ]
     if len(first.steps) != len(second.steps):

@@ -128,18 +128,21 @@ class GraspGen:
             import zmq
         except ImportError as error:
             raise MissingExtra("Asking a GraspGen server", "graspgen") from error
-        socket: Any = zmq.Context.instance().socket(zmq.REQ)
-        socket.setsockopt(zmq.LINGER, 0)
+        wire = cast(Any, zmq)  # half of its types are unknown
         try:
-            socket.connect(self.address)
-            socket.send(msgpack.packb(request, default=msgpack_numpy.encode))
-            if not socket.poll(round(1000 * self.timeout)):
-                raise GraspServerFailed(self.address, f"gave no answer in {self.timeout:g} s")
-            answer: Any = msgpack.unpackb(socket.recv(), object_hook=msgpack_numpy.decode)
+            with wire.Context.instance().socket(wire.REQ) as socket:
+                socket.setsockopt(wire.LINGER, 0)
+                socket.connect(self.address)
+                socket.send(msgpack.packb(request, default=msgpack_numpy.encode))
+                if not socket.poll(round(1000 * self.timeout)):
+                    raise GraspServerFailed(self.address, f"gave no answer in {self.timeout:g} s")
+                reply = socket.recv()
+            return _mapping(msgpack.unpackb(reply, object_hook=msgpack_numpy.decode))
         except (zmq.ZMQError, ValueError, msgpack.UnpackException) as error:
             raise GraspServerFailed(self.address, f"can't be understood ({error})") from error
-        finally:
-            socket.close()
-        if not isinstance(answer, dict):
-            raise GraspServerFailed(self.address, "sent something that is no answer")
-        return cast(dict[str, Any], answer)
+
+
+def _mapping(answer: object) -> Mapping[str, Any]:
+    if not isinstance(answer, dict):
+        raise ValueError("no answer but something else")
+    return cast(dict[str, Any], answer)
