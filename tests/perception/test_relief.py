@@ -17,7 +17,7 @@ def surface(heights):
     return Frame(top_camera(len(heights)), depth, grey)
 
 
-@settings(max_examples=15)
+@settings(max_examples=15, deadline=None)
 @given(st.floats(-1, 1), st.floats(-1, 1))
 def test_a_slope_is_no_edge(across, down):
     rows, columns = np.indices((256, 256)) * 0.58 / 256
@@ -28,7 +28,7 @@ def test_a_slope_is_no_edge(across, down):
     assert found.contrast.max() < 1e-6 and found.raised[inner].all()
 
 
-@settings(max_examples=15)
+@settings(max_examples=15, deadline=None)
 @given(st.floats(0.005, 0.1))
 def test_a_step_is_as_high_as_it_is(height):
     heights = np.zeros((256, 256))

@@ -20,7 +20,7 @@ def iou(one, other):
     return np.count_nonzero(one & other) / np.count_nonzero(one | other)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=6, deadline=None)
 @given(
     st.lists(
         st.tuples(st.integers(30, 200), st.integers(30, 200), st.floats(0.01, 0.12)),

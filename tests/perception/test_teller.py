@@ -2,7 +2,7 @@ import contextlib
 
 import pytest
 import yaml
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from probe.perception.asking import UnusableReply
@@ -92,6 +92,7 @@ def test_what_is_wrong_is_named(reply, reason):
         read(reply)
 
 
+@settings(deadline=None)
 @given(st.text(max_size=300))
 def test_any_text_is_a_graph_or_an_unusable_reply(reply):
     with contextlib.suppress(UnusableReply):
