@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 from pydantic import BaseModel, ConfigDict, ValidationError
+from scipy import ndimage
 
 from probe import manipulation
 from probe.assets.library import Library, Pool
@@ -27,6 +28,7 @@ from probe.types import Array
 
 SETTINGS, PICTURES = "settings.json", "pictures"
 _SIDE_PX = 512
+_LINE_PX = 5
 _OUTLINE = np.array([255, 40, 200], np.uint8)
 
 
@@ -159,10 +161,8 @@ def _photograph(path: Path, laid: Laid, target: PlacedObject, renderer: Renderer
 
 
 def _outlined(picture: Array, mask: Array) -> Array:
-    down, across = np.gradient(mask.astype(float))
-    edge = (np.abs(down) + np.abs(across)) > 0
-    edge |= np.roll(edge, 1, 0) | np.roll(edge, 1, 1)
-    return np.where(edge[..., None], _OUTLINE, picture)
+    around: Array = ndimage.binary_dilation(mask, iterations=_LINE_PX) & ~mask
+    return np.where(around[..., None], _OUTLINE, picture)
 
 
 def _read(path: Path) -> list[Trial]:
