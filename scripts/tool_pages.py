@@ -1,0 +1,114 @@
+"""Write each tool's text, and a picture of it at work, into its page in docs/tools.
+
+What stands there between the marks is made from the text that a model reads; a test sees that it
+still is. `--draw` plays a few calls on a demo task and draws them as well.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import tyro
+from PIL import Image
+
+from probe.assets.tables import load_table
+from probe.cli.surroundings import library
+from probe.episodes.play import set_table
+from probe.files import encode, write_bytes
+from probe.render.renderer import Renderer
+from probe.tasks.suite_file import demo_suite
+from probe.toolshed.tools import ToolSchema, tool_schemas
+from probe.toolshed.toolshed import Toolshed
+from probe.types import Array
+
+DOCS = Path(__file__).parents[1] / "docs"
+BEGIN, END = "<!-- from the tool's own text: scripts/tool_pages.py -->", "<!-- until here -->"
+TASK = "beneath-8af85510"
+COVER = "green mug"
+SIDE_PX, GAP_PX = 480, 12
+SEEN = {
+    "perceive_scene": "The picture that comes with the list.",
+    "find_object": f'The picture before, and the one that comes with `find_object("{COVER}")`.',
+    "grasp_and_remove": f"Before and after the {COVER} was lifted into the basket.",
+    "push": f"Before and after the {COVER} was pushed 10 cm to the left.",
+}
+
+
+def block(tool: ToolSchema) -> str:
+    """The part of a page that is made from the tool's text."""
+    quoted = "\n".join(f"> {line}".rstrip() for line in tool.description.splitlines())
+    lines = [BEGIN, "", "What a model is told of it:", "", quoted, ""]
+    for name, told in _arguments(tool.parameters).items():
+        lines += textwrap.wrap(f"> `{name}`: {told}", 100, subsequent_indent="> ") + [""]
+    if tool.name in SEEN:
+        words = SEEN[tool.name]
+        lines += [f"![{words.replace('`', '')}](../pictures/tool_{tool.name}.jpg)", "", words, ""]
+    return "\n".join([*lines, END])
+
+
+def page(tool: ToolSchema, text: str) -> str:
+    """A page with its part made anew; it goes below the first paragraph where there is none yet."""
+    if BEGIN in text:
+        before, rest = text.split(BEGIN, 1)
+        return before + block(tool) + rest.split(END, 1)[1]
+    title, first, rest = text.split("\n\n", 2)
+    return f"{title}\n\n{first}\n\n{block(tool)}\n\n{rest}"
+
+
+def _arguments(schema: Mapping[str, Any]) -> dict[str, str]:
+    properties: Mapping[str, Mapping[str, str]] = schema.get("properties", {})
+    return {name: about.get("description", "") for name, about in properties.items()}
+
+
+def pictures() -> dict[str, Array]:
+    """What a few calls show, side by side with the table before."""
+    task = next(task for task in demo_suite().tasks if task.id == TASK)
+    things, shown = library("procedural"), dict[str, Array]()
+    table = load_table(task.scene.table, None)
+    with Renderer() as renderer:
+        tools, _ = set_table(task, things, table, renderer, pictures=True)
+        start = _called(tools, "perceive_scene", {})
+        shown["perceive_scene"] = start
+        shown["find_object"] = _beside(start, _called(tools, "find_object", {"description": COVER}))
+        taken = _called(tools, "grasp_and_remove", {"object_id": "object_1"})
+        shown["grasp_and_remove"] = _beside(start, taken)
+        tools, _ = set_table(task, things, table, renderer, pictures=True)
+        _called(tools, "find_object", {"description": COVER})
+        way = {"object_id": "object_1", "direction": "left", "distance_cm": 10}
+        shown["push"] = _beside(start, _called(tools, "push", way))
+    return shown
+
+
+def _called(tools: Toolshed, name: str, arguments: Mapping[str, object]) -> Array:
+    result = tools.call(name, arguments)
+    print(f"{name}: {result.text.splitlines()[0]}")
+    assert result.picture is not None
+    return result.picture
+
+
+def _beside(one: Array, other: Array) -> Array:
+    gap = np.full((one.shape[0], GAP_PX * one.shape[0] // SIDE_PX, 3), 255, np.uint8)
+    return np.concatenate([one, gap, other], axis=1)
+
+
+def main(*, draw: bool = False) -> None:
+    """Write the pages anew.
+
+    Args:
+        draw: Draw the pictures as well.
+    """
+    for tool in tool_schemas():
+        path = DOCS / "tools" / f"{tool.name}.md"
+        path.write_text(page(tool, path.read_text("utf-8")), "utf-8")
+    for name, picture in (pictures() if draw else {}).items():
+        image = Image.fromarray(picture)
+        image = image.resize((round(image.width * SIDE_PX / image.height), SIDE_PX))
+        write_bytes(DOCS / "pictures" / f"tool_{name}.jpg", encode(image, "JPEG"))
+
+
+if __name__ == "__main__":
+    tyro.cli(main)
