@@ -21,6 +21,7 @@ _HOVERS = (0.0, 0.08, 0.16, 0.24)
 _BRANCHES = 3
 _LEAST_LIFT, _MOST_LIFT = 0.08, 0.34
 _ABOVE = 0.05
+_HIGHER = (0.0, 0.07, 0.14)
 _LOWERINGS = (0.12, 0.08, 0.04)
 _TURNS = np.radians([0, -30, 30, -60, 60, -90, 90, -120, 120, 150, 180])
 _THINNED = 3
@@ -93,34 +94,37 @@ def way_out(
     arm, hand = obstacles.arm, obstacles.arm.forward(joints)
     held = np.concatenate([target.top, target.walls])
     held = held[:: max(1, len(held) // 150)]
-    lift = _lift(obstacles, joints, hand, held, basket)
-    if lift is None:
-        return None
+    lifts = _lifts(obstacles, joints, hand, held, basket)
     carried = np.concatenate([points[::_THINNED], hand.inverse().apply(held)])
     centre = hand.inverse().apply(target.centre[None])[0]
     for need_free in (True, False):
-        for goal in _goals(arm, lift[-1], centre, carried, basket):
-            carry = np.array([lift[-1], goal])
-            if not need_free or obstacles.free(carry, carried):
-                return WayOut(lift, carry[1:], _lower(obstacles, goal, carried))
+        for lift in lifts:
+            for goal in _goals(arm, lift[-1], centre, carried, basket):
+                carry = np.array([lift[-1], goal])
+                if not need_free or obstacles.free(carry, carried):
+                    return WayOut(lift, carry[1:], _lower(obstacles, goal, carried))
     return None
 
 
-def _lift(
+def _lifts(
     obstacles: Obstacles, joints: Array, hand: Pose, held: Array, basket: Vector3
-) -> Array | None:
-    """Straight up until what is held is above all nearby, or as far as the arm gets."""
+) -> list[Array]:
+    """Straight up until what is held is above all nearby, or as far as the arm gets; and higher."""
     ground = obstacles.terrain
     around = obstacles.wide.below(held).max(initial=basket[2] + BASKET_SIZE[2])
     beneath = float(np.maximum(ground.below(held), 0).min(initial=0.0))
     base = max(float(held[:, 2].min()), beneath)
     wanted = float(np.clip(around + _ABOVE - base, _LEAST_LIFT, _MOST_LIFT))
-    while wanted >= _LEAST_LIFT:
-        path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, wanted)))
+    found: list[Array] = []
+    for more in _HIGHER:
+        path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, wanted + more)))
         if path is not None:
-            return path
+            found.append(path)
+    while not found and wanted >= _LEAST_LIFT + 0.04:
         wanted -= 0.04
-    return None
+        path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, wanted)))
+        found += [] if path is None else [path]
+    return found
 
 
 def _goals(
