@@ -41,7 +41,8 @@ def close(hands: Hands, target: Target, pad_half: Vector3, reach: float) -> tupl
         low = np.where(inside, y, np.inf).min(axis=1)
         high = np.where(inside, y, -np.inf).max(axis=1)
         touched = inside.any(axis=1) & (high > low)
-        shifts[some] = np.where(touched, (low + high) / 2, 0.0)
+        low, high = np.where(touched, low, 0.0), np.where(touched, high, 0.0)
+        shifts[some] = (low + high) / 2
         widths[some] = np.where(touched, high - low, widths[some])
         facing = np.einsum("pk,ck->cp", normals, hands.rotations[some, :, 1])
         left = inside & (y < low[:, None] + _TOUCH) & (facing < -0.5)
