@@ -14,6 +14,7 @@ from probe.assets.procedural.tables import Entry, entries
 from probe.types import Array
 
 TIGHT = 0.003
+PROUD = 0.004
 FEW = ("mug", "salad_bowl", "hat", "tray", "own goblet", "own hard hat", "own ladle")
 SOME = ("mug", "bowl", "tray", "banana", "book", "can", "apple")
 
@@ -86,8 +87,14 @@ def test_pieces_keep_to_the_mesh(shape: str) -> None:
         inside |= mesh.ray.contains_points(samples)
         spread = mesh.sample(60_000, seed=1)
         nearest = np.minimum(nearest, cKDTree(spread).query(samples)[0])
-    # A millimetre more for the distance between neighbouring sample points of the mesh.
-    assert np.where(inside, 0, nearest).max() < TIGHT + 0.001
+    # Measured between points, which is never too little; exactly where that is too much.
+    doubtful = samples[~inside & (nearest > PROUD)]
+    if len(doubtful):
+        exact = [
+            trimesh.proximity.closest_point_naive(mesh, doubtful)[1]
+            for mesh, _ in closed_parts(shape)
+        ]
+        assert np.min(exact, axis=0).max() < PROUD
 
 
 def cavity_of(entry: Entry) -> Hollow:
