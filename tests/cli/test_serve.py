@@ -65,7 +65,8 @@ def test_nothing_else_waits_for_fastmcp(cache):
 @pytest.mark.slow
 def test_objects_that_have_changed_are_refused(cache, tmp_path):
     suite = demo_suite()
-    write_suite(tmp_path / "s.json", replace(suite, objects=dict.fromkeys(suite.objects, "0" * 16)))
+    others = {id: (*numbers[:-1], 0.9) for id, numbers in suite.objects.items()}
+    write_suite(tmp_path / "s.json", replace(suite, objects=others))
     told = ("serve", "--suite", tmp_path / "s.json", "--out", tmp_path / "out")
     result = python("-m", "probe", *told, cache=cache)
     assert result.returncode == 1 and result.stdout == ""
