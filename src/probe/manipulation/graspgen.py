@@ -71,18 +71,14 @@ class GraspGen:
         poses, trust = self._asked(points)
         if len(poses) == 0:
             return []
-        shape, room = HandShape(hand), None
-        found: list[tuple[float, Grasp]] = []
+        shape = HandShape(hand)
         hands, trust = self._ours(poses, trust, target, hand)
         for margin in MARGINS[1:3]:
             room = Room.of(shape, margin, terrain, target)
             free = np.flatnonzero(room.way_free(hands))
-            found = [
-                (float(trust[k]), grasp_of(room, hands, int(k), float(trust[k]))) for k in free
-            ]
-            if found:
-                break
-        return [grasp for _, grasp in sorted(found, key=lambda pair: -pair[0])]
+            if len(free):
+                return [grasp_of(room, hands, int(k), float(trust[k])) for k in free]
+        return []
 
     def _ours(self, poses: Array, trust: Array, target: Target, hand: Hand) -> tuple[Hands, Array]:
         """The server's hands as ours, closed on what is seen; those that hold nothing left out."""

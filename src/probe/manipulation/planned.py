@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from probe.manipulation.candidates import Planner
 from probe.manipulation.grasp import GraspResult, grasp_and_remove
-from probe.manipulation.push import Direction, PushResult, push
+from probe.manipulation.push import push
 from probe.station.station import Station
 from probe.types import Array, Frame, Vector3
 
@@ -27,15 +27,4 @@ class Planned:
         """See probe.manipulation.grasp."""
         return grasp_and_remove(station, frame, mask, drop_at, self.planner)
 
-    def push(
-        self,
-        station: Station,
-        frame: Frame,
-        mask: Array,
-        direction: Direction,
-        distance: float,
-        basket: Vector3,
-        /,
-    ) -> PushResult:
-        """See probe.manipulation.push."""
-        return push(station, frame, mask, direction, distance, basket)
+    push = staticmethod(push)

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from probe.manipulation.terrain import lifted
 from probe.types import Array, Camera, Frame
 
 _ROUNDS = 14
@@ -48,9 +49,9 @@ class Surface:
         top, left = max(0, rows[0] - 2), max(0, columns[0] - 2)
         part = (slice(top, rows[-1] + 3), slice(left, columns[-1] + 3))
         depth = frame.depth[part]
-        v, u = np.mgrid[top : top + depth.shape[0], left : left + depth.shape[1]] + 0.5
-        points = frame.camera.lift(np.column_stack([u.ravel(), v.ravel()]), depth.ravel())
-        points = points.reshape(*depth.shape, 3)
+        window = np.zeros_like(possible)
+        window[part] = True
+        points = lifted(frame, window).reshape(*depth.shape, 3)
         down, across = np.gradient(points, axis=(0, 1))
         normals = np.cross(down, across)
         normals /= np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-12)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -94,37 +94,41 @@ def way_out(
     arm, hand = obstacles.arm, obstacles.arm.forward(joints)
     held = np.concatenate([target.top, target.walls])
     held = held[:: max(1, len(held) // 150)]
-    lifts = _lifts(obstacles, joints, hand, held, basket)
     carried = np.concatenate([points[::_THINNED], hand.inverse().apply(held)])
     centre = hand.inverse().apply(target.centre[None])[0]
-    for need_free in (True, False):
-        for lift in lifts:
-            for goal in _goals(arm, lift[-1], centre, carried, basket):
-                carry = np.array([lift[-1], goal])
-                if not need_free or obstacles.free(carry, carried):
-                    return WayOut(lift, carry[1:], _lower(obstacles, goal, carried))
-    return None
+    fallback: tuple[Array, Array] | None = None
+    for lift in _lifts(obstacles, joints, hand, held, basket):
+        for goal in _goals(arm, lift[-1], centre, carried, basket):
+            if obstacles.free(np.array([lift[-1], goal]), carried):
+                return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
+            fallback = fallback or (lift, goal)
+    if fallback is None:
+        return None
+    lift, goal = fallback
+    return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
 
 
 def _lifts(
     obstacles: Obstacles, joints: Array, hand: Pose, held: Array, basket: Vector3
-) -> list[Array]:
+) -> Iterator[Array]:
     """Straight up until what is held is above all nearby, or as far as the arm gets; and higher."""
     ground = obstacles.terrain
     around = obstacles.wide.below(held).max(initial=basket[2] + BASKET_SIZE[2])
     beneath = float(np.maximum(ground.below(held), 0).min(initial=0.0))
     base = max(float(held[:, 2].min()), beneath)
     wanted = float(np.clip(around + _ABOVE - base, _LEAST_LIFT, _MOST_LIFT))
-    found: list[Array] = []
+    found = False
     for more in _HIGHER:
         path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, wanted + more)))
         if path is not None:
-            found.append(path)
+            found = True
+            yield path
     while not found and wanted >= _LEAST_LIFT + 0.04:
         wanted -= 0.04
         path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, wanted)))
-        found += [] if path is None else [path]
-    return found
+        if path is not None:
+            found = True
+            yield path
 
 
 def _goals(
