@@ -13,14 +13,14 @@ from probe import manipulation
 from probe.assets.library import Library
 from probe.episodes.luck import Lucky, Noise
 from probe.manipulation.grasp import GraspResult
-from probe.manipulation.push import LONGEST, SHORTEST, PushResult
+from probe.manipulation.push import ALONG, LONGEST, SHORTEST, PushResult
 from probe.render.renderer import Renderer
 from probe.scene.layout import BASKET_POSITION
 from probe.scene.scene import PlacedObject, Scene
 from probe.station.simulated import SimulatedStation
 from probe.station.station import Arm, Hand
 from probe.tasks.grading import whereabouts
-from probe.toolshed.skills import Direction, Skills
+from probe.toolshed.skills import Skills
 from probe.trials.table import Laid
 from probe.trials.trial import Tool, Trial
 from probe.types import Array, Frame
@@ -29,12 +29,6 @@ MOVED = 0.03
 """Metres from which on another object counts as moved."""
 
 _FELL_SHORT = 0.01
-_ALONG: dict[Direction, tuple[int, int, int]] = {
-    "left": (-1, 0, 0),
-    "right": (1, 0, 0),
-    "up": (0, 1, 0),
-    "down": (0, -1, 0),
-}
 
 
 def attempt(
@@ -104,7 +98,7 @@ def _grasp(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
 
 
 def _push(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
-    directions = list(_ALONG)
+    directions = list(ALONG)
     direction = directions[int(laid.rng.integers(len(directions)))]
     distance = float(laid.rng.uniform(SHORTEST, LONGEST))
     result = skills.push(
@@ -114,7 +108,7 @@ def _push(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
 
     def found(after: Scene) -> dict[str, object]:
         way = np.subtract(after[target.instance].pose.position, target.pose.position)
-        ratio = float(way @ np.array(_ALONG[direction])) / distance
+        ratio = float(way @ ALONG[direction]) / distance
         reached = max(result.swept, result.moved or 0.0)
         return {
             "direction": direction,
