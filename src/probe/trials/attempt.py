@@ -16,7 +16,7 @@ from probe.manipulation.grasp import GraspResult
 from probe.manipulation.push import ALONG, LONGEST, SHORTEST, PushResult
 from probe.render.renderer import Renderer
 from probe.scene.layout import BASKET_POSITION
-from probe.scene.scene import PlacedObject, Scene
+from probe.scene.scene import PlacedObject
 from probe.station.simulated import SimulatedStation
 from probe.station.station import Arm, Hand
 from probe.tasks.grading import whereabouts
@@ -39,18 +39,14 @@ def attempt(
     renderer: Renderer,
     noise: Noise,
     skills: Skills = manipulation,
-) -> tuple[Trial, Frame]:
-    """Restore the table, try the tool, measure.
-
-    Returns:
-        What came of it, and the table afterwards.
-    """
+) -> Trial:
+    """Restore the table, try the tool, measure."""
     laid.world.restore(laid.start)
     station = _Timed(SimulatedStation(laid.world, renderer))
     lucky = Lucky(skills, noise, laid.scene.seed, 0)
     trying = _grasp if tool == "grasp" else _push
     start = time.process_time()
-    found, frame = trying(lucky, station, laid, target)
+    found = trying(lucky, station, laid, target)
     spent = time.process_time() - start
     after, spec = laid.world.scene(), things[target.object_id]
     moved = [
@@ -73,31 +69,27 @@ def attempt(
         "planning": spent - station.seconds,
         "execution": station.seconds,
     }
-    return Trial.model_validate(common | found(after)), frame
+    return Trial.model_validate(common | found)
 
 
-def _grasp(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
+def _grasp(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject) -> dict[str, object]:
     result = skills.grasp_and_remove(station, laid.frame, laid.mask(target), BASKET_POSITION)
     assert isinstance(result, GraspResult)
-
-    def found(after: Scene) -> dict[str, object]:
-        inside = whereabouts(after[target.instance].pose) == "basket"
-        return {
-            "direction": None,
-            "distance": None,
-            "status": result.status,
-            "good": inside,
-            "executed": result.status == "removed",
-            "truthful": inside == (result.status == "removed"),
-            "ratio": None,
-            "tries": result.tries,
-            "width": result.width,
-        }
-
-    return found, result.frame
+    inside = whereabouts(laid.world.scene()[target.instance].pose) == "basket"
+    return {
+        "direction": None,
+        "distance": None,
+        "status": result.status,
+        "good": inside,
+        "executed": result.status == "removed",
+        "truthful": inside == (result.status == "removed"),
+        "ratio": None,
+        "tries": result.tries,
+        "width": result.width,
+    }
 
 
-def _push(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
+def _push(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject) -> dict[str, object]:
     directions = list(ALONG)
     direction = directions[int(laid.rng.integers(len(directions)))]
     distance = float(laid.rng.uniform(SHORTEST, LONGEST))
@@ -105,24 +97,20 @@ def _push(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
         station, laid.frame, laid.mask(target), direction, distance, BASKET_POSITION
     )
     assert isinstance(result, PushResult)
-
-    def found(after: Scene) -> dict[str, object]:
-        way = np.subtract(after[target.instance].pose.position, target.pose.position)
-        ratio = float(way @ ALONG[direction]) / distance
-        reached = max(result.swept, result.moved or 0.0)
-        return {
-            "direction": direction,
-            "distance": distance,
-            "status": result.status,
-            "good": ratio >= 0.5,
-            "executed": reached > distance - _FELL_SHORT,
-            "truthful": True,
-            "ratio": ratio,
-            "tries": result.strokes,
-            "width": 0.0,
-        }
-
-    return found, result.frame
+    end = laid.world.scene()[target.instance].pose
+    ratio = float(np.subtract(end.position, target.pose.position) @ ALONG[direction]) / distance
+    reached = max(result.swept, result.moved or 0.0)
+    return {
+        "direction": direction,
+        "distance": distance,
+        "status": result.status,
+        "good": ratio >= 0.5,
+        "executed": reached > distance - _FELL_SHORT,
+        "truthful": True,
+        "ratio": ratio,
+        "tries": result.strokes,
+        "width": 0.0,
+    }
 
 
 class _Timed:
