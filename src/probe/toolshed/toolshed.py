@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
-from probe.perception.asking import UnusableReply
+from probe.asking import UnusableReply
 from probe.perception.matching import Match, match
 from probe.perception.pointer import Finder
 from probe.perception.scene_graph import Teller
