@@ -22,6 +22,7 @@ from probe.render.renderer import Renderer
 from probe.scene.sampling import TIGHT, Pile
 from probe.scene.scene import Scene
 from probe.world.model import Item, add_item, new_spec
+from probe.world.pile import SINK_LIMIT
 from probe.world.scenes import make_scene
 
 REST_LIMIT = 0.001
@@ -45,13 +46,13 @@ def movement_and_depth(scene: Scene, things: Library) -> tuple[float, float]:
 
 
 def on_the_table(scene: Scene, things: Library) -> int:
-    """How many objects have no corner below the table's top."""
+    """How many objects have no corner further below the table's top than they may sink."""
     lowest = (
         min(placed.pose.apply(piece.vertices)[:, 2].min() for piece in body.pieces)
         for placed in scene.objects
         for body in [things.body(placed.object_id)]
     )
-    return sum(bool(z > -0.003) for z in lowest)
+    return sum(bool(z > -SINK_LIMIT) for z in lowest)
 
 
 def seen_shares(scene: Scene, things: Library, renderer: Renderer) -> np.ndarray:

@@ -41,7 +41,7 @@ def chosen(things: Library, seed: int) -> list[ObjectSpec]:
 
 
 def sheets(folder: Path, seed: int) -> None:
-    """Draw the sheets, and the key to them."""
+    """Draw the sheets; `score` knows the key from the seed."""
     things = library("procedural")
     specs = chosen(things, seed)
     for start in track(range(0, len(specs), A_SHEET), "Drawing"):

@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 
 from model_server import Reply, serving
+from probe.asking import UnusableReply
 from probe.cli.models import model_behind
 from probe.errors import ModelFailed
-from probe.perception.asking import UnusableReply
 from probe.perception.pointer import Pointer
 from probe.perception.points import Convention
 from probe.perception.segmenter import Segmenter

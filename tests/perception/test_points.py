@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from probe.perception.asking import UnusableReply
+from probe.asking import UnusableReply
 from probe.perception.points import Convention, read_point
 
 CONVENTIONS = st.sampled_from(get_args(Convention))

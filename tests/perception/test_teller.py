@@ -5,7 +5,7 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from probe.perception.asking import UnusableReply
+from probe.asking import UnusableReply
 from probe.perception.points import Convention
 from probe.perception.scene_graph import Relation
 from probe.perception.teller import ModelTeller, read_graph

@@ -15,7 +15,7 @@ from probe.assets.library import Library
 from probe.assets.tables import load_table
 from probe.cli.surroundings import assets_folder, everything
 from probe.episodes.files import append_record, read_records
-from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.folder import RECORDS, SUITE, start_folder
 from probe.episodes.luck import NOISES, Noise, NoiseName
 from probe.episodes.pictures import frames
 from probe.episodes.play import play, score
@@ -30,7 +30,7 @@ from probe.report.page import write_report
 from probe.report.tally import rates
 from probe.scene.seeds import generator
 from probe.tasks.suite import Suite, check_objects
-from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
 
 AgentName = Literal["scripted", "random"]
@@ -75,11 +75,11 @@ def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int, noise: Noise
     """
     things = everything()
     check_objects(suite, things)
-    write_suite(out / SUITE, suite)
     records = out / RECORDS
     earlier = read_records(records) if records.exists() else []
     if any(record.noise != noise for record in earlier):
         raise BadData(records, "was run with another noise", "Choose another folder")
+    start_folder(out, suite)
     done = {(record.task, record.agent, record.run) for record in earlier}
     waiting = [
         (task, number)

@@ -54,6 +54,7 @@ def bench(
         graspgen: Address of a GraspGen server ("tcp://localhost:5556") that proposes the grasps,
             instead of the built-in planner.
     """
+    part = _shard(shard)
     level = NOISES[noise]
     error = level.grasp if sigma is None else sigma
     settings = Settings(
@@ -64,7 +65,7 @@ def bench(
         graspgen=graspgen,
     )
     start(out, settings)
-    part, things = _shard(shard), library(pool)
+    things = library(pool)
     with Renderer() as renderer, Progress() as bar:
         todo: tuple[tuple[Tool, int], ...] = (("grasp", grasps), ("push", pushes))
         for tool, total in todo:
@@ -95,8 +96,7 @@ def _failure(trial: Trial, things: Library) -> Failure:
     asked = "" if trial.distance is None else f" {100 * trial.distance:.0f} cm {trial.direction}"
     went = "" if trial.ratio is None else f", went {100 * trial.ratio:.0f} % of it"
     name = things[trial.object_id].name
-    tool: Tool = trial.tool
-    title = f"{tool} {name}{asked}{went} (seed {trial.seed}, {trial.share:.0%} visible)"
+    title = f"{trial.tool} {name}{asked}{went} (seed {trial.seed}, {trial.share:.0%} visible)"
     return Failure(title, trial.cause, picture_path(trial))
 
 

@@ -81,10 +81,10 @@ class Lucky:
     def _erring(
         self, station: Station, tool: str, sigma: float, frame: Frame, mask: Array
     ) -> Station:
-        touched = _touched(frame, mask)
-        self._attempts[tool, touched] += 1
         if sigma == 0:
             return station
+        touched = _touched(frame, mask)
+        self._attempts[tool, touched] += 1
         seed, run = self._key
         rng = generator(seed, "luck", run, tool, touched, self._attempts[tool, touched])
         return Misplaced(station, np.array([*(sigma * rng.standard_normal(2)), 0.0]))

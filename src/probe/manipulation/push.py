@@ -33,12 +33,14 @@ SHORTEST, LONGEST = 0.03, 0.20
 STROKES = 4
 """Sweeps that one push may take: what rolls, tips or turns aside is pushed on from where it is."""
 
-_ALONG = {
-    "right": np.array([1.0, 0.0, 0.0]),
+ALONG: dict[Direction, Array] = {
     "left": np.array([-1.0, 0.0, 0.0]),
+    "right": np.array([1.0, 0.0, 0.0]),
     "up": np.array([0.0, 1.0, 0.0]),
     "down": np.array([0.0, -1.0, 0.0]),
 }
+"""Unit vectors in the world, shape (3,), of a push's directions."""
+
 _STAYED = 0.9
 _SHORT = 0.01
 _FAR_ENOUGH = 0.8
@@ -92,7 +94,7 @@ def push(
     """
     if not SHORTEST <= distance_m <= LONGEST:
         raise ValueError(f"a push goes {SHORTEST} to {LONGEST} m, not {distance_m} m")
-    along = _ALONG[direction]
+    along = ALONG[direction]
     result, track = PushResult("no_space", frame), _Track(mask)
     while result.strokes < STROKES and track.mask is not None:
         left = distance_m - track.gone

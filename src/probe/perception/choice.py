@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 from probe.assets.spec import ObjectSpec
 from probe.perception.dials import Dialled, Dials, Poses
-from probe.perception.oracle import Oracle
+from probe.perception.oracle import Oracle, words_of
 from probe.perception.pointer import Finder, Pointer
 from probe.perception.points import Convention
 from probe.perception.scene_graph import Teller
 from probe.perception.segmenter import Masker, Segmenter
 from probe.perception.teller import ModelTeller
-from probe.perception.things import Detector, Words
+from probe.perception.things import Detector
 from probe.types import Ask
 
 
@@ -54,11 +54,7 @@ def dialled(dials: Dials, seed: int, run: int = 0, rumours: Sequence[ObjectSpec]
 
     def perceiver(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
         present = {spec.name for spec in words.values()}
-        absent = [
-            Words(spec.name, spec.category, spec.colours, spec.description)
-            for spec in rumours
-            if spec.name not in present
-        ]
+        absent = [words_of(spec) for spec in rumours if spec.name not in present]
         return Perception(Dialled(Oracle(words), dials, poses, seed, run, absent))
 
     return perceiver

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.ndimage import binary_dilation
 
-from probe.perception.outline import box_of, interior_point
 from probe.perception.things import Thing, Words
 from probe.types import Array
 
@@ -28,7 +27,7 @@ def cut_in_two(thing: Thing, angle: float) -> tuple[Thing, ...]:
     for side in sides:
         mask = np.zeros_like(thing.mask)
         mask[rows[side], columns[side]] = True
-        parts.append(_thing(mask, thing.words))
+        parts.append(Thing.of(mask, thing.words))
     return tuple(parts)
 
 
@@ -42,7 +41,7 @@ def neighbour_of(thing: Thing, others: Sequence[Thing]) -> int | None:
 def united(one: Thing, other: Thing) -> Thing:
     """Both as one thing, told as the larger."""
     larger = one if np.count_nonzero(one.mask) > np.count_nonzero(other.mask) else other
-    return _thing(one.mask | other.mask, larger.words)
+    return Thing.of(one.mask | other.mask, larger.words)
 
 
 def invented(taken: Array, words: Words, rng: np.random.Generator) -> Thing | None:
@@ -62,9 +61,5 @@ def invented(taken: Array, words: Words, rng: np.random.Generator) -> Thing | No
         if not (taken[place] & ellipse).any():
             mask = np.zeros_like(taken)
             mask[place] = ellipse
-            return _thing(mask, words)
+            return Thing.of(mask, words)
     return None
-
-
-def _thing(mask: Array, words: Words) -> Thing:
-    return Thing(mask, interior_point(mask), box_of(mask), words)

@@ -10,7 +10,6 @@ import numpy as np
 from probe.assets.spec import ObjectSpec
 from probe.errors import ProbeError
 from probe.perception.looks import look_of
-from probe.perception.outline import box_of, interior_point
 from probe.perception.things import Thing, Words
 from probe.types import Array, Frame
 
@@ -66,13 +65,9 @@ class Oracle:
         for instance, count in _noticed(frame).items():
             mask: Array = labels == instance
             seen = _is_seen(shares[instance], count)
-            words = self._named(instance) if seen else self._coarse(mask, frame)
-            things.append(Thing(mask, interior_point(mask), box_of(mask), words))
+            words = words_of(self._words[instance]) if seen else self._coarse(mask, frame)
+            things.append(Thing.of(mask, words))
         return tuple(sorted(things, key=lambda thing: thing.point_px[::-1]))
-
-    def _named(self, instance: int) -> Words:
-        spec = self._words[instance]
-        return Words(spec.name, spec.category, spec.colours, spec.description)
 
     def _coarse(self, mask: Array, frame: Frame) -> Words:
         """The same patch is always told alike, so that its colours are drawn only once."""
@@ -82,6 +77,11 @@ class Oracle:
                 raise NoLabels("colours")
             self._told[patch] = _look(mask, frame)
         return self._told[patch]
+
+
+def words_of(spec: ObjectSpec) -> Words:
+    """What the catalogue says of an object."""
+    return Words(spec.name, spec.category, spec.colours, spec.description)
 
 
 def _patch(mask: Array, frame: Frame) -> str:

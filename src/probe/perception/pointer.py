@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Protocol
 
-from probe.perception.asking import asked
+from probe.asking import asked
 from probe.perception.matching import Match, place_in
 from probe.perception.points import IN_WORDS, Convention, read_point
 from probe.perception.segmenter import Masker, thing_of

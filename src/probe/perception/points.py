@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import Literal, TypeGuard, cast
 
-from probe.perception.asking import UnusableReply
+from probe.asking import UnusableReply
 
 Convention = Literal["pixels", "xy1000", "yx1000", "xy100"]
 """How a model counts: (u, v) in pixels; x, y or y, x (Gemini) from 0 to 1000 over the whole

@@ -12,7 +12,6 @@ import numpy as np
 
 from probe.perception.looks import look_of
 from probe.perception.merging import merged
-from probe.perception.outline import box_of, interior_point
 from probe.perception.patches import patches
 from probe.perception.relief import relief
 from probe.perception.sameness import sameness
@@ -90,4 +89,4 @@ class Segmenter:
 def thing_of(mask: Array, frame: Frame) -> Thing:
     """A thing that is told by its looks alone; the frame must have colours."""
     colours, look = look_of(mask, frame)
-    return Thing(mask, interior_point(mask), box_of(mask), Words(None, "", colours, look))
+    return Thing.of(mask, Words(None, "", colours, look))

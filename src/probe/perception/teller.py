@@ -8,8 +8,8 @@ from typing import get_args
 import pydantic
 import yaml
 
+from probe.asking import UnusableReply, asked
 from probe.files import fault
-from probe.perception.asking import UnusableReply, asked
 from probe.perception.points import IN_WORDS, Convention, to_pixel
 from probe.perception.scene_graph import Contact, Entry, Kind, Region, Relation, SceneGraph
 from probe.perception.teller_reply import Reply, ToldObject

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
+from probe.perception.outline import box_of, interior_point
 from probe.types import Array, Frame
 
 
@@ -43,6 +44,11 @@ class Thing:
     point_px: tuple[int, int]
     box_px: tuple[int, int, int, int]
     words: Words
+
+    @staticmethod
+    def of(mask: Array, words: Words) -> Thing:
+        """What a mask that isn't empty shows."""
+        return Thing(mask, interior_point(mask), box_of(mask), words)
 
     @property
     def nameable(self) -> bool:

@@ -6,9 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import jinja2
-
-from probe.files import write_text
+from probe.report.rendering import write_page
 
 
 @dataclass(frozen=True)
@@ -27,6 +25,4 @@ class GalleryEntry:
 
 def write_gallery(path: Path, entries: Sequence[GalleryEntry]) -> None:
     """Write the page; it opens from disk and loads nothing from elsewhere."""
-    loader = jinja2.PackageLoader("probe.report")
-    page = jinja2.Environment(loader=loader, autoescape=True).get_template("gallery.html")
-    write_text(path, page.render(entries=entries))
+    write_page(path, "gallery.html", {"entries": entries})

@@ -6,9 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-import jinja2
-
-from probe.files import write_text
+from probe.report.rendering import write_page
 from probe.trials.summary import Summary
 
 
@@ -25,12 +23,5 @@ def write_tools_page(
     path: Path, title: str, summaries: Sequence[Summary], failures: Sequence[Failure]
 ) -> None:
     """Write the page; it opens from disk and loads nothing from elsewhere."""
-    environment = jinja2.Environment(
-        loader=jinja2.PackageLoader("probe.report"),
-        autoescape=True,
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    page = environment.get_template("tools.html")
-    write_text(path, page.render(title=title, summaries=summaries, failures=failures))
+    values = {"title": title, "summaries": summaries, "failures": failures}
+    write_page(path, "tools.html", values)

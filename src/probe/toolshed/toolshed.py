@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
-from probe.perception.asking import UnusableReply
+from probe.asking import UnusableReply
 from probe.perception.matching import Match, match
 from probe.perception.pointer import Finder
 from probe.perception.scene_graph import Teller
@@ -107,6 +107,9 @@ class Toolshed:
             result = self._run(parse(name, arguments))
         except Refusal as refusal:
             result = ToolResult(str(refusal), status=refusal.status)
+        except UnusableReply as failure:
+            text = _UNREADABLE.format(reason=failure, tool=name)
+            result = ToolResult(text, self._picture(), status="failed")
         if self.turns >= TURNS and self.answer is None and not self.ended:
             result = replace(result, text=f"{result.text}\n{_LAST_TURN}")
         self.ended = self.ended or self.answer is not None or self.turns >= TURNS
@@ -131,18 +134,12 @@ class Toolshed:
     def _perceive(self) -> ToolResult:
         if self._teller is None:
             text = scene_text(self._view.things, self._view.frame)
-            return ToolResult(text, self._picture())
-        try:
+        else:
             text = told_text(self._teller.tell(self._view.coloured))
-        except UnusableReply as failure:
-            return self._unreadable("perceive_scene", failure)
         return ToolResult(text, self._picture())
 
     def _find(self, description: str) -> ToolResult:
-        try:
-            found = self._meant(description)
-        except UnusableReply as failure:
-            return self._unreadable("find_object", failure)
+        found = self._meant(description)
         if found is None:
             return ToolResult(_NOT_FOUND, self._picture(), status="failed")
         handle = self._handles.issue(found.thing, self._view.frame)
@@ -157,10 +154,6 @@ class Toolshed:
         if self._finder is None:
             return match(description, self._view.things)
         return self._finder.find(description, self._view.coloured)
-
-    def _unreadable(self, tool: str, failure: UnusableReply) -> ToolResult:
-        text = _UNREADABLE.format(reason=failure, tool=tool)
-        return ToolResult(text, self._picture(), status="failed")
 
     def _grasp(self, request: GraspAndRemove) -> ToolResult:
         thing = self._take_up(request.object_id)

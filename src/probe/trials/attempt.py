@@ -13,14 +13,14 @@ from probe import manipulation
 from probe.assets.library import Library
 from probe.episodes.luck import Lucky, Noise
 from probe.manipulation.grasp import GraspResult
-from probe.manipulation.push import LONGEST, SHORTEST, PushResult
+from probe.manipulation.push import ALONG, LONGEST, SHORTEST, PushResult
 from probe.render.renderer import Renderer
 from probe.scene.layout import BASKET_POSITION
-from probe.scene.scene import PlacedObject, Scene
+from probe.scene.scene import PlacedObject
 from probe.station.simulated import SimulatedStation
 from probe.station.station import Arm, Hand
 from probe.tasks.grading import whereabouts
-from probe.toolshed.skills import Direction, Skills
+from probe.toolshed.skills import Skills
 from probe.trials.table import Laid
 from probe.trials.trial import Tool, Trial
 from probe.types import Array, Frame
@@ -29,12 +29,6 @@ MOVED = 0.03
 """Metres from which on another object counts as moved."""
 
 _FELL_SHORT = 0.01
-_ALONG: dict[Direction, tuple[int, int, int]] = {
-    "left": (-1, 0, 0),
-    "right": (1, 0, 0),
-    "up": (0, 1, 0),
-    "down": (0, -1, 0),
-}
 
 
 def attempt(
@@ -45,18 +39,14 @@ def attempt(
     renderer: Renderer,
     noise: Noise,
     skills: Skills = manipulation,
-) -> tuple[Trial, Frame]:
-    """Restore the table, try the tool, measure.
-
-    Returns:
-        What came of it, and the table afterwards.
-    """
+) -> Trial:
+    """Restore the table, try the tool, measure."""
     laid.world.restore(laid.start)
     station = _Timed(SimulatedStation(laid.world, renderer))
     lucky = Lucky(skills, noise, laid.scene.seed, 0)
     trying = _grasp if tool == "grasp" else _push
     start = time.process_time()
-    found, frame = trying(lucky, station, laid, target)
+    found = trying(lucky, station, laid, target)
     spent = time.process_time() - start
     after, spec = laid.world.scene(), things[target.object_id]
     moved = [
@@ -79,56 +69,48 @@ def attempt(
         "planning": spent - station.seconds,
         "execution": station.seconds,
     }
-    return Trial.model_validate(common | found(after)), frame
+    return Trial.model_validate(common | found)
 
 
-def _grasp(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
+def _grasp(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject) -> dict[str, object]:
     result = skills.grasp_and_remove(station, laid.frame, laid.mask(target), BASKET_POSITION)
     assert isinstance(result, GraspResult)
-
-    def found(after: Scene) -> dict[str, object]:
-        inside = whereabouts(after[target.instance].pose) == "basket"
-        return {
-            "direction": None,
-            "distance": None,
-            "status": result.status,
-            "good": inside,
-            "executed": result.status == "removed",
-            "truthful": inside == (result.status == "removed"),
-            "ratio": None,
-            "tries": result.tries,
-            "width": result.width,
-        }
-
-    return found, result.frame
+    inside = whereabouts(laid.world.scene()[target.instance].pose) == "basket"
+    return {
+        "direction": None,
+        "distance": None,
+        "status": result.status,
+        "good": inside,
+        "executed": result.status == "removed",
+        "truthful": inside == (result.status == "removed"),
+        "ratio": None,
+        "tries": result.tries,
+        "width": result.width,
+    }
 
 
-def _push(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject):
-    directions = list(_ALONG)
+def _push(skills: Lucky, station: _Timed, laid: Laid, target: PlacedObject) -> dict[str, object]:
+    directions = list(ALONG)
     direction = directions[int(laid.rng.integers(len(directions)))]
     distance = float(laid.rng.uniform(SHORTEST, LONGEST))
     result = skills.push(
         station, laid.frame, laid.mask(target), direction, distance, BASKET_POSITION
     )
     assert isinstance(result, PushResult)
-
-    def found(after: Scene) -> dict[str, object]:
-        way = np.subtract(after[target.instance].pose.position, target.pose.position)
-        ratio = float(way @ np.array(_ALONG[direction])) / distance
-        reached = max(result.swept, result.moved or 0.0)
-        return {
-            "direction": direction,
-            "distance": distance,
-            "status": result.status,
-            "good": ratio >= 0.5,
-            "executed": reached > distance - _FELL_SHORT,
-            "truthful": True,
-            "ratio": ratio,
-            "tries": result.strokes,
-            "width": 0.0,
-        }
-
-    return found, result.frame
+    end = laid.world.scene()[target.instance].pose
+    ratio = float(np.subtract(end.position, target.pose.position) @ ALONG[direction]) / distance
+    reached = max(result.swept, result.moved or 0.0)
+    return {
+        "direction": direction,
+        "distance": distance,
+        "status": result.status,
+        "good": ratio >= 0.5,
+        "executed": reached > distance - _FELL_SHORT,
+        "truthful": True,
+        "ratio": ratio,
+        "tries": result.strokes,
+        "width": 0.0,
+    }
 
 
 class _Timed:

@@ -8,6 +8,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
+from probe.perception.oracle import SEEN_PX, SEEN_SHARE
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject, Scene
@@ -19,9 +20,6 @@ from probe.world.world import Snapshot, World
 
 A_SCENE = 5
 """Targets at most in a scene."""
-
-SEEN_SHARE, SEEN_PX = 0.30, 400
-"""From which visible share and number of pixels on an object is a target."""
 
 
 @dataclass(frozen=True, eq=False)

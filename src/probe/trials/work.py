@@ -142,7 +142,7 @@ def _scene(
         return []
     made: list[Trial] = []
     for target in laid.targets[:at_most]:
-        trial, _ = attempt(tool, laid, target, things, renderer, settings.noise, settings.skills)
+        trial = attempt(tool, laid, target, things, renderer, settings.noise, settings.skills)
         made.append(trial)
         if not trial.good:
             _photograph(out / picture_path(trial), laid, target, renderer)

@@ -3,8 +3,8 @@ import json
 import numpy as np
 import pytest
 
+from probe.asking import UnusableReply
 from probe.assets.annotation.words import Described, describe, parse
-from probe.errors import ModelFailed
 
 GOOD = {
     "name": "Red coffee mug.",
@@ -51,11 +51,10 @@ def test_the_object_is_found_whatever_stands_around_it(around):
         (json.dumps({**GOOD, "name": "x" * 60}), "name"),
         (json.dumps({**GOOD, "name": "<b>mug</b>"}), "name"),
         (json.dumps({**GOOD, "description": None}), "description"),
-        ("{" * 100_000, "no JSON"),
     ],
 )
 def test_what_breaks_the_schema_is_refused_with_the_place(reply, words):
-    with pytest.raises(ModelFailed, match=words):
+    with pytest.raises(UnusableReply, match=words):
         parse(reply)
 
 
@@ -66,8 +65,14 @@ def test_a_broken_reply_gets_one_more_chance_and_is_told_why():
     assert "A mug." in asked[1][1] and "no JSON" in asked[1][1]
 
 
+def test_a_reply_without_end_is_a_broken_one():
+    ask, asked = scripted("{" * 100_000, json.dumps(GOOD))
+    assert describe(VIEWS, ask).category == "mug"
+    assert "no JSON" in asked[1][1] and len(asked[1][1]) < 5000
+
+
 def test_two_broken_replies_are_enough():
     ask, asked = scripted("A mug.", "Still a mug.", json.dumps(GOOD))
-    with pytest.raises(ModelFailed):
+    with pytest.raises(UnusableReply):
         describe(VIEWS, ask)
     assert len(asked) == 2

@@ -9,8 +9,8 @@ from typing import Annotated
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
+from probe.asking import UnusableReply, asked
 from probe.assets.colours import Colour
-from probe.errors import ModelFailed
 from probe.files import fault
 from probe.types import Array, Ask
 
@@ -25,12 +25,6 @@ colour first where that helps ("red coffee mug").
 category: the common noun alone ("mug").
 colours: one to three main colours, the most of its surface first, each one of: {colours}.
 description: one sentence of at most 160 characters on what it looks like."""
-_AGAIN = """
-
-Your last reply was:
-{reply}
-It can't be used: {reason}. Reply again, with the JSON alone."""
-_LONGEST_REPLY = 20_000
 
 
 def _plain(value: object) -> object:
@@ -64,31 +58,27 @@ def describe(views: Sequence[Array], ask: Ask) -> Described:
         ask: The model.
 
     Raises:
-        ModelFailed: No usable reply came; the reason is the last one.
+        UnusableReply: Neither reply can be used; the reason is that of the second.
+        ModelFailed: No reply came.
     """
     colours = ", ".join(Colour.__args__)
     question = _QUESTION.format(count=len(views), colours=colours)
-    reply = ask(views, question)
-    try:
-        return parse(reply)
-    except ModelFailed as failure:
-        again = _AGAIN.format(reply=reply[:2000], reason=failure)
-        return parse(ask(views, question + again))
+    return asked(ask, views, question, parse, "with the JSON alone")
 
 
 def parse(reply: str) -> Described:
     """The JSON object in a reply, whatever stands around it.
 
     Raises:
-        ModelFailed: There is none, or it breaks the schema.
+        UnusableReply: There is none, or it breaks the schema.
     """
-    found = re.search(r"\{.*\}", reply[:_LONGEST_REPLY], re.DOTALL)
+    found = re.search(r"\{.*\}", reply, re.DOTALL)
     if found is None:
-        raise ModelFailed("there is no JSON object in the reply")
+        raise UnusableReply("there is no JSON object in the reply")
     try:
         return Described.model_validate(json.loads(found.group()))
     except ValueError as error:
-        raise ModelFailed(_reason(error)) from error
+        raise UnusableReply(_reason(error)) from error
 
 
 def _reason(error: ValueError) -> str:

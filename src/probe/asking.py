@@ -15,7 +15,7 @@ _AGAIN = """
 
 Your last reply was:
 {reply}
-It can't be used: {reason}. Reply again, in the form asked for and with nothing else."""
+It can't be used: {reason}. Reply again, {form}."""
 
 Meaning = TypeVar("Meaning")
 
@@ -24,7 +24,13 @@ class UnusableReply(ModelFailed):
     """A model replied, but not with what it was asked for; the message is the reason."""
 
 
-def asked(ask: Ask, images: Sequence[Array], text: str, parse: Callable[[str], Meaning]) -> Meaning:
+def asked(
+    ask: Ask,
+    images: Sequence[Array],
+    text: str,
+    parse: Callable[[str], Meaning],
+    form: str = "in the form asked for and with nothing else",
+) -> Meaning:
     """What a model means; a reply that can't be used is sent back once with the reason.
 
     Args:
@@ -32,6 +38,7 @@ def asked(ask: Ask, images: Sequence[Array], text: str, parse: Callable[[str], M
         images: Pictures, uint8, each of shape (h, w, 3).
         text: The question.
         parse: Makes sense of a reply, or raises UnusableReply.
+        form: How to reply, as it is put to the model the second time.
 
     Raises:
         UnusableReply: Neither reply can be used; the reason is that of the second.
@@ -41,5 +48,5 @@ def asked(ask: Ask, images: Sequence[Array], text: str, parse: Callable[[str], M
     try:
         return parse(reply[:LONGEST_REPLY])
     except UnusableReply as failure:
-        again = _AGAIN.format(reply=reply[:2000], reason=failure)
+        again = _AGAIN.format(reply=reply[:2000], reason=failure, form=form)
         return parse(ask(images, text + again)[:LONGEST_REPLY])
