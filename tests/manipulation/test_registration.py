@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from probe.manipulation.looking import arrived, tracked
+from probe.manipulation.looking import tracked
 from probe.manipulation.registration import Motions, Surface, fit, register
 from probe.manipulation.terrain import lifted
 from probe.scene.layout import TABLE_SIZE, top_camera
@@ -63,15 +63,3 @@ def test_what_would_hide_what_is_seen_counts_against_a_place() -> None:
     raised = Motions(np.eye(3)[None], np.array([[0.0, 0.0, 0.02]]), points.mean(axis=0))
     shown, hiding = fit(surface, points, raised, 0.004)
     assert shown[0] == 0.0 and hiding[0] == 1.0
-
-
-def test_a_thing_that_lies_on_its_side_has_arrived_somewhere() -> None:
-    before, mask = look(book(), POST)
-    after, expected = look(book(0.0, 0.1, 0.0, np.pi / 2, z=0.04), POST)
-    patch = arrived(before, after, mask, np.array([0.0, 0.1, 0.0]))
-    assert patch is not None and (patch & expected).sum() > 0.8 * expected.sum()
-
-
-def test_nothing_has_arrived_where_nothing_changed() -> None:
-    frame, mask = look(book(), POST)
-    assert arrived(frame, frame, mask, np.array([0.0, 0.1, 0.0])) is None

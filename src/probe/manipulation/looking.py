@@ -27,7 +27,6 @@ _SLIDES = (np.arange(-4, 5) * 0.010, np.arange(-4, 5) * 0.005, np.arange(-3, 4) 
 _HIDING_COST = 0.5
 _FOUND = 0.5
 _ON_TABLE = 0.0015
-_PATCH_PX = 100
 _NOWHERE = np.zeros(3)
 _UP = np.array([0.0, 0.0, 1.0])
 
@@ -45,13 +44,35 @@ class Found:
     Attributes:
         mask: Which pixels show it, bool, shape (h, w).
         shift: How its middle moved, metres, shape (3,).
+        merit: How well its shape agrees with what is seen, up to 1; 0 where it wasn't asked.
     """
 
     mask: Array
     shift: Array
+    merit: float
 
 
-def tracked(before: Frame, after: Frame, mask: Array, way: Array = _NOWHERE) -> Found | None:
+def changed(before: Frame, after: Frame, mask: Array) -> Array:
+    """What may show a thing that a mask showed, bool, shape (h, w).
+
+    What showed something else before, and shows it still, doesn't.
+    """
+    return mask | (np.abs(after.depth - before.depth) > SAME)
+
+
+def above_table(frame: Frame) -> Array:
+    """Pixels that show more than the bare table, bool, shape (h, w); the camera looks down."""
+    return frame.depth < frame.camera.world_from_camera.position[2] - _ON_TABLE
+
+
+def tracked(
+    before: Frame,
+    after: Frame,
+    mask: Array,
+    way: Array = _NOWHERE,
+    where: Array | None = None,
+    least: float = _FOUND,
+) -> Found | None:
     """Find a thing again that may have slid, turned and tipped on the table.
 
     Args:
@@ -61,63 +82,30 @@ def tracked(before: Frame, after: Frame, mask: Array, way: Array = _NOWHERE) -> 
         mask: bool, shape (h, w).
         way: A straight line from where it was, on which it may have stopped anywhere, metres,
             shape (3,).
+        where: Pixels that may show it, bool, shape (h, w); None for all of them.
+        least: Merit that it must have.
 
     Returns:
-        None if most of it isn't found.
+        None if it isn't found.
     """
+    possible = changed(before, after, mask) & above_table(after)
+    possible &= True if where is None else where
     points = lifted(before, mask)
-    if len(points) == 0:
+    if len(points) == 0 or not possible.any():
         return None
     few = points[:: max(1, len(points) // _POINTS)]
-    # What showed something else before, and shows it still, isn't the thing; nor is the table.
-    possible = mask | (np.abs(after.depth - before.depth) > SAME)
     surface = Surface.of(after, possible)
-    surface.possible[surface.points[..., 2] < _ON_TABLE] = False
     # A tall thing may have tipped a little; a flat one would be taken for what it lies on.
     slack = float(np.clip(_SLACK * points[:, 2].max(), *_SLACK_LIMITS))
     motion, merit = _placed(surface, few, way, slack)
-    if merit < _FOUND:
+    if merit < least:
         return None
     rows, columns, _, inside = surface.under(motion.apply(points)[0])
     shown = np.zeros_like(mask, bool)
     top, left = surface.corner
     shown[rows[inside] + top, columns[inside] + left] = True
     shift = motion.apply(few)[0].mean(axis=0) - few.mean(axis=0)
-    return Found(ndimage.binary_closing(shown, iterations=2), shift)
-
-
-def arrived(before: Frame, after: Frame, mask: Array, way: Array) -> Array | None:
-    """What stands now where less stood before, on the way of a thing that can't be told any more.
-
-    Args:
-        before: Where the thing was known.
-        after: Afterwards.
-        mask: The thing, bool, shape (h, w).
-        way: A straight line from where it was, metres, shape (3,).
-
-    Returns:
-        The largest such patch on the way, bool, shape (h, w); None if there is none.
-    """
-    risen = ndimage.binary_opening(before.depth - after.depth > SAME, iterations=2)
-    patches, count = ndimage.label(risen)
-    if count == 0:
-        return None
-    middle = lifted(before, mask).mean(axis=0)
-    stops = (
-        middle + np.linspace(0, 1, math.ceil(float(np.linalg.norm(way)) / 0.01) + 1)[:, None] * way
-    )
-    corridor = np.zeros_like(mask, bool)
-    pixels = before.camera.project(stops)
-    rows, columns = np.nonzero(mask)
-    height, width = mask.shape
-    for step in pixels - pixels[0]:
-        v, u = rows + round(float(step[1])), columns + round(float(step[0]))
-        inside = (v >= 0) & (v < height) & (u >= 0) & (u < width)
-        corridor[v[inside], u[inside]] = True
-    overlaps = np.bincount(patches[corridor], minlength=count + 1)
-    overlaps[0] = 0
-    best = int(np.argmax(overlaps))
-    return patches == best if overlaps[best] >= _PATCH_PX else None
+    return Found(ndimage.binary_closing(shown, iterations=2), shift, merit)
 
 
 def _placed(surface: Surface, points: Array, way: Array, slack: float) -> tuple[Motions, float]:

@@ -7,9 +7,9 @@ from typing import Literal
 
 import numpy as np
 
-from probe.manipulation.looking import arrived, still_there, tracked
+from probe.manipulation.looking import still_there, tracked
+from probe.manipulation.recognition import recognised
 from probe.manipulation.stroke import Stroke, stroke
-from probe.manipulation.terrain import lifted
 from probe.station.station import Station
 from probe.types import Array, Frame, Pose, Vector3
 
@@ -30,7 +30,7 @@ blocked: Something stopped the arm.
 SHORTEST, LONGEST = 0.03, 0.20
 """Distances that may be asked for, metres."""
 
-STROKES = 4
+STROKES = 6
 """Sweeps that one push may take: what rolls, tips or turns aside is pushed on from where it is."""
 
 ALONG: dict[Direction, Array] = {
@@ -45,7 +45,7 @@ _STAYED = 0.9
 _SHORT = 0.01
 _FAR_ENOUGH = 0.8
 _LEAST = 0.008
-_BELIEVED = 0.5
+_CERTAIN = 0.9
 _IN_VAIN = 0.3
 
 
@@ -55,7 +55,7 @@ class PushResult:
 
     Attributes:
         status: See PushStatus.
-        frame: The table afterwards, without colours.
+        frame: The table afterwards.
         swept: How far the tool came along the push from where the thing was, metres.
         moved: How far the thing went that way, by its looks, metres; None if lost from sight.
         strokes: Sweeps that were begun.
@@ -79,7 +79,7 @@ def push(
     """Push what a mask shows in a direction of the picture.
 
     The arm starts and ends parked. What it touches stays as physics leaves it. A thing that has
-    fallen well behind is pushed on from where it lies, if it can be told by its shape.
+    fallen well behind is pushed on from where it lies, if it can be told by its shape and colours.
 
     Args:
         station: The arm, camera and table.
@@ -100,14 +100,15 @@ def push(
         left = distance_m - track.gone
         if left < max(_LEAST, (1 - _FAR_ENOUGH) * distance_m):
             break
-        done = stroke(station, result.frame, track.mask, along, left, basket, track.in_vain)
+        before = result.frame if result.frame.rgb is not None else station.observe(rgb=True)
+        done = stroke(station, before, track.mask, along, left, basket, track.in_vain)
         if done.end in ("no_space", "unreachable"):
             return result if result.strokes else PushResult(done.end, done.frame)
         swept = max(result.swept, track.gone + done.swept)
-        track = _follow(track, result.frame, done, along)
-        moved = track.gone if track.sure else None
+        after, track = _follow(station, track, before, done, along)
+        moved = None if track.mask is None else track.gone
         status = _status(done, max(swept, moved or 0.0), distance_m)
-        result = PushResult(status, done.frame, swept, moved, result.strokes + 1)
+        result = PushResult(status, after, swept, moved, result.strokes + 1)
     if result.status == "pushed" and still_there(frame, result.frame, mask) > _STAYED:
         return replace(result, status="unmoved")
     return result
@@ -120,31 +121,29 @@ class _Track:
     Attributes:
         mask: Which pixels show it; None if nothing that could be it is seen.
         gone: How far it went along the push, metres.
-        sure: Whether it was told by its shape all the time.
         in_vain: Starts from which it was pushed and hardly moved.
     """
 
     mask: Array | None
     gone: float = 0.0
-    sure: bool = True
     in_vain: tuple[Pose, ...] = ()
 
 
-def _follow(track: _Track, before: Frame, done: Stroke, along: Array) -> _Track:
-    """Where a thing is after a stroke."""
+def _follow(
+    station: Station, track: _Track, before: Frame, done: Stroke, along: Array
+) -> tuple[Frame, _Track]:
+    """The table and where the thing is after a stroke; looked at in colour if shape won't do."""
     assert track.mask is not None
-    way = along * done.swept
-    found = tracked(before, done.frame, track.mask, way)
-    if found is not None:
-        mask, sure, step = found.mask, track.sure, float(found.shift @ along)
-    else:
-        mask, sure, step = arrived(before, done.frame, track.mask, way), False, done.swept
-        if mask is not None:
-            ahead = lifted(done.frame, mask).mean(axis=0) - lifted(before, track.mask).mean(axis=0)
-            # It may be something else that got there: so not all of the way is believed.
-            step = float(np.clip(ahead @ along, 0.0, _BELIEVED * done.swept))
+    after, way = done.frame, along * done.swept
+    found = tracked(before, after, track.mask, way)
+    if found is None or found.merit < _CERTAIN:
+        after = station.observe(rgb=True)
+        found = recognised(before, after, track.mask, way, found)
+    if found is None:
+        return after, _Track(None, track.gone)
+    step = float(found.shift @ along)
     in_vain = (*track.in_vain, *done.starts) if step < _IN_VAIN * done.swept else ()
-    return _Track(mask, track.gone + step, sure, in_vain)
+    return after, _Track(found.mask, track.gone + step, in_vain)
 
 
 def _status(done: Stroke, reached: float, asked: float) -> PushStatus:
