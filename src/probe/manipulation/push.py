@@ -139,11 +139,18 @@ def _follow(
     if found is None or found.merit < _CERTAIN:
         after = station.observe(rgb=True)
         found = recognised(before, after, track.mask, way, found)
-    if found is None:
+    if found is None or _at_border(found.mask):
         return after, _Track(None, track.gone)
     step = float(found.shift @ along)
     in_vain = (*track.in_vain, *done.starts) if step < _IN_VAIN * done.swept else ()
     return after, _Track(found.mask, track.gone + step, in_vain)
+
+
+def _at_border(mask: Array) -> bool:
+    """Whether a part may lie outside the picture, so that its middle isn't known."""
+    inner = mask.copy()
+    inner[1:-1, 1:-1] = False
+    return bool(inner.any())
 
 
 def _status(done: Stroke, reached: float, asked: float) -> PushStatus:
