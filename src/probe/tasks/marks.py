@@ -10,7 +10,7 @@ from PIL import Image, ImageDraw, ImageFont
 from probe.tasks.task import Mark
 from probe.types import Array
 
-_RADIUS_PX, _RIM_PX, _LETTER_PX = 4, 2, 26
+_RADIUS_PX, _RIM_PX, _LETTER_PX = 3, 2, 26
 _BESIDE_PX = 24
 _INK, _RIM = (255, 255, 255), (0, 0, 0)
 
