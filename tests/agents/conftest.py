@@ -15,11 +15,11 @@ from tabletops import Obedient, PaintedStation
 def play():
     """A function: agent, options, specs and blocks to an episode's record."""
 
-    def run(agent, options, specs, blocks, skills=None):
+    def run(agent, options, specs, blocks, skills=None, text="?"):
         station = PaintedStation(blocks)
         skills = skills or Obedient()
         tools = Toolshed(station, Oracle(specs), skills, (0, 0, 0), pictures=False)
-        question = Question("?", tuple(zip("ABCDE", options, strict=False)))
+        question = Question(text, tuple(zip("ABCDE", options, strict=False)))
         return run_episode("t", question, agent, tools, station, agent_name="a")
 
     return run

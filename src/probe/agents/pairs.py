@@ -72,9 +72,9 @@ def _uncovered(
 
 def _uncover(search: Search, mark: tuple[int, int]) -> Plan[Seen | None]:
     """Clear away what lies on the thing at a mark until it is named and nothing covers it."""
-    spent = search.spent
+    spent, moved = search.spent, set[str | None]()
     while True:
-        marked = _at(search.graph.objects, mark)
+        marked = _at([seen for seen in search.graph.objects if seen.name not in moved], mark)
         if marked is None:
             return None
         over = [
@@ -91,7 +91,10 @@ def _uncover(search: Search, mark: tuple[int, int]) -> Plan[Seen | None]:
         ]
         if not nearby or search.spent - spent >= _MOST:
             return None
-        yield from search.clear(max(nearby, key=lambda seen: seen.area))
+        largest = max(nearby, key=lambda seen: seen.area)
+        yield from search.clear(largest)
+        # Pushed, it may lie at the mark afterwards, and hide what that was on.
+        moved.add(largest.name)
 
 
 def _at(objects: Sequence[Seen], mark: tuple[int, int]) -> Seen | None:
