@@ -3,6 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from probe.agents.moves import Way
 from probe.agents.scripted import Scripted
 from tabletops import Block, Obedient, spec
 
@@ -24,7 +25,7 @@ OVER_SHORT = Block(4, (560, 620, 689, 779), 0.08, (40, 120, 50))
 TABLE = [LONG, SHORT, OVER_LONG, OVER_SHORT]
 
 
-def scripted(kind, form, subject="", first="grasp"):
+def scripted(kind, form, subject="", first: Way = "grasp"):
     return Scripted(kind, subject, np.random.default_rng(5), first, form=form)
 
 
