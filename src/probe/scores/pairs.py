@@ -94,7 +94,8 @@ def family(
     """
     found = [_difference(first, second, results) for first, second in pairs]
     chances = [
-        _p(each, generator(seed, "pair", *each.first, *each.second), draws) for each in found
+        no_difference_p(it.strata, generator(seed, "pair", *it.first, *it.second), draws)
+        for it in found
     ]
     adjusted = holm(chances)
     return [
@@ -115,8 +116,14 @@ def _difference(first: Entrant, second: Entrant, results: Results) -> _Differenc
     )
 
 
-def _p(difference: _Difference, rng: np.random.Generator, draws: int) -> float:
-    strata = difference.strata
+def no_difference_p(strata: Strata, rng: np.random.Generator, draws: int = FLIPS) -> float:
+    """Two-sided p of the macro average of differences, by flipping signs within types.
+
+    Args:
+        strata: Differences of tasks by type.
+        rng: For the draws.
+        draws: How many.
+    """
     weighted = [values / len(values) / len(strata) for values in strata.values()]
     return sign_flip_p(np.concatenate(weighted), rng, draws)
 
