@@ -39,7 +39,7 @@ def test_everything_of_a_table():
     (arms,) = scores.agentic_against_direct
     assert (arms.first, arms.second) == (("anna", "agentic"), ("anna", "direct"))
     assert arms.p == arms.adjusted == pytest.approx(2 / 2**14)
-    assert len(scores.all_pairs) == 6
+    assert (len(scores.all_pairs), scores.apart) == (6, ())
     same = next(p for p in scores.all_pairs if (p.first, p.second) == (arms.first, arms.second))
     assert same.adjusted > same.p == arms.p
     assert scores.ties == (
@@ -65,6 +65,15 @@ def test_an_agent_that_lacks_a_task_or_everything_is_incomplete_and_last():
     assert len(scores.all_pairs) == 6  # she can't be compared
     pair = next(p for p in scores.all_pairs if p.second.agent == "carl")
     assert (pair.tasks, pair.left_out) == (15, 1)
+
+
+def test_those_who_share_no_task_so_far_are_named():
+    early = [r for r in entrant("anna", "agentic", 8) if r.kind == "find"]
+    late = [r for r in entrant("anna", "direct", 1) if r.kind == "size"]
+    scores = summarise("v1", [*early, *late, *entrant("bob", "direct", 2)], ROSTER)
+    assert scores.apart == ((("anna", "agentic"), ("anna", "direct")),)
+    assert len(scores.all_pairs) == 2
+    assert (scores.agentic_against_direct, scores.arms) == ((), None)
 
 
 def test_a_repetition_makes_it_whole():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
@@ -18,7 +18,7 @@ from probe.scores.pairs import Pair, Results, family
 from probe.scores.roster import Roster
 from probe.scores.row import Entrant, Row
 from probe.scores.scorecard import Scorecard, scorecard
-from probe.scores.units import Unit, by_entrant, units_of
+from probe.scores.units import by_entrant, units_of
 
 AGENTIC, DIRECT = "agentic", "direct"
 
@@ -35,6 +35,7 @@ class Scores:
         cards: One an entrant, best first by the worst case.
         agentic_against_direct: A family of comparisons: each agent that has both arms.
         all_pairs: Another: everyone with everyone.
+        apart: Pairs that are in neither, since they share no task that both have results of.
         ties: Largest groups of whom no two differ in `all_pairs`.
         arms: Agentic against direct over all agents; None if nobody has both.
     """
@@ -45,6 +46,7 @@ class Scores:
     cards: tuple[Scorecard, ...]
     agentic_against_direct: tuple[Pair, ...]
     all_pairs: tuple[Pair, ...]
+    apart: tuple[tuple[Entrant, Entrant], ...]
     ties: tuple[tuple[Entrant, ...], ...]
     arms: ArmEffect | None
 
@@ -68,16 +70,19 @@ def summarise(suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0) ->
         entrant: units for entrant, some in entrants.items() if (units := units_of(present(some)))
     }
     ranked = [card.entrant for card in cards if card.entrant in results]
-    pairs = family(results, combinations(ranked, 2), seed)
+    shared = [pair for pair in combinations(ranked, 2) if _share_tasks(results, pair)]
+    arms = [pair for pair in _both_arms(ranked) if _share_tasks(results, pair)]
+    pairs = family(results, shared, seed)
     return Scores(
         suite=suite,
         seed=seed,
         complete=not any(card.gaps for card in cards),
         cards=tuple(cards),
-        agentic_against_direct=tuple(family(results, _both_arms(ranked), seed)),
+        agentic_against_direct=tuple(family(results, arms, seed)),
         all_pairs=tuple(pairs),
+        apart=tuple(pair for pair in combinations(ranked, 2) if pair not in shared),
         ties=tuple(ties(ranked, [(p.first, p.second) for p in pairs if not p.tie])),
-        arms=_arms(results, seed),
+        arms=_arm_effect(results, arms, seed),
     )
 
 
@@ -96,8 +101,13 @@ def _both_arms(entrants: Sequence[Entrant]) -> list[tuple[Entrant, Entrant]]:
     return [(it, direct[it.agent]) for it in entrants if it.arm == AGENTIC and it.agent in direct]
 
 
-def _arms(results: Mapping[Entrant, Sequence[Unit]], seed: int) -> ArmEffect | None:
-    both: Both = {
-        one.agent: (results[one], results[other]) for one, other in _both_arms(list(results))
-    }
+def _share_tasks(results: Results, pair: tuple[Entrant, Entrant]) -> bool:
+    one, other = ({unit.task for unit in results[entrant]} for entrant in pair)
+    return not one.isdisjoint(other)
+
+
+def _arm_effect(
+    results: Results, arms: Sequence[tuple[Entrant, Entrant]], seed: int
+) -> ArmEffect | None:
+    both: Both = {one.agent: (results[one], results[other]) for one, other in arms}
     return arm_effect(both, generator(seed, "arms")) if both else None
