@@ -235,7 +235,7 @@ def _table(title: str, *columns: str) -> Table:
     return table
 
 
-def main(sims: int = 1000, seed: int = 0) -> None:
+def main(sims: int = 200, seed: int = 0) -> None:
     """Print all tables.
 
     Args:

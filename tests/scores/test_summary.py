@@ -28,8 +28,8 @@ ROSTER = roster_of(ROWS)
 
 
 def test_everything_of_a_table():
-    scores = summarise("v1", ROWS, ROSTER, seed=3)
-    assert (scores.suite, scores.seed, scores.complete) == ("v1", 3, True)
+    scores = summarise("s", ROWS, ROSTER, seed=3)
+    assert (scores.suite, scores.seed, scores.complete) == ("s", 3, True)
     assert [card.entrant for card in scores.cards] == [
         ("anna", "agentic"),
         ("carl", "agentic"),
@@ -51,7 +51,7 @@ def test_everything_of_a_table():
 
 
 def test_no_arms_to_compare():
-    scores = summarise("v1", [r for r in ROWS if r.agent != "anna"], ROSTER)
+    scores = summarise("s", [r for r in ROWS if r.agent != "anna"], ROSTER)
     assert scores.agentic_against_direct == ()
     assert scores.arms is None
 
@@ -59,7 +59,7 @@ def test_no_arms_to_compare():
 def test_an_agent_that_lacks_a_task_or_everything_is_incomplete_and_last():
     lacking = [r for r in ROWS if (r.agent, r.task) != ("carl", "find-0")]
     failed = [faulty(task, agent="dora") for task in TASKS]
-    scores = summarise("v1", [*lacking, *failed], ROSTER)
+    scores = summarise("s", [*lacking, *failed], ROSTER)
     assert not scores.complete
     assert scores.cards[-1].entrant.agent == "dora"
     assert len(scores.all_pairs) == 6  # she can't be compared
@@ -70,7 +70,7 @@ def test_an_agent_that_lacks_a_task_or_everything_is_incomplete_and_last():
 def test_those_who_share_no_task_so_far_are_named():
     early = [r for r in entrant("anna", "agentic", 8) if r.kind == "find"]
     late = [r for r in entrant("anna", "direct", 1) if r.kind == "size"]
-    scores = summarise("v1", [*early, *late, *entrant("bob", "direct", 2)], ROSTER)
+    scores = summarise("s", [*early, *late, *entrant("bob", "direct", 2)], ROSTER)
     assert scores.apart == ((("anna", "agentic"), ("anna", "direct")),)
     assert len(scores.all_pairs) == 2
     assert (scores.agentic_against_direct, scores.arms) == ((), None)
@@ -78,21 +78,23 @@ def test_those_who_share_no_task_so_far_are_named():
 
 def test_a_repetition_makes_it_whole():
     failed = faulty("find-0", agent="bob", arm="direct")
-    assert summarise("v1", [failed, *ROWS], ROSTER) == summarise("v1", ROWS, ROSTER)
+    assert summarise("s", [failed, *ROWS], ROSTER) == summarise("s", ROWS, ROSTER)
 
 
 def test_rows_of_another_suite_are_refused():
-    with pytest.raises(ContraryRows):
-        summarise("v1", [*ROWS, row("find-99")], ROSTER)
+    with pytest.raises(ContraryRows, match="isn't of this suite"):
+        summarise("s", [*ROWS, row("find-99")], ROSTER)
+    with pytest.raises(ContraryRows, match="it is of suite s, not of v1"):
+        summarise("v1", ROWS, ROSTER)
 
 
 def test_nobody():
-    scores = summarise("v1", [], ROSTER)
+    scores = summarise("s", [], ROSTER)
     assert (scores.cards, scores.all_pairs, scores.arms) == ((), (), None)
 
 
 def test_the_document_is_plain_json(tmp_path):
-    write_scores(tmp_path / "scores.json", summarise("v1", ROWS, ROSTER))
+    write_scores(tmp_path / "scores.json", summarise("s", ROWS, ROSTER))
     written = json.loads((tmp_path / "scores.json").read_text())
     assert written["cards"][0]["entrant"] == ["anna", "agentic"]
     assert written["cards"][0]["macro"]["headline"]["value"] == 1

@@ -18,7 +18,7 @@ from probe.scores.pairs import Pair, Results, family
 from probe.scores.roster import Roster
 from probe.scores.row import Entrant, Row
 from probe.scores.scorecard import Scorecard, scorecard
-from probe.scores.units import by_entrant, units_of
+from probe.scores.units import ContraryRows, by_entrant, units_of
 
 AGENTIC, DIRECT = "agentic", "direct"
 
@@ -61,9 +61,13 @@ def summarise(suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0) ->
         seed: Of all draws.
 
     Raises:
-        ContraryRows: Rows of other tasks, or two results of a run.
+        ContraryRows: Rows of another suite or of other tasks, or two results of a run.
     """
-    entrants = by_entrant(settled(rows))
+    kept = settled(rows)
+    for row in kept:
+        if row.suite != suite:
+            raise ContraryRows(row, f"it is of suite {row.suite}, not of {suite}")
+    entrants = by_entrant(kept)
     cards = [scorecard(some, roster, seed) for some in entrants.values()]
     cards.sort(key=lambda card: -card.macro.headline.worst)
     results: Results = {
