@@ -100,7 +100,10 @@ def test_tasks_of_one_arm_alone_are_left_out_and_counted():
     bob = ([unit("find-9", 1)], [unit("find-8", 1)])
     found = arm_effect({"anna": anna, "bob": bob}, RNG(0))
     assert (found.agents, found.tasks, found.episodes, found.left_out) == (1, 1, 2, 4)
-    with pytest.raises(NoAgentInBothArms, match="at least one agent in both"):
+    with pytest.raises(
+        NoAgentInBothArms,
+        match=r"^No agent has a task in both arms. Run at least one agent in both\.$",
+    ):
         arm_effect({"bob": bob}, RNG(0))
     with pytest.raises(NoAgentInBothArms):
         arm_effect({}, RNG(0))
@@ -121,6 +124,7 @@ def test_draws_come_near_to_all_swaps():
     both = made(6, 6, (3, 3), chances=(0.55, 0.45))
     exact = arm_effect(both, RNG(0)).p
     drawn = arm_effect(both, RNG(0), draws=4000).p
+    assert drawn * 4001 == pytest.approx(round(drawn * 4001))
     assert exact * 2**12 == round(exact * 2**12)
     assert drawn == pytest.approx(exact, abs=4 * np.sqrt(exact * (1 - exact) / 4000))
 

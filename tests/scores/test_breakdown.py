@@ -13,6 +13,9 @@ STILL = {"manipulations": 0, "manipulated": False}
 def test_outcomes_by_type():
     rows = [
         row("size-1"),
+        row("size-1", run=1),
+        row("size-1", run=2),
+        row("size-1", run=3),
         row("size-2", **STILL),
         row("size-3", False),
         row("size-4", False),
@@ -22,7 +25,7 @@ def test_outcomes_by_type():
         faulty("size-8"),
         row("find-1", False),
     ]
-    assert outcomes(rows) == [Outcomes("find", 0, 1, 0, 0, 0), Outcomes("size", 1, 2, 1, 3, 1)]
+    assert outcomes(rows) == [Outcomes("find", 0, 1, 0, 0, 0), Outcomes("size", 4, 2, 1, 3, 1)]
     assert outcomes([]) == []
 
 

@@ -51,5 +51,10 @@ def test_groups_are_all_largest_sets_without_a_rejected_pair(rejected):
     assert sorted(found, key=sorted) == sorted(largest, key=sorted)
 
 
+def test_groups_are_in_the_order_of_the_names_not_of_the_alphabet():
+    assert ties("cab", [("c", "b")]) == [("c", "a"), ("a", "b")]
+    assert ties("cab", [("c", "a"), ("c", "b"), ("a", "b")]) == [("c",), ("a",), ("b",)]
+
+
 def test_nobody_is_tied_with_nobody():
     assert ties((), []) == [()]

@@ -36,7 +36,10 @@ def test_wilson_as_statsmodels_has_it(right, n, level):
 
 
 def test_wilson_refuses_tasks_that_were_run_twice():
-    with pytest.raises(SeveralRuns, match="find-2 was run 2 times"):
+    with pytest.raises(
+        SeveralRuns,
+        match=r"find-2 was run 2 times.* Use the bootstrap or the stratified t interval\.$",
+    ):
         wilson([unit("find-1", 1), unit("find-2", 1, 0)])
 
 
@@ -95,6 +98,19 @@ def test_the_bootstrap_spreads_as_the_standard_error_says():
     assert (found.high - found.low) / 2 == pytest.approx(error, rel=0.05)
 
 
+def test_two_tasks_are_widened_most():
+    # Half of the draws take both tasks, a quarter each one twice: 0, 0.5 or 1, times sqrt(2).
+    found = bootstrap({"find": np.array([0.4, 0.6])}, seed=0)
+    assert (found.low, found.high) == pytest.approx((0.5 - 0.1 * 2**0.5, 0.5 + 0.1 * 2**0.5))
+
+
+def test_types_are_drawn_apart():
+    # If both types drew alike, the mirror image of a type would cancel it out.
+    values = np.array([1.0, 0, 0, 1, 1 / 3, 1])
+    found = bootstrap({"find": values, "size": 1 - values}, seed=0)
+    assert found.high - found.low > 0.3
+
+
 def test_the_same_seed_gives_the_same_interval_and_another_another():
     values = {"find": np.linspace(0, 1, 17)}
     assert bootstrap(values, seed=1) == bootstrap(values, seed=1)
@@ -122,6 +138,12 @@ class TestTasksThatAreAllAlike:
         unseen = 1.959964**2 / (4 + 1.959964**2)
         found = make({"find": np.zeros(4)}, limits=DIFFERENCES)
         assert (found.low, found.high) == pytest.approx((-unseen, unseen))
+
+    def test_the_same_difference_everywhere_leaves_unequal_room(self, make):
+        unseen = 1.959964**2 / (9 + 1.959964**2)
+        found = make({"find": np.full(9, 1 / 3)}, limits=DIFFERENCES)
+        assert found.low == pytest.approx(1 / 3 - unseen * 4 / 3)
+        assert found.high == pytest.approx(1 / 3 + unseen * 2 / 3)
 
     def test_they_add_to_what_varies_by_squares(self, make):
         varies = np.array([1.0, 0, 1 / 3, 1, 0, 0, 1 / 3, 2 / 3])

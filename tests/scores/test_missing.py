@@ -47,6 +47,7 @@ def test_a_run_that_only_failed_is_expected_of_all():
 
 def test_nobody_who_ran_nothing():
     assert headline([], ROSTER) == Headline(None, 0.0, 1.0, rows=3, missing=3)
+    assert gaps_of([], roster("find-1")) == [Gap("find-1", "find", 0, "never run")]
 
 
 def test_another_worth_is_bounded_alike():
@@ -67,7 +68,7 @@ def test_another_worth_is_bounded_alike():
     ],
 )
 def test_tasks_of_another_suite_are_refused(stranger):
-    with pytest.raises(ContraryRows, match="isn't of this suite"):
+    with pytest.raises(ContraryRows, match=": the task isn't of this suite\\. Take"):
         gaps_of([row("find-2"), stranger], ROSTER)
 
 
@@ -86,7 +87,8 @@ def test_a_repetition_takes_the_place_of_a_failure():
 
 
 def test_two_results_of_a_run_are_refused():
-    with pytest.raises(ContraryRows, match="has two results"):
+    words = r"Run 0 of anna \(agentic\) at find-1: it has two results\. Take the rows of one suite"
+    with pytest.raises(ContraryRows, match=words):
         settled([row("find-1"), faulty("find-1"), row("find-1", False)])
 
 

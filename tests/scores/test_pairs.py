@@ -15,6 +15,12 @@ from score_rows import unit, units
 ANNA, BOB, CARL = Entrant("anna", "agentic"), Entrant("bob", "agentic"), Entrant("carl", "direct")
 
 
+SHARE_NOTHING = (
+    r"^anna \(agentic\) and carl \(direct\) share no task\. "
+    r"Compare those that ran the same suite\.$"
+)
+
+
 def test_one_type_by_hand():
     results = {ANNA: units("find", 1, 1, 1, 0), BOB: units("find", 0, 0, 1, 0)}
     (pair,) = family(results, [(ANNA, BOB)], seed=0)
@@ -46,6 +52,32 @@ def test_types_weigh_alike():
     assert pair.p == 0.5  # 1/2 and 1/8
 
 
+def test_p_weighs_types_alike_too():
+    anna = [*units("find", 1), *units("size", 1, 0, 0, 0)]
+    bob = [*units("find", 0), *units("size", 0, 1, 1, 1)]
+    (pair,) = family({ANNA: anna, BOB: bob}, [(ANNA, BOB)], seed=0)
+    # Found is 1 - 2/4. Of the 32 ways +-1 + s, s is 1 or -1 once each, 1/2 or -1/2 four times and
+    # 0 six times: only the two ways to make 0 are nearer to 0 than 1/2.
+    assert pair.difference == 0.25
+    assert pair.p == 30 / 32
+
+
+def test_a_level_is_passed_on():
+    results = {ANNA: units("find", 1, 1, 0, 0, 0, 1, 1, 1), BOB: units("find", *[0] * 8)}
+    (wide,), (narrow,) = (family(results, [(ANNA, BOB)], 0, level=it) for it in (0.99, 0.5))
+    assert wide.student.low < narrow.student.low
+    assert wide.bootstrap.low < narrow.bootstrap.low
+    assert wide.p == narrow.p == 2 / 32
+    assert (wide.tie, narrow.tie) == (True, False)
+
+
+def test_a_worse_agent_has_a_difference_below_zero():
+    (pair,) = family({ANNA: units("find", 0, 0), BOB: units("find", 1, 1)}, [(ANNA, BOB)], seed=0)
+    assert pair.difference == -1
+    assert pair.bootstrap.low == pair.student.low == -1
+    assert pair.bootstrap.high == pair.student.high < 0.5
+
+
 def test_only_shared_tasks_count_and_the_rest_is_counted():
     anna = [unit("find-1", 1), unit("find-2", 0, 1), unit("find-3", 1), unit("size-1", 1)]
     bob = [unit("find-2", 0), unit("find-3", 0), unit("find-4", 1)]
@@ -55,7 +87,7 @@ def test_only_shared_tasks_count_and_the_rest_is_counted():
 
 
 def test_nothing_shared_is_refused():
-    with pytest.raises(NothingShared, match=r"anna \(agentic\) and carl \(direct\) share no task"):
+    with pytest.raises(NothingShared, match=SHARE_NOTHING):
         family({ANNA: [unit("find-1", 1)], CARL: [unit("find-2", 1)]}, [(ANNA, CARL)], seed=0)
 
 
@@ -117,6 +149,7 @@ def test_draws_depend_on_seed_and_pair_alone():
     }
     results[CARL] = results[BOB]
     one = family(results, [(ANNA, BOB)], seed=1, draws=999)[0].p
+    assert (one * 1000) % 1 == pytest.approx(0, abs=1e-9)
     assert family(results, [(ANNA, CARL), (ANNA, BOB)], seed=1, draws=999)[1].p == one
     others = {family(results, [(ANNA, BOB)], seed=seed, draws=999)[0].p for seed in range(2, 8)}
     assert len(others | {one}) > 1

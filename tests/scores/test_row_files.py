@@ -33,6 +33,8 @@ def test_what_was_written_is_read(tmp_path, write, read, rows):
     assert read(path) == rows
 
 
+WRITE_AGAIN = "Write it again with `probe rescore`$"
+
 WORDS = st.text(st.characters(exclude_categories=["Cs"]), min_size=1)
 
 
@@ -67,10 +69,11 @@ def test_broken_files_are_named_with_their_line(tmp_path, write, read):
     ("read", "text", "reason"),
     [
         (read_csv, "task,run\nfind-1,0\n", "row 1: suite: Field required"),
-        (read_csv, 'a,b\n"x', "probe rescore"),
-        (read_csv, b"\xff\xfe", "isn't UTF-8"),
-        (read_json_lines, b"\xff\xfe", "isn't UTF-8"),
-        (read_json_lines, "{}\n", "line 1: suite: Field required"),
+        (read_csv, "a\nb\n", rf"row 1: suite: Field required\. {WRITE_AGAIN}"),
+        (read_csv, 'a,b\n"x', rf"rows: unexpected end of data\. {WRITE_AGAIN}"),
+        (read_csv, b"\xff\xfe", rf"rows: isn't UTF-8\. {WRITE_AGAIN}"),
+        (read_json_lines, b"\xff\xfe", rf"rows: isn't UTF-8\. {WRITE_AGAIN}"),
+        (read_json_lines, "{}\n", rf"line 1: suite: Field required\. {WRITE_AGAIN}"),
         (read_json_lines, '{"suite": "s"', "line 1: the line: Invalid JSON"),
     ],
 )
@@ -81,9 +84,20 @@ def test_what_is_wrong_is_said(tmp_path, read, text, reason):
         read(path)
 
 
+def test_a_row_that_contradicts_itself_is_named(tmp_path):
+    path = tmp_path / "rows"
+    write_csv(path, ROWS[:1])
+    text = path.read_text()
+    assert ",4,1,2," in text  # turns, manipulations, perceptions
+    path.write_text(text.replace(",4,1,2,", ",4,0,2,"))
+    words = f"row 1: the row: Value error, manipulated isn't.*{WRITE_AGAIN}"
+    with pytest.raises(BadData, match=words):
+        read_csv(path)
+
+
 @pytest.mark.parametrize("read", [read_csv, read_json_lines])
 def test_a_missing_file_is_named(tmp_path, read):
-    with pytest.raises(BadData, match="none: No such file.*Check the path"):
+    with pytest.raises(BadData, match="none: No such file or directory. Check the path$"):
         read(tmp_path / "none")
 
 

@@ -34,7 +34,7 @@ def test_figures_of_a_whole_run():
     card = scorecard(rows(), ROSTER, seed=0)
     assert card.entrant == ("anna", "agentic")
     # Find 1 of 3, Size 1 of 2; chance 0.2 and 0.5.
-    assert card.macro.headline.value == pytest.approx(5 / 12)
+    assert (card.macro.name, card.macro.headline.value) == ("macro", pytest.approx(5 / 12))
     assert card.macro.chance == pytest.approx(0.35)
     assert card.macro.corrected == pytest.approx((5 / 12 - 0.35) / 0.65)
     assert (card.macro.tasks, card.macro.runs, card.macro.wilson) == (5, 5, None)
@@ -60,6 +60,18 @@ def test_intervals_of_single_runs():
     t = stats.t.interval(0.95, 2, 1 / 3, stats.sem([1, 0, 0]))
     assert (find.student.low, find.student.high) == (max(0, t[0]), min(1, t[1]))
     assert 0 <= find.bootstrap.low < 1 / 3 < find.bootstrap.high <= 1
+
+
+def test_the_letter_has_intervals_of_its_own():
+    letter = scorecard(rows(), ROSTER, seed=0).parts[0]
+    low, high = proportion_confint(2, 3, method="wilson")
+    assert (letter.wilson.low, letter.wilson.high) == pytest.approx((low, high))
+
+
+def test_execution_is_on_the_card():
+    done = row("reduce-1", recall=0.5, exact=False, others_disturbed=0, strict=False)
+    card = scorecard([done], roster("reduce-1"), seed=0)
+    assert (card.execution.episodes, card.execution.recall) == (1, 0.5)
 
 
 def test_wilson_is_kept_from_several_runs():

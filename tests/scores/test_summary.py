@@ -50,6 +50,15 @@ def test_everything_of_a_table():
     assert scores.arms.p == pytest.approx(2 / 2**14)
 
 
+def test_the_test_of_arms_is_drawn_from_the_seed():
+    many = [f"{kind}-{i}" for kind in ("find", "size") for i in range(20)]
+    ones = [row(task, int(task[5:]) % 3 > 0, agent="anna") for task in many]
+    others = [row(task, int(task[5:]) % 5 > 1, agent="anna", arm="direct") for task in many]
+    roster = roster_of(ones)
+    first, again, other = (summarise("s", [*ones, *others], roster, it).arms.p for it in (1, 1, 2))
+    assert first == again != other
+
+
 def test_no_arms_to_compare():
     scores = summarise("s", [r for r in ROWS if r.agent != "anna"], ROSTER)
     assert scores.agentic_against_direct == ()

@@ -23,7 +23,7 @@ def write_csv(path: Path, rows: Sequence[Row]) -> None:
         OutputFailed: It can't be written; nothing half-written is left.
     """
     text = io.StringIO()
-    writer = csv.DictWriter(text, list(Row.model_fields), quoting=csv.QUOTE_ALL)
+    writer = csv.DictWriter(text, list(Row.model_fields))
     writer.writeheader()
     for row in rows:
         writer.writerow({name: _cell(value) for name, value in row.model_dump().items()})
@@ -36,7 +36,7 @@ def read_csv(path: Path) -> list[Row]:
     Raises:
         BadData: The file is missing, isn't such a table, or a line breaks the schema.
     """
-    reader = csv.DictReader(io.StringIO(_text(path), newline=""), strict=True)
+    reader = csv.DictReader(io.StringIO(_text(path)), strict=True)
     rows = list[Row]()
     try:
         for number, cells in enumerate(reader, start=1):

@@ -10,7 +10,7 @@ from probe.scores.breakdown import Effort, Execution, Outcomes, effort, executio
 from probe.scores.estimates import corrected, macro_chance
 from probe.scores.icc import icc
 from probe.scores.intervals import Interval, bootstrap, standard_error, student, wilson
-from probe.scores.missing import Gap, Headline, filled, gaps_of, headline, present
+from probe.scores.missing import Gap, Headline, gaps_of, headline, present
 from probe.scores.power import detectable_gap
 from probe.scores.roster import Listed, Roster, chance_by_kind
 from probe.scores.row import Entrant, Row
@@ -84,9 +84,7 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
     """
     gaps = gaps_of(rows, roster)
     kinds = chance_by_kind(roster)
-    units = filled(rows, gaps, 0.0)
-    error, freedom = standard_error(strata_of(units))
-    known = error > 0 and not gaps
+    error, freedom = standard_error(strata_of([] if gaps else units_of(rows)))
     return Scorecard(
         entrant=rows[0].entrant,
         macro=_figure("macro", rows, roster, seed),
@@ -94,7 +92,7 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
         parts=_parts(rows, roster, seed),
         gaps=tuple(gaps),
         icc=icc(units_of(present(rows))),
-        detectable=detectable_gap(math.sqrt(2) * error, freedom) if known else None,
+        detectable=detectable_gap(math.sqrt(2) * error, freedom) if error else None,
         outcomes=tuple(outcomes(rows)),
         effort=effort(rows),
         execution=execution(rows),
