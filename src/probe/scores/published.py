@@ -88,8 +88,10 @@ def is_share(percent: float, of: int) -> bool:
 def _recount(row: PrintedRow, direct: PrintedRow | None, tasks: Mapping[str, int]) -> Recount:
     macro, pooled = _macro(row), _pooled(row, tasks)
     gain = macro_gain = None
+    gain_follows = True
     if row.gain is not None and direct is not None:
         gain, macro_gain = row.average - direct.average, macro - _macro(direct)
+        gain_follows = abs(gain - row.gain) < 3 * _HALF - _TINY
     follows = _may_be(row.average, macro)
     return Recount(
         row=row,
@@ -99,7 +101,7 @@ def _recount(row: PrintedRow, direct: PrintedRow | None, tasks: Mapping[str, int
         pooled_instead=not follows and _may_be(row.average, pooled),
         gain=gain,
         macro_gain=macro_gain,
-        gain_follows=gain is None or abs(gain - float(row.gain or 0)) < 3 * _HALF - _TINY,
+        gain_follows=gain_follows,
         unreachable=_kinds(row, {kind: RUNS * n for kind, n in tasks.items()}, reachable=False),
         single=_kinds(row, tasks, reachable=True),
     )
