@@ -22,6 +22,7 @@ SCENE = Scene(
 FIND = Task(
     id="find-0123abcd",
     kind="find",
+    form="plain",
     seed=7,
     subject="",
     question="Which of these is on the table? Leave it on the table and point at it.",
@@ -36,6 +37,8 @@ FIND = Task(
     scene=SCENE,
     targets=(2,),
     cover=None,
+    named=(),
+    marks=(),
     certificate=Certificate({2: Visibility(10, 900)}, {"visible_share": 1 / 90}, ("proc_lime",)),
 )
 

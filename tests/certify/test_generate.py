@@ -6,6 +6,7 @@ import itertools
 
 import numpy as np
 import pytest
+import trimesh
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table
@@ -14,6 +15,7 @@ from probe.certify.plan import ATTEMPTS, plan
 from probe.certify.result import Candidate
 from probe.render.photograph import load_scene, measure
 from probe.render.renderer import Renderer
+from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
 from probe.tasks.task import QuestionKind, Task
 
@@ -119,6 +121,77 @@ def test_find(library: Library, renderer: Renderer, partly):
     measured = shares(task.scene, library, renderer)
     low, high = (0.05, 0.25) if partly else (0.0, 0.05)
     assert low <= measured[target][0] <= high
+    check_certificate(task, measured)
+
+
+def test_reduce(library: Library, renderer: Renderer):
+    episode = next(e for e in itertools.count() if plan("reduce", e * ATTEMPTS).removals == 2)
+    candidate = first_kept("reduce", episode, library, renderer)
+    task = candidate.task
+    (target,) = task.targets
+    true_name = library[task.scene[target].object_id].name
+    assert 12 <= len(task.scene.objects) <= 15 and len(task.named) == 2
+    names = [library[task.scene[number].object_id].name for number in task.named]
+    assert all(name in task.question for name in names) and task.subject == ", ".join(names)
+    check_options(task, true_name)
+    assert {o.text for o in task.options} & set(names_on_table(task, library)) <= {true_name}
+    for twin in candidate.twins:
+        before = shares(twin, library, renderer)
+        after = shares(twin.without(*task.named), library, renderer)
+        assert before[target][0] <= 0.05 and before[target][1] < 200
+        assert min(before[number][0] for number in task.named) >= 0.50
+        assert after[target][0] >= 0.50
+        risen = [after[n][0] for n in after if before[n][0] <= 0.05 and n != target]
+        assert max(risen, default=0.0) <= 0.20
+        for number in task.named:
+            assert shares(twin.without(number), library, renderer)[target][0] <= 0.25
+    check_certificate(task, shares(task.scene, library, renderer))
+
+
+def check_marks(task: Task, measured: dict[int, tuple[float, int]], renderer: Renderer) -> None:
+    """The two are partly hidden, and the marks lie well inside of what shows of them."""
+    labels = renderer.draw(task.scene.objects, top_camera(), rgb=False).labels
+    assert labels is not None
+    assert [mark.letter for mark in task.marks] == ["A", "B"]
+    assert [option.text for option in task.options] == ["Object A", "Object B"]
+    for mark in task.marks:
+        assert 0.03 <= measured[mark.instance][0] <= 0.35
+        u, v = mark.point
+        assert (labels[v - 4 : v + 5, u - 4 : u + 5] == mark.instance).all()
+        assert f"{mark.letter} at ({u}, {v})" in task.question
+
+
+@pytest.mark.parametrize("episode", [0, 7])
+def test_size(library: Library, renderer: Renderer, episode):
+    wanted = plan("size", episode * ATTEMPTS)
+    task = first_kept("size", episode, library, renderer).task
+    measured = shares(task.scene, library, renderer)
+    check_marks(task, measured, renderer)
+    volumes, lengths = [], []
+    for mark in task.marks:
+        object_id = task.scene[mark.instance].object_id
+        volumes.append(trimesh.convex.convex_hull(library.body(object_id).mesh.vertices).volume)
+        lengths.append(max(library[object_id].size))
+    large = int(np.argmax(lengths if wanted.form == "longer" else volumes))
+    assert volumes[large] >= 2 * volumes[1 - large] or wanted.form == "longer"
+    assert lengths[large] >= 1.25 * lengths[1 - large] or wanted.form != "longer"
+    assert task.answer == "AB"[large if wanted.form != "smaller" else 1 - large] == wanted.letter
+    numbers = [task.marks[large].instance, task.marks[1 - large].instance]
+    first, second = (measured[number] for number in numbers)
+    assert (first[1] > second[1], first[0] > second[0]) == wanted.cues
+    check_certificate(task, measured)
+
+
+def test_compare(library: Library, renderer: Renderer):
+    task = first_kept("compare", 1, library, renderer).task
+    measured = shares(task.scene, library, renderer)
+    check_marks(task, measured, renderer)
+    right, wrong = "AB".index(task.answer), "BA".index(task.answer)
+    specs = [library[task.scene[mark.instance].object_id] for mark in task.marks]
+    assert task.form == "colour" and f" {task.subject}" in task.question
+    assert specs[right].colours[0] == task.subject
+    assert task.subject not in specs[wrong].colours
+    assert min(v for k, v in task.certificate.measures.items() if k.startswith("apart")) >= 15
     check_certificate(task, measured)
 
 

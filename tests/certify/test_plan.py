@@ -4,19 +4,31 @@ from collections import Counter
 
 import pytest
 
-from probe.certify.plan import ATTEMPTS, plan
-from probe.tasks.task import KINDS
+from probe.certify.plan import ATTEMPTS, PAIRED, plan
+from probe.tasks.task import KINDS, LETTERS, PAIR
 
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("base", [0, 1000, 2_000_000])
-def test_properties_balance_over_sixty_episodes(kind, base):
-    plans = [plan(kind, (base * 60 + episode) * ATTEMPTS) for episode in range(60)]
-    assert set(Counter(p.letter for p in plans).values()) == {12}
+def test_properties_balance_over_120_episodes(kind, base):
+    plans = [plan(kind, (base * 120 + episode) * ATTEMPTS) for episode in range(120)]
+    letters = dict.fromkeys(PAIR, 60) if kind in PAIRED else dict.fromkeys(LETTERS, 24)
+    assert Counter(p.letter for p in plans) == letters
+    assert Counter(p.wording for p in plans) == dict.fromkeys(range(20), 6)
+    assert Counter(p.removals for p in plans) == {1: 30, 2: 30, 3: 30, 4: 20, 5: 10}
     assert Counter((p.visible, p.hidden) for p in plans) == {
-        (v, h): 5 for v in range(4) for h in range(3)
+        (v, h): 10 for v in range(4) for h in range(3)
     }
-    assert Counter(p.partly for p in plans) == {False: 40, True: 20}
+    assert Counter(p.partly for p in plans) == {False: 80, True: 40}
+
+
+@pytest.mark.parametrize("kind", PAIRED)
+def test_what_shows_tells_the_answer_in_half_of_the_pairs(kind):
+    plans = [plan(kind, episode * ATTEMPTS) for episode in range(80)]
+    for letter in PAIR:
+        mine = [p for p in plans if p.letter == letter]
+        assert len(mine) == 40 and sum(p.cues[0] for p in mine) == 20
+    assert all(p.cues[0] == p.cues[1] for p in plans if p.form != "longer")
 
 
 def test_all_attempts_of_an_episode_share_a_plan():

@@ -5,7 +5,7 @@ import pytest
 
 from probe.assets.library import Library
 from probe.certify.covers import cover_of
-from probe.certify.stage import Stage, about_z, draw_clear_drop
+from probe.certify.stage import Layer, Stage, about_z, draw_clear_drop
 from probe.types import Pose
 from probe.world.model import Post
 
@@ -27,7 +27,7 @@ def stage(library: Library) -> Stage:
 def nest(stage: Stage, library: Library):
     cover = cover_of(library, "proc_red_mug")
     assert cover is not None
-    return stage.nest(LIME, MUG, cover, POST, np.zeros(2), 1.0)
+    return stage.nest(LIME, [Layer(MUG, cover, np.zeros(2), 1.0)], POST)
 
 
 def middle(stage: Stage, instance: int, pose: Pose) -> np.ndarray:
@@ -83,3 +83,13 @@ def test_drops_keep_clear_of_posts(library: Library):
 def test_a_turn_about_the_vertical():
     turned = Pose(wxyz=about_z(np.pi / 2)).apply(np.array([[1.0, 0.0, 0.5]]))
     assert turned == pytest.approx(np.array([[0.0, 1.0, 0.5]]))
+
+
+def test_what_leans_stays_as_it_was_although_a_post_stands_in_it(stage: Stage, library: Library):
+    book = cover_of(library, "proc_red_book")
+    assert book is not None
+    beside = Post(POST.x + 0.06, POST.y, POST.radius)
+    leaning = stage.nest(LIME, [Layer(BOOK, book, np.array([-0.06, 0.0]), 1.0)], beside)
+    poses = stage.heap(leaning, CROWD, np.random.default_rng(5))
+    for instance, pose in leaning.items():
+        assert poses[instance].position == pytest.approx(pose.position, abs=0.001)

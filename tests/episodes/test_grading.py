@@ -11,6 +11,7 @@ def task_of(record, **changes):
     task = Task(
         id="t-1",
         kind="count",
+        form="plain",
         seed=1,
         subject="ball",
         question="Where is the ball?",
@@ -19,6 +20,8 @@ def task_of(record, **changes):
         scene=record.start.scene,
         targets=(9,),
         cover=None,
+        named=(),
+        marks=(),
         certificate=Certificate({}, {}, ()),
     )
     return replace(task, **changes)

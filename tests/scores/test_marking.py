@@ -142,7 +142,6 @@ def test_the_roster_lists_all_tasks():
 
 @pytest.mark.parametrize(("correct", "strict"), [(True, True), (False, False)])
 def test_reduce_says_how_it_was_done(correct, strict):
-    # Nothing named was removed: only an order for nothing would be exact, so name what is gone.
     gone = replace(
         SCENE.objects[0], pose=replace(SCENE.objects[0].pose, position=(-0.55, -0.44, 0))
     )
@@ -150,8 +149,10 @@ def test_reduce_says_how_it_was_done(correct, strict):
     done = replace(RECORD, steps=(replace(step("grasp_and_remove"), after=end),), seconds=Seconds())
     score = Score(correct, correct, "right" if correct else "wrong")
     answered = replace(done, answer=Answer("B" if correct else "A"))
-    row = row_of(FIND, answered, score, suite="v1", arm="agentic", named=(1,))
+    order = replace(FIND, kind="reduce", named=(1,))
+    row = row_of(order, answered, score, suite="v1", arm="agentic")
     assert (row.precision, row.recall, row.exact, row.attempts_a_removal) == (1.0, 1.0, True, 1.0)
     assert (row.others_disturbed, row.strict) == (0, strict)
-    inexact = row_of(FIND, answered, score, suite="v1", arm="agentic", named=(1, 2))
+    more = replace(order, named=(1, 2))
+    inexact = row_of(more, answered, score, suite="v1", arm="agentic")
     assert (inexact.exact, inexact.strict) == (False, False)

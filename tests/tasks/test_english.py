@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from probe.tasks.english import plural
+from probe.tasks.english import listed, plural
 
 
 @pytest.mark.parametrize(
@@ -32,3 +32,9 @@ from probe.tasks.english import plural
 )
 def test_plural(one, many):
     assert plural(one) == many
+
+
+def test_names_are_listed_with_their_articles():
+    assert listed(["red mug"]) == "the red mug"
+    assert listed(["red mug", "die"]) == "the red mug and the die"
+    assert listed(["cup", "plate", "die"]) == "the cup, the plate and the die"

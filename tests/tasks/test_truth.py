@@ -4,7 +4,17 @@ import numpy as np
 import pytest
 
 from probe.scene.scene import PlacedObject, Scene
-from probe.tasks.truth import Silhouette, how_many, lies_under, which_beneath, which_on_table
+from probe.tasks.truth import (
+    Extent,
+    Silhouette,
+    how_many,
+    lies_under,
+    which_beneath,
+    which_darker,
+    which_like,
+    which_on_table,
+    which_size,
+)
 from probe.types import Pose
 
 
@@ -56,3 +66,54 @@ def test_beneath_names_the_candidate_under_the_cover_and_no_other():
     beside = silhouettes | {2: strip(60, 70, 0.05)}
     with pytest.raises(ValueError, match="not 0"):
         which_beneath(scene, {"lime", "plum"}, 1, beside)
+
+
+SMALL, LARGE = Extent(0.06, 0.002, 1e-4), Extent(0.12, 0.006, 4e-4)
+
+
+@pytest.mark.parametrize(
+    ("form", "a", "b", "letter"),
+    [
+        ("longer", LARGE, SMALL, "A"),
+        ("longer", SMALL, LARGE, "B"),
+        ("larger", SMALL, LARGE, "B"),
+        ("smaller", SMALL, LARGE, "A"),
+        ("smaller", LARGE, SMALL, "B"),
+        # A pen is longer than a box that holds more.
+        ("longer", Extent(0.15, 0.001, 1e-5), Extent(0.11, 0.01, 1e-3), "A"),
+    ],
+)
+def test_size_goes_by_length_or_volume(form, a, b, letter):
+    assert which_size(form, a, b) == letter
+
+
+@pytest.mark.parametrize(
+    ("form", "a", "b"),
+    [
+        ("longer", Extent(0.10, 0.004, 1e-4), Extent(0.12, 0.004, 1e-4)),
+        ("larger", Extent(0.10, 0.004, 1e-4), Extent(0.12, 0.005, 1.9e-4)),
+        ("larger", Extent(0.10, 0.004, 1e-4), Extent(0.09, 0.005, 4e-4)),
+        ("smaller", Extent(0.10, 0.006, 1e-4), Extent(0.12, 0.005, 4e-4)),
+    ],
+)
+def test_sizes_that_depend_on_the_measure_are_refused(form, a, b):
+    with pytest.raises(ValueError, match="clearly"):
+        which_size(form, a, b)
+
+
+RED, BLUE, PINK = np.array([45.0, 60, 40]), np.array([30.0, 20, -60]), np.array([75.0, 30, 5])
+
+
+def test_colours_go_by_the_likeness_of_main_colours():
+    assert which_like(RED, BLUE, RED + 2) == "A"
+    assert which_like(BLUE, RED, RED + 2) == "B"
+    assert which_darker(PINK, BLUE) == "B" and which_darker(BLUE, PINK) == "A"
+
+
+def test_colours_that_leave_doubt_are_refused():
+    with pytest.raises(ValueError, match="too alike"):
+        which_like(RED, RED + 3, RED)
+    with pytest.raises(ValueError, match="like it"):
+        which_like(RED, BLUE, np.array([60.0, -60, 60]))
+    with pytest.raises(ValueError, match="darker"):
+        which_darker(RED, RED - [10, 0, 0])

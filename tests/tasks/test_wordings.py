@@ -1,49 +1,53 @@
 from __future__ import annotations
 
+from collections import Counter
+
 import pytest
 
 from probe.errors import BadData
 from probe.tasks.task import KINDS
-from probe.tasks.wordings import parse_wordings, wordings
+from probe.tasks.wordings import FEWEST, parse_wordings, wordings
 
-GOOD = """kind: beneath
-wordings:
-  - What is under the {cover}?
-  - What lies under the {cover}?
-  - What is beneath the {cover}?
-  - What lies beneath the {cover}?
-  - What does the {cover} hide?
-"""
+LINES = [f"    - What is under the {{cover}}, way {number}?" for number in range(FEWEST - 1)]
+GOOD = "\n".join(["kind: beneath", "forms:", "  plain:", *LINES, "    - What of the {cover}?\n"])
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_type_can_be_asked_in_five_ways_and_more(kind):
-    texts = wordings(kind)
-    assert len(set(texts)) == len(texts) >= 5
+def test_every_type_can_be_asked_in_twenty_ways(kind):
+    texts = [wording.text for wording in wordings(kind)]
+    assert len(set(texts)) == len(texts) == 20
     for text in texts:
-        asked = text.format(cover="white bowl", names="red mugs")
+        asked = text.format(cover="white bowl", names="red mugs", colour="red", name="red mug")
         assert "{" not in asked
 
 
+@pytest.mark.parametrize("kind", ["compare", "size"])
+def test_each_form_of_a_pair_is_asked_about_as_often(kind):
+    assert set(Counter(wording.form for wording in wordings(kind)).values()) == {6, 7}
+
+
 def test_valid_wordings_are_read():
-    assert parse_wordings(GOOD, "beneath.yaml")[4] == "What does the {cover} hide?"
+    last = parse_wordings(GOOD, "beneath.yaml")[-1]
+    assert (last.form, last.text) == ("plain", "What of the {cover}?")
 
 
 @pytest.mark.parametrize(
     ("old", "new", "line", "reason"),
     [
-        ("beneath the {cover}?", "beneath it?", 5, "slots are none"),
-        ("beneath the {cover}?", "beneath the {names}?", 5, "wanted exactly: {cover}"),
-        ("beneath the {cover}?", "beneath the {cover?", 5, "braces"),
-        ("beneath the {cover}?", "beneath the {cover}", 5, "ends with"),
-        ("  - What is beneath", "  - what is beneath", 5, "begins with a capital"),
-        ("What lies beneath", "What is beneath", 2, "is there twice"),
-        ("  - What is beneath the {cover}?\n", "  - 12\n", 5, "valid string"),
-        ("  - What does the {cover} hide?\n", "", 2, "at least 5"),
-        ("kind: beneath", "kind: below", 1, "'beneath', 'count' or 'find'"),
+        ("under the {cover}, way 1?", "under it?", 5, "slots are none"),
+        ("under the {cover}, way 1?", "under the {names}?", 5, "wanted exactly: {cover}"),
+        ("under the {cover}, way 1?", "under the {cover?", 5, "braces"),
+        ("under the {cover}, way 1?", "under the {cover}", 5, "ends with"),
+        ("- What is under the {cover}, way 1?", "- what is the {cover}?", 5, "with a capital"),
+        ("way 2?", "way 1?", 2, "is there twice"),
+        ("- What is under the {cover}, way 1?", "- 12", 5, "valid string"),
+        ("    - What of the {cover}?\n", "", 2, "at least 20"),
+        ("kind: beneath", "kind: below", 1, "'beneath', 'compare'"),
         ("kind: beneath\n", "kind: beneath\nauthor: me\n", 2, "Extra inputs"),
-        ("  - What is beneath", "  - 'What is beneath", 8, "unexpected end"),
-        ("wordings:\n", "", 1, "kind"),
+        ("- What of", "- 'What of", 24, "unexpected end"),
+        ("  plain:", "  longer:", 2, "the forms of beneath are plain"),
+        ("  plain:", "  nicer:", 3, "'plain', 'colour'"),
+        ("kind: beneath\n", "", 1, "kind"),
     ],
 )
 def test_broken_wordings_name_file_and_line(old, new, line, reason):

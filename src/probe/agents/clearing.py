@@ -54,6 +54,10 @@ class Search:
         yield from self.clear(max(candidates, key=self._promise))
         return True
 
+    def may_clear(self, seen: Seen) -> bool:
+        """Whether a thing hasn't withstood too often, and manipulations are left."""
+        return self._tries[seen.name or ""] < _TRIES and self.spent < _BUDGET
+
     def clear(self, seen: Seen) -> Plan[bool]:
         """Move a thing away and look again; says whether the move worked."""
         name = seen.name or ""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from probe.agents.clearing import Search
@@ -31,6 +33,37 @@ def beneath(question: Question, cover: str, first: Way, rng: np.random.Generator
         letter = _uncovered(question, search.graph, known, place)
     if letter is not None:
         yield from answer(letter)
+
+
+def reduce(
+    question: Question, names: Sequence[str], first: Way, rng: np.random.Generator
+) -> Plan[None]:
+    """Remove what is named, and name what then shows that didn't."""
+    search = Search(lambda seen: False, first, rng)
+    yield from search.begin()
+    known = {seen.name for seen in search.graph.named}
+    place = _around([seen.box for name in names for seen in search.graph.called(name)])
+    if place is None:
+        return
+    while left := [seen for name in names for seen in search.graph.called(name)]:
+        fresh = [seen for seen in left if search.may_clear(seen)]
+        if not fresh:
+            break
+        # What lies on top of the others goes first: it would drag them along.
+        yield from search.clear(min(fresh, key=lambda seen: len(search.graph.over(seen))))
+    letter = _uncovered(question, search.graph, known, place)
+    while letter is None and (yield from _clear_around(search, place, known)):
+        letter = _uncovered(question, search.graph, known, place)
+    if letter is not None:
+        yield from answer(letter)
+
+
+def _around(boxes: Sequence[Box]) -> Box | None:
+    """The box around all of some; None around none."""
+    if not boxes:
+        return None
+    left, top, right, bottom = zip(*boxes, strict=True)
+    return min(left), min(top), max(right), max(bottom)
 
 
 def find(

@@ -18,6 +18,7 @@ class Seen:
 
     number: int
     name: str | None
+    description: str
     point: tuple[int, int]
     box: Box
 
@@ -54,6 +55,11 @@ class Graph:
         """All that go by a name."""
         return tuple(seen for seen in self.named if seen.name and same(seen.name, name))
 
+    def over(self, seen: Seen) -> set[int]:
+        """Numbers of those that lie on it or cover it."""
+        above = [r for r in self.relations if r[1] in ("on", "covering")]
+        return {first for first, _, second in above if second == seen.number}
+
     def meeting(self, seen: Seen) -> set[int]:
         """Numbers of those that lie on, cover or touch it, or the other way round."""
         contacts = [r for r in self.relations if r[1] in ("on", "covering", "touching")]
@@ -68,7 +74,13 @@ def read_graph(text: str) -> Graph:
         return Graph()
     content = cast("dict[str, Any]", told)
     objects = tuple(
-        Seen(item["number"], item.get("name"), _pair(item["point"]), _box(item["box"]))
+        Seen(
+            item["number"],
+            item.get("name"),
+            item["description"],
+            _pair(item["point"]),
+            _box(item["box"]),
+        )
         for item in content["objects"]
     )
     relations = tuple(_relation(line) for line in content["relations"])

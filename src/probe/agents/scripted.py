@@ -8,10 +8,11 @@ from typing import Literal
 import numpy as np
 
 from probe.agents.moves import Plan, Way
-from probe.agents.plans import beneath, count, find
+from probe.agents.pairs import compare, size
+from probe.agents.plans import beneath, count, find, reduce
 from probe.episodes.turns import Call, Question, Turn
 
-Kind = Literal["beneath", "find", "count"]
+Kind = Literal["beneath", "compare", "count", "find", "reduce", "size"]
 
 
 class Scripted:
@@ -28,15 +29,18 @@ class Scripted:
         rng: np.random.Generator,
         first: Way = "grasp",
         *,
+        form: str = "plain",
         bold: bool = False,
     ) -> None:
         """Prepare for one episode.
 
         Args:
             kind: Type of the question.
-            subject: Name of the cover (beneath) or of what is counted; unused for find.
+            subject: Name of the cover (beneath), of what is counted, of what is to be removed
+                (reduce, with commas), or of the colour or thing compared with; unused otherwise.
             rng: Breaks ties.
             first: What it tries first on things that are in the way.
+            form: What exactly Compare and Size ask.
             bold: Whether it answers once its manipulations are spent although something may be
                 left unsearched. Such an answer proves nothing: never certify a task by it.
         """
@@ -44,6 +48,7 @@ class Scripted:
         self._subject = subject
         self._rng = rng
         self._first: Way = first
+        self._form = form
         self._bold = bold
         self._plan: Plan[None] | None = None
 
@@ -62,4 +67,10 @@ class Scripted:
             return beneath(question, self._subject, self._first, self._rng)
         if self._kind == "count":
             return count(question, self._subject, self._first, self._rng, bold=self._bold)
+        if self._kind == "reduce":
+            return reduce(question, self._subject.split(", "), self._first, self._rng)
+        if self._kind == "size":
+            return size(question, self._form, self._first, self._rng)
+        if self._kind == "compare":
+            return compare(question, self._form, self._subject, self._first, self._rng)
         return find(question, self._first, self._rng, bold=self._bold)

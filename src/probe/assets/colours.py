@@ -61,14 +61,15 @@ def main_colours(pixels: Array) -> tuple[Colour, ...]:
 
     Each pixel gets the name of the nearest example in CIELAB.
     """
-    names: list[Colour] = [name for name, examples in _EXAMPLES.items() for _ in examples]
-    examples = lab(np.array([rgb for group in _EXAMPLES.values() for rgb in group]))
-    sample = lab(pixels[:: max(1, len(pixels) // _MOST_PIXELS)])
-    nearest = np.linalg.norm(sample[:, None] - examples[None], axis=2).argmin(axis=1)
-    counts = np.bincount(nearest, minlength=len(names))
-    shares: dict[Colour, float] = {
-        name: float(sum(counts[i] for i, other in enumerate(names) if other == name)) / len(sample)
-        for name in _EXAMPLES
-    }
+    found = nearest_colours(pixels[:: max(1, len(pixels) // _MOST_PIXELS)])
+    shares = {name: float((found == name).mean()) for name in _EXAMPLES}
     first, second = sorted(_EXAMPLES, key=lambda name: -shares[name])[:2]
     return (first, second) if shares[second] >= _SECOND_SHARE else (first,)
+
+
+def nearest_colours(pixels: Array) -> Array:
+    """Name of the nearest example in CIELAB of each pixel, sRGB uint8, shape (n, 3)."""
+    names = np.array([name for name, examples in _EXAMPLES.items() for _ in examples])
+    examples = lab(np.array([rgb for group in _EXAMPLES.values() for rgb in group]))
+    apart = np.linalg.norm(lab(pixels)[:, None] - examples[None], axis=2)
+    return names[apart.argmin(axis=1)]

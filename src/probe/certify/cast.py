@@ -30,26 +30,33 @@ CoverDraw = Callable[
 
 @dataclass(frozen=True, eq=False)
 class Cast:
-    """Who plays in a scene: the candidates, what covers one of them, and all others."""
+    """Who plays in a scene: the candidates, what covers one of them, and all others.
+
+    Attributes:
+        candidates: Of which one is on the table.
+        covers: The lowest first; at least one.
+        others: The crowd.
+    """
 
     candidates: tuple[ObjectSpec, ...]
-    cover: Cover
+    covers: tuple[Cover, ...]
     others: tuple[ObjectSpec, ...]
 
     @property
     def specs(self) -> tuple[ObjectSpec, ...]:
         """All of them, in the order of their instances on a stage."""
-        return (*self.candidates, self.cover.spec, *self.others)
+        return (*self.candidates, *(cover.spec for cover in self.covers), *self.others)
 
     @property
-    def covering(self) -> int:
-        """The cover's instance on a stage; candidates come before it."""
-        return len(self.candidates) + 1
+    def covering(self) -> tuple[int, ...]:
+        """The covers' instances on a stage; candidates come before them."""
+        first = len(self.candidates) + 1
+        return tuple(range(first, first + len(self.covers)))
 
     @property
     def crowd(self) -> tuple[int, ...]:
         """The others' instances on a stage."""
-        return tuple(range(self.covering + 1, len(self.specs) + 1))
+        return tuple(range(self.covering[-1] + 1, len(self.specs) + 1))
 
 
 def hideable(library: Library, largest: float = LARGEST) -> list[ObjectSpec]:
@@ -63,15 +70,19 @@ def draw_cast(
     largest: float,
     tolerance: float,
     rng: np.random.Generator,
+    count: int = DEFAULT_COUNT,
+    draw_more: Sequence[CoverDraw] = (),
 ) -> Cast:
     """Draw five candidates, something to cover any of them, and the others.
 
     Args:
         library: To choose from.
-        draw_over: Draws the cover: draw_cover() or draw_lean().
+        draw_over: Draws the cover: draw_cover(), draw_lean() or draw_slab().
         largest: Longest side of a candidate, metres.
         tolerance: By how much their longest sides differ, as a share.
         rng: Draws everything.
+        count: Things on the table.
+        draw_more: Draw what else lies there, on top.
 
     Raises:
         Rejected: The library has no such set.
@@ -81,10 +92,14 @@ def draw_cast(
         candidates = draw_alike(pool, library.specs, tolerance, CANDIDATES, rng)
         free = unlike(library.specs, candidates)
         room = [footprint_of(library, spec.id) for spec in candidates]
-        cover = draw_over(library, free, room, rng)
-        if cover:
+        covers: list[Cover] = []
+        for draw in (draw_over, *draw_more):
+            if not (cover := draw(library, free, room, rng)):
+                break
+            covers.append(cover)
             free = unlike(free, [cover.spec])
-            return Cast(candidates, cover, draw_crowd(free, DEFAULT_COUNT - 2, rng))
+        else:
+            return Cast(candidates, tuple(covers), draw_crowd(free, count - 1 - len(covers), rng))
     raise Rejected("cover", "nothing covers any candidates that were drawn")
 
 

@@ -14,7 +14,7 @@ from probe.certify.alike import LOOSE_TOLERANCE, draw_alike, unlike
 from probe.certify.cast import CAST_TRIES, draw_crowd, hideable
 from probe.certify.covers import Cover, Footprint, draw_cover, footprint_of
 from probe.certify.frame import SceneFrame, numbers
-from probe.certify.hiding import build_nest
+from probe.certify.hiding import build_nest, right_above
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
 from probe.certify.rules import is_clear, is_hidden
@@ -86,7 +86,6 @@ def generate_count(
         candidates=candidates,
         truth=candidates.index(str(truth)),
         targets=tuple(o.instance for o in scene.objects if o.object_id == cast.counted.id),
-        cover=None,
         measures={"clear": float(plan.visible), "hidden": float(plan.hidden)},
         drawn_from=candidates,
     )
@@ -134,7 +133,7 @@ def _settle(cast: _Cast, stage: Stage, posts: Sequence[Post], rng: np.random.Gen
     """Nests on two sides of the middle, the crowd around them, open instances last."""
     nests: Poses = {}
     for index, (cover, post) in enumerate(zip(cast.covers, posts, strict=True)):
-        nests |= build_nest(stage, index + 1, NESTS + index + 1, cover, post, rng)
+        nests |= build_nest(stage, index + 1, right_above(NESTS + index + 1, cover), post, rng)
     falling = range(2 * NESTS + 1, len(cast.specs) + 1)
     return stage.settle(stage.heap(nests, list(falling), rng))
 

@@ -23,10 +23,14 @@ FLAT_WIDTH = 0.22
 FLAT_THICKNESS = 0.05
 """Metres; what is thin can be lifted by an edge or pushed off."""
 
+SLAB_THICKNESS = 0.04
+SMALLEST_SLAB = 0.085, 0.13
+TOPPING = 0.05, 0.10
 SMALLEST_COVER = 0.07
 _DEEP = 0.03
 _WIDER = 1.2
 _STEEPER = 1.3
+_MOST, _WIDEST_SHIELD = 0.75, 0.19
 _FILLED = 0.7
 _GRID = 24
 _TALLER = 1.2
@@ -114,6 +118,78 @@ def draw_lean(
             if cover and cover.depth == 0:
                 return cover
     return None
+
+
+def draw_slab(
+    library: Library,
+    specs: Sequence[ObjectSpec],
+    items: Sequence[Footprint],
+    rng: np.random.Generator,
+) -> Cover | None:
+    """Draw a flat thing that can be grasped and hides each of these, laid on top; or None."""
+    for index in rng.permutation(len(specs)):
+        spec = specs[int(index)]
+        thin, narrow, long = sorted(spec.size)
+        slab = thin <= SLAB_THICKNESS and SMALLEST_SLAB[0] <= narrow <= GRASP_WIDTH
+        slab = slab and SMALLEST_SLAB[1] <= long <= FLAT_WIDTH
+        if slab and all(_overhangs(narrow, item) for item in items):
+            cover = cover_of(library, spec.id)
+            if cover and cover.depth == 0:
+                return cover
+    return None
+
+
+def draw_shield(
+    library: Library,
+    specs: Sequence[ObjectSpec],
+    items: Sequence[Footprint],
+    rng: np.random.Generator,
+) -> Cover | None:
+    """Draw a flat thing that rests on any of these and hides most of it; None without one."""
+    for index in rng.permutation(len(specs)):
+        spec = specs[int(index)]
+        narrow = sorted(spec.size)[1]
+        if (
+            _is_flat(spec)
+            and max(spec.size) <= _WIDEST_SHIELD
+            and all(narrow >= max(_MOST * item.width, item.height / _LOWER) for item in items)
+        ):
+            cover = cover_of(library, spec.id)
+            if cover and cover.depth == 0:
+                return cover
+    return None
+
+
+def draw_topping(
+    library: Library,
+    specs: Sequence[ObjectSpec],
+    items: Sequence[Footprint],
+    rng: np.random.Generator,
+) -> Cover | None:
+    """Draw something small that can be grasped and stays where it is laid; None if there is none.
+
+    The items don't matter: it only lies on top of what hides them.
+    """
+    for index in rng.permutation(len(specs)):
+        spec = specs[int(index)]
+        x, y, z = spec.size
+        if z <= min(x, y) <= GRASP_WIDTH and TOPPING[0] <= max(x, y) <= TOPPING[1]:
+            return Cover(spec, (1.0, 0.0, 0.0, 0.0), spec.size, (0.0, 0.0), 0.0, 0.0)
+    return None
+
+
+def lies_on_side(spec: ObjectSpec) -> bool:
+    """Whether something is laid on its side to be partly covered: what it bears slides off else."""
+    x, y, z = spec.size
+    return z > min(x, y)
+
+
+def low_footprint_of(library: Library, object_id: str) -> Footprint:
+    """The footprint of an object that lies on its side if it would else be tall."""
+    spec = library[object_id]
+    x, y, _ = spec.size
+    standing = footprint_of(library, object_id)
+    return Footprint(max(spec.size), min(x, y)) if lies_on_side(spec) else standing
 
 
 def footprint_of(library: Library, object_id: str) -> Footprint:

@@ -12,11 +12,11 @@ from probe.certify.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE
 from probe.certify.cast import Cast, draw_cast
 from probe.certify.covers import draw_cover, draw_lean
 from probe.certify.frame import SceneFrame, frame_of
-from probe.certify.hiding import Twin, draw_post, draw_twins
+from probe.certify.hiding import Twin, draw_post, draw_twins, right_above
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
 from probe.certify.rules import PARTLY, is_hidden, is_partly_visible
-from probe.certify.stage import Poses, Stage
+from probe.certify.stage import Layer, Poses, Stage
 from probe.certify.view import View
 from probe.certify.writing import Draft, write_task
 from probe.render.renderer import Renderer
@@ -48,7 +48,7 @@ def generate_find(
         cast = draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng)
     else:
         cast = draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng)
-    post = draw_post(cast.cover, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
+    post = draw_post(cast.covers, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
     stage = Stage(cast.specs, library, [post])
     view = View(renderer, library, [spec.id for spec in cast.specs])
     frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
@@ -67,7 +67,6 @@ def generate_find(
         candidates=tuple(spec.name for spec in cast.candidates),
         truth=ids.index(target.object_id),
         targets=(target.instance,),
-        cover=None,
         measures={"visible_share": seen.fraction, "partly": float(plan.partly)},
         drawn_from=tuple(ids),
     )
@@ -89,7 +88,8 @@ def _hidden_scene(
         if not is_hidden(seen):
             raise Rejected("hidden", f"{seen.fraction:.0%}, {seen.visible_px} px")
 
-    twins = draw_twins(cast, stage, post, check, frame, rng)
+    lay = right_above(cast.covering[0], cast.covers[0])
+    twins = draw_twins(cast, stage, post, lay, check, frame, rng)
     return twins[int(rng.integers(len(twins)))].scene, tuple(twin.scene for twin in twins)
 
 
@@ -122,16 +122,17 @@ def _partly_nest(
 ) -> Poses:
     """Lay the cover beside the middle of the target until the right share of it shows."""
     size = stage.items[target - 1].spec.size
+    (covering,), (cover,) = cast.covering, cast.covers
     share = 0.0
     for _ in range(_NEST_TRIES):
         turn, towards = rng.uniform(0, 2 * math.pi, size=2)
-        distance = rng.uniform(0.1, 0.6) * min(*cast.cover.extent[:2], 2 * max(size))
+        distance = rng.uniform(0.1, 0.6) * min(*cover.extent[:2], 2 * max(size))
         off: Array = distance * np.array([np.cos(towards), np.sin(towards)])
-        poses = stage.nest(target, cast.covering, cast.cover, post, off, float(turn))
+        poses = stage.nest(target, [Layer(covering, cover, off, float(turn))], post)
         share = _seen(view, frame.scene(poses), frame.number_of[target]).fraction
         if _NEST_WINDOW[0] < share < _NEST_WINDOW[1]:
             return poses
-    raise Rejected("nest", f"{cast.cover.spec.name} leaves {share:.0%} in view")
+    raise Rejected("nest", f"{cover.spec.name} leaves {share:.0%} in view")
 
 
 def _seen(view: View, scene: Scene, target: int) -> Visibility:

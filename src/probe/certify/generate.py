@@ -6,10 +6,13 @@ from collections.abc import Callable, Sequence
 
 from probe.assets.library import Library
 from probe.certify.beneath import generate_beneath
+from probe.certify.compare import generate_compare
 from probe.certify.count import generate_count
 from probe.certify.find import generate_find
 from probe.certify.plan import Plan, plan
+from probe.certify.reduce import generate_reduce
 from probe.certify.result import Candidate, Rejected, Rejection
+from probe.certify.size import generate_size
 from probe.render.renderer import Renderer
 from probe.tasks.task import QuestionKind
 
@@ -17,8 +20,11 @@ Generator = Callable[[int, Plan, Library, Renderer, Sequence[str]], Candidate]
 
 GENERATORS: dict[QuestionKind, Generator] = {
     "beneath": generate_beneath,
+    "compare": generate_compare,
     "count": generate_count,
     "find": generate_find,
+    "reduce": generate_reduce,
+    "size": generate_size,
 }
 
 

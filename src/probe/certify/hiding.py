@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from probe.assets.spec import ObjectSpec
 from probe.certify.cast import Cast
 from probe.certify.covers import Cover
 from probe.certify.frame import SceneFrame
 from probe.certify.result import Rejected
-from probe.certify.stage import Poses, Stage
+from probe.certify.stage import Layer, Poses, Stage
 from probe.scene.scene import Scene
 from probe.types import Array
 from probe.world.model import Post
 
-_NEST_TRIES = 3
+_NEST_TRIES = 6
 _NEST_SHARE = 0.95
 _NEST_REACH = 0.06
 _AIM = 0.004
+
+Lay = Callable[[ObjectSpec, np.random.Generator], list[Layer]]
+"""Draws how covers lie over a thing, the lowest first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,45 +42,71 @@ class Twin:
     scene: Scene
 
 
-def draw_post(cover: Cover, wider: float, rng: np.random.Generator) -> Post:
-    """Draw where a cover goes: near the middle, so that the others lie all around it.
+def draw_post(covers: Sequence[Cover], wider: float, rng: np.random.Generator) -> Post:
+    """Draw where something is covered: near the middle, so that the others lie all around it.
 
     Args:
-        cover: What goes there.
-        wider: How much wider than the cover the disc is that the others are kept off.
+        covers: What goes there.
+        wider: How much wider than the covers the disc is that the others are kept off.
         rng: Draws the place.
     """
     x, y = (float(v) for v in rng.uniform(-_NEST_REACH, _NEST_REACH, size=2))
-    return Post(x, y, cover.reach * wider)
+    return Post(x, y, max(cover.reach for cover in covers) * wider)
 
 
 def build_nest(
-    stage: Stage, target: int, covering: int, cover: Cover, at: Post, rng: np.random.Generator
+    stage: Stage,
+    target: int,
+    lay: Lay,
+    at: Post,
+    rng: np.random.Generator,
+    hiding: int = 1,
 ) -> Poses:
-    """Hide a target beneath a cover on the bare table.
+    """Hide a target beneath covers on the bare table.
+
+    Args:
+        stage: Has all of them.
+        target: Instance of what is hidden.
+        lay: Draws how the covers lie.
+        at: Middle of the target.
+        rng: Draws.
+        hiding: How many of the covers, from the lowest on, must each hide it.
 
     Raises:
         Rejected: It stays in the open; they don't fit each other.
     """
-    share = 0.0
+    hidden = stage.items[target - 1].spec
+    share, layers = 0.0, list[Layer]()
     for _ in range(_NEST_TRIES):
-        off: Array = rng.uniform(-_AIM, _AIM, size=2)
-        turn = float(rng.uniform(0, 2 * math.pi))
-        poses = stage.nest(target, covering, cover, at, off, turn)
-        share = stage.covered_share(target, covering, poses)
+        layers = lay(hidden, rng)
+        poses = stage.nest(target, layers, at)
+        shares = [stage.covered_share(target, y.instance, poses) for y in layers[:hiding]]
+        share = min(shares)
         if share >= _NEST_SHARE and not stage.jammed:
             return poses
-    name = stage.items[target - 1].spec.name
-    raise Rejected("nest", f"{cover.spec.name} covers {share:.0%} of {name}")
+    names = " and ".join(layer.cover.spec.name for layer in layers[:hiding])
+    raise Rejected("nest", f"{names} covers {share:.0%} of {hidden.name}")
+
+
+def right_above(covering: int, cover: Cover) -> Lay:
+    """Lays one cover right above what it hides, turned at random."""
+
+    def lay(hidden: ObjectSpec, rng: np.random.Generator) -> list[Layer]:
+        off: Array = rng.uniform(-_AIM, _AIM, size=2)
+        return [Layer(covering, cover, off, float(rng.uniform(0, 2 * math.pi)))]
+
+    return lay
 
 
 def draw_twins(
     cast: Cast,
     stage: Stage,
     at: Post,
+    lay: Lay,
     check: Callable[[Twin], None],
     frame: SceneFrame,
     rng: np.random.Generator,
+    hiding: int = 1,
 ) -> tuple[Twin, ...]:
     """Settle the scene with each candidate in the hidden place; all must pass.
 
@@ -87,9 +117,11 @@ def draw_twins(
         cast: Who plays.
         stage: Made of the cast's specs.
         at: Where it is hidden.
+        lay: Draws how the covers lie.
         check: Raises Rejected for a scene that breaks a rule.
         frame: Makes scenes of poses.
         rng: Draws spots, orientations and which candidate is first.
+        hiding: How many of the covers, from the lowest on, must each hide it.
 
     Returns:
         The twins in the candidates' order.
@@ -100,7 +132,7 @@ def draw_twins(
     order = [int(index) for index in rng.permutation(len(cast.candidates))]
     nests: dict[int, Poses] = {}
     for index in order:
-        nests[index] = build_nest(stage, index + 1, cast.covering, cast.cover, at, rng)
+        nests[index] = build_nest(stage, index + 1, lay, at, rng, hiding)
     poses = stage.heap(nests[order[0]], cast.crowd, rng)
     crowd = {number: poses[number] for number in cast.crowd}
     twins: dict[int, Twin] = {}

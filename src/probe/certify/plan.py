@@ -8,12 +8,18 @@ from itertools import product
 from typing import TypeVar
 
 from probe.scene.seeds import generator
-from probe.tasks.task import LETTERS, Letter, QuestionKind
+from probe.tasks.task import LETTERS, PAIR, Form, Letter, QuestionKind
+from probe.tasks.wordings import wordings
 
 ATTEMPTS = 1000
 """Seeds of one episode: attempt k of episode e has seed 1000 e + k, plus a base."""
 
 _COUNTS = tuple(product(range(4), range(3)))
+_REMOVALS = (1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 5)
+PAIRED: tuple[QuestionKind, ...] = "compare", "size"
+"""Types that ask about two marked things."""
+
+_CROSSED = tuple(product(PAIR, (True, False), (True, False)))
 _T = TypeVar("_T")
 
 
@@ -23,15 +29,25 @@ class Plan:
 
     Attributes:
         letter: The right answer's; E means that the true candidate is the one left out.
+        wording: Which of the type's wordings asks.
+        form: That wording's.
         visible: Count: clear instances.
         hidden: Count: hidden instances.
         partly: Find: the target is partly visible rather than hidden.
+        removals: Reduce: how many things are to be removed.
+        cues: Compare: whether the patches that show tell the answer, twice. Size: whether the
+            thing that shows by more pixels is the larger one, and whether the one that shows by
+            the larger share is.
     """
 
     letter: Letter
+    wording: int
+    form: Form
     visible: int
     hidden: int
     partly: bool
+    removals: int
+    cues: tuple[bool, bool]
 
 
 def plan(kind: QuestionKind, seed: int) -> Plan:
@@ -41,12 +57,21 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
     drawn for the block: letters balance over any suite, yet none can be foretold.
     """
     episode = seed // ATTEMPTS
+    texts = wordings(kind)
+    wording = _turn(range(len(texts)), episode, kind, "wording")
     visible, hidden = _turn(_COUNTS, episode, kind, "count")
+    crossed, first, second = _turn(_CROSSED, episode, kind, "crossed")
+    form = texts[wording].form
     return Plan(
-        letter=_turn(LETTERS, episode, kind, "letter"),
+        letter=crossed if kind in PAIRED else _turn(LETTERS, episode, kind, "letter"),
+        wording=wording,
+        form=form,
         visible=visible,
         hidden=hidden,
         partly=_turn((False, False, True), episode, kind, "partly"),
+        removals=_turn(_REMOVALS, episode, kind, "removals"),
+        # What is larger in every way can't show by a larger share and yet by fewer pixels.
+        cues=(first, second if form == "longer" else first),
     )
 
 

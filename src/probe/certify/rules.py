@@ -10,6 +10,9 @@ SEEN_SHARE, SEEN_PX = 0.30, 400
 PARTLY = (0.05, 0.25)
 """Find's easier third: visible shares."""
 
+LITTLE, LITTLE_PX = (0.03, 0.35), 200
+"""What may show of a marked thing; find_object matches nothing smaller."""
+
 REVEALED_SHARE = 0.60
 """Visible share that the hidden object has once its cover is gone."""
 

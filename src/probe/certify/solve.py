@@ -47,7 +47,11 @@ def trials(
     for attempt in range(ATTEMPTS):
         for way in WAYS:
             agent = Scripted(
-                task.kind, task.subject, generator(task.seed, "solve", way, attempt), way
+                task.kind,
+                task.subject,
+                generator(task.seed, "solve", way, attempt),
+                way,
+                form=task.form,
             )
             record = play(task, agent, f"scripted-{way}", library, table, renderer, attempt)
             made.append(Trial(way, attempt, score(task, record, renderer).correct))

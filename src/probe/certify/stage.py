@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.spatial import ConvexHull
@@ -31,8 +32,28 @@ _LIFTED_TIME = 1.0
 _RESPOTS = 3
 _SPOT_TRIES = 40
 _NARROWEST = 0.08
+_ABOUT_X: Quaternion = (math.sqrt(0.5), math.sqrt(0.5), 0.0, 0.0)
+_ABOUT_Y: Quaternion = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 _REACH = 0.17
 _RESPOT_REACH = 0.11
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """A cover and how it is laid over something.
+
+    Attributes:
+        instance: Its own, on a stage.
+        cover: How it lies.
+        off: (x, y) in metres from the middle of what it covers to where its own middle, or that
+            of its cavity, is aimed.
+        turn: About the vertical, radians.
+    """
+
+    instance: int
+    cover: Cover
+    off: Array
+    turn: float
 
 
 class Stage:
@@ -49,30 +70,37 @@ class Stage:
             for item in self.items
         }
 
-    def nest(
-        self, target: int, covering: int, cover: Cover, at: Post, off: Array, turn: float
-    ) -> Poses:
-        """Put a target on the bare table and a cover over it; where both come to rest.
+    def nest(self, target: int, layers: Sequence[Layer], at: Post, *, laid: bool = False) -> Poses:
+        """Put a target on the bare table and covers over it; where all come to rest.
+
+        The target is turned at right angles where that lays its long side along that of the
+        lowest cover.
 
         Args:
             target: Instance of what is to be hidden.
-            covering: Instance of the cover.
-            cover: How it lies.
+            layers: At least one, the lowest first.
             at: Middle of the target.
-            off: (x, y) in metres from there to where the cover's cavity is aimed.
-            turn: Of the cover about the vertical, radians; the target is turned at right angles
-                where that lays the long side of one along that of the other.
+            laid: Whether the target lies on its longer side instead of standing.
         """
         self._clear()
-        size = self.items[target - 1].spec.size
-        crosswise = (size[0] > size[1]) != (cover.extent[0] > cover.extent[1])
-        turned = about_z(turn + (math.pi / 2 if crosswise else 0.0))
-        self._pile.place(target, Pose((at.x, at.y, 0.0), turned))
-        wxyz = (Pose(wxyz=about_z(turn)) @ Pose(wxyz=cover.wxyz)).wxyz
-        middle = Pose(wxyz=about_z(turn)).apply(np.array([[*cover.middle, 0.0]]))[0, :2]
-        x, y = np.array([at.x, at.y]) + off - middle
-        self._pile.drop(covering, Drop(float(x), float(y), wxyz))
-        self._pile.fall(_NEST_TIME)
+        size, lowest = self.items[target - 1].spec.size, layers[0]
+        crosswise = (size[0] > size[1]) != (lowest.cover.extent[0] > lowest.cover.extent[1])
+        turned = about_z(lowest.turn + (math.pi / 2 if crosswise else 0.0))
+        if laid:
+            tipped = (
+                Pose(wxyz=turned) @ Pose(wxyz=_ABOUT_Y if size[0] < size[1] else _ABOUT_X)
+            ).wxyz
+            self._pile.drop(target, Drop(at.x, at.y, tipped))
+            self._pile.fall(_NEST_TIME)
+        else:
+            self._pile.place(target, Pose((at.x, at.y, 0.0), turned))
+        for layer in layers:
+            spin = Pose(wxyz=about_z(layer.turn))
+            middle = spin.apply(np.array([[*layer.cover.middle, 0.0]]))[0, :2]
+            x, y = np.array([at.x, at.y]) + layer.off - middle
+            wxyz = (spin @ Pose(wxyz=layer.cover.wxyz)).wxyz
+            self._pile.drop(layer.instance, Drop(float(x), float(y), wxyz))
+            self._pile.fall(_NEST_TIME)
         self._pile.stay_awake(awake=True)
         self._pile.step(_NEST_CHECK_TIME)
         self._pile.stay_awake(awake=False)
@@ -141,9 +169,9 @@ class Stage:
             self._pile.stay_awake(awake=False)
         return self._poses()
 
-    def lift(self, poses: Poses, instance: int) -> Poses:
-        """Where the others end up when one thing vanishes."""
-        self._put({n: pose for n, pose in poses.items() if n != instance})
+    def lift(self, poses: Poses, *instances: int) -> Poses:
+        """Where the others end up when some things vanish."""
+        self._put({n: pose for n, pose in poses.items() if n not in instances})
         self._pile.step(_LIFTED_TIME)
         self._pile.stay_awake(awake=False)
         self._pile.fall(SETTLING_TIME)

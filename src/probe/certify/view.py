@@ -8,6 +8,8 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.mesh import Surface, TexturedMesh
+from probe.assets.sampling import colours_at, places, spots
+from probe.certify.palettes import shades
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
 from probe.scene.layout import TABLE_SIZE, top_camera
@@ -16,6 +18,9 @@ from probe.scene.visibility import Visibility, visibilities
 from probe.tasks.truth import Silhouette
 from probe.types import Array
 
+_SPOTS = 20_000
+_COARSE = 8
+_SKIN = 0.006
 _GREY = Surface(np.full((1, 1, 3), 128, dtype=np.uint8))
 
 
@@ -39,6 +44,15 @@ class View:
         placed = [item for item in scene.objects if item.instance in of]
         return visibilities(labels, self._renderer.outlines(placed, top_camera()))
 
+    def patch(self, scene: Scene, labels: Array, number: int, mesh: TexturedMesh) -> Array:
+        """Main colour of what shows of an object, by its texture, CIELAB, shape (3,)."""
+        face, weights = spots(mesh.vertices, mesh.faces, _SPOTS)
+        shown = _spots_shown(
+            scene, labels, number, places(mesh.vertices, mesh.faces, face, weights)
+        )
+        colours = colours_at(mesh, face, weights)
+        return np.array(shades(colours[shown] if shown.any() else colours)[0].lab)
+
     def silhouettes(self, scene: Scene, of: Collection[int]) -> dict[int, Silhouette]:
         """Silhouettes of some instances of a scene."""
         placed = [item for item in scene.objects if item.instance in of]
@@ -50,6 +64,21 @@ class View:
             )
             for item in placed
         }
+
+
+def _spots_shown(scene: Scene, labels: Array, number: int, points: Array) -> Array:
+    """Which points on an object, in its frame, shape (n, 3), show; a face turned away doesn't.
+
+    Points that fall on the same pixel are told apart by height: the highest one shows.
+    """
+    world = scene[number].pose.apply(points)
+    pixels = np.floor(top_camera().project(world)).astype(int)
+    height, width = labels.shape
+    u, v = pixels[:, 0].clip(0, width - 1), pixels[:, 1].clip(0, height - 1)
+    cell = (v // _COARSE) * width + u // _COARSE
+    top = np.full(height * width, -np.inf)
+    np.maximum.at(top, cell, world[:, 2])
+    return (labels[v, u] == number) & (world[:, 2] > top[cell] - _SKIN)
 
 
 def _untextured(mesh: TexturedMesh) -> TexturedMesh:

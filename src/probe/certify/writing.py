@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from probe.certify.plan import Plan
@@ -11,7 +11,7 @@ from probe.certify.view import View
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
 from probe.tasks.options import drop_one
-from probe.tasks.task import Certificate, QuestionKind, Task
+from probe.tasks.task import PAIR, Certificate, Mark, Option, QuestionKind, Task
 from probe.tasks.wordings import wordings
 
 
@@ -20,10 +20,10 @@ class Draft:
     """All of a task but its words and letters.
 
     Attributes:
-        kind, scene, subject, targets, cover: As in Task.
+        kind, scene, subject, targets, cover, named, marks: As in Task.
         slots: What the wording's slots are filled with.
-        candidates: Texts of the five candidates.
-        truth: Index of the true one.
+        candidates: Texts of the five candidates; none where the two marked things are the options.
+        truth: Index of the true one, or of the marked thing that is.
         measures: As in Certificate.
         drawn_from: As Certificate.candidates.
     """
@@ -35,32 +35,48 @@ class Draft:
     candidates: tuple[str, ...]
     truth: int
     targets: tuple[int, ...]
-    cover: int | None
     measures: Mapping[str, float]
     drawn_from: tuple[str, ...]
+    cover: int | None = None
+    named: tuple[int, ...] = ()
+    marks: tuple[Mark, ...] = ()
 
 
 def write_task(draft: Draft, plan: Plan, view: View) -> Task:
-    """The task of a draft; its wording is drawn by the scene's seed."""
+    """The task of a draft, worded as planned."""
     scene = draft.scene
     rng = generator(scene.seed, "words", draft.kind)
-    texts = wordings(draft.kind)
-    wording = texts[int(rng.integers(len(texts)))]
+    wording = wordings(draft.kind)[plan.wording]
+    question = wording.text.format(**draft.slots)
+    if draft.marks:
+        question = f"{question} {_places(draft.marks)}"
+        options = tuple(Option(letter, f"Object {letter}") for letter in PAIR)
+    else:
+        options = drop_one(draft.candidates, draft.truth, plan.letter, rng)
     labels = view.labels(scene)
     visibility = view.visibility(scene, labels, [placed.instance for placed in scene.objects])
     return Task(
         id=task_id(draft.kind, scene.seed),
         kind=draft.kind,
+        form=wording.form,
         seed=scene.seed,
         subject=draft.subject,
-        question=wording.format(**draft.slots),
-        options=drop_one(draft.candidates, draft.truth, plan.letter, rng),
+        question=question,
+        options=options,
         answer=plan.letter,
         scene=scene,
         targets=draft.targets,
         cover=draft.cover,
+        named=draft.named,
+        marks=draft.marks,
         certificate=Certificate(visibility, draft.measures, draft.drawn_from),
     )
+
+
+def _places(marks: Sequence[Mark]) -> str:
+    """Where the marks are, for agents that see no picture or draw better than they read."""
+    places = " and ".join(f"{mark.letter} at ({mark.point[0]}, {mark.point[1]})" for mark in marks)
+    return f"In the first picture, the marks are {places}."
 
 
 def task_id(kind: QuestionKind, seed: int) -> str:

@@ -149,4 +149,6 @@ def _view(out: Path, task: Task, record: EpisodeRecord, renderer: Renderer) -> E
 
 def _agent(name: AgentName, task: Task, number: int) -> Agent:
     rng = generator(task.seed, "run", name, number)
-    return Random(rng) if name == "random" else Scripted(task.kind, task.subject, rng)
+    return (
+        Random(rng) if name == "random" else Scripted(task.kind, task.subject, rng, form=task.form)
+    )

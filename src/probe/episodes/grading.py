@@ -6,6 +6,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Question
 from probe.errors import ProbeError
 from probe.tasks.grading import Answer, LastView, Score, grade
+from probe.tasks.marks import drawn
 from probe.tasks.task import LETTERS, Letter, Task
 from probe.types import Array
 
@@ -21,7 +22,9 @@ class OtherTask(ProbeError):
 
 
 def question_of(task: Task, picture: Array | None = None) -> Question:
-    """What an agent is told of a task: its words and options, and the first picture."""
+    """What an agent is told of a task: its words and options, and the first picture, marked."""
+    if picture is not None:
+        picture = drawn(picture, task.marks)
     options = tuple((option.letter, option.text) for option in task.options)
     return Question(task.question, options, picture)
 

@@ -98,7 +98,9 @@ def push(
     result, track = PushResult("no_space", frame), _Track(mask)
     while result.strokes < STROKES and track.mask is not None:
         left = distance_m - track.gone
-        if left < max(_LEAST, (1 - _FAR_ENOUGH) * distance_m):
+        # What was stopped is worth another try even for the last bit.
+        rest = 0.0 if result.status == "blocked" else (1 - _FAR_ENOUGH) * distance_m
+        if left < max(_LEAST, rest):
             break
         before = result.frame if result.frame.rgb is not None else station.observe(rgb=True)
         done = stroke(station, before, track.mask, along, left, basket, track.in_vain)

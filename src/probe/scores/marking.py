@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 
 from probe.certify.rules import is_hidden
@@ -38,7 +38,6 @@ def row_of(
     suite: str,
     arm: str,
     usage: Usage | None = None,
-    named: Collection[int] = (),
 ) -> Row:
     """The row of an episode.
 
@@ -49,7 +48,6 @@ def row_of(
         suite: Name of the suite.
         arm: How the agent was allowed to answer.
         usage: Of the model, if there was one.
-        named: In Reduce, the instances that were to be removed.
     """
     done = [step.call.name for step in record.steps if step.status in ("done", "failed")]
     return Row.model_validate(
@@ -78,15 +76,15 @@ def row_of(
             "seconds_agent": _total(record.seconds.agent, record),
             "seconds_tools": _total(record.seconds.tools, record),
             **asdict(usage or Usage()),
-            **_execution(record, score, named),
+            **_execution(task, record, score),
         }
     )
 
 
-def _execution(record: EpisodeRecord, score: Score, named: Collection[int]) -> dict[str, object]:
-    if not named:
+def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, object]:
+    if not task.named:
         return {}
-    found = fidelity(record, named)
+    found = fidelity(record, task.named)
     return {**asdict(found), "strict": score.correct and found.exact}
 
 

@@ -1,8 +1,9 @@
-"""The little English that questions need: plurals of catalogue names."""
+"""The little English that questions need: plurals and lists of catalogue names."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 _ALREADY_PLURAL = {"headphones", "marbles", "pliers", "scissors", "tongs", "tweezers"}
 _ENDINGS = (
@@ -34,3 +35,9 @@ def plural(name: str) -> str | None:
         if count:
             return changed + tail
     return head + "s" + tail
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names with their articles as part of a sentence ("the red mug and the white plate")."""
+    *most, last = [f"the {name}" for name in names]
+    return f"{', '.join(most)} and {last}" if most else last

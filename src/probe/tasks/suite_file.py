@@ -13,7 +13,7 @@ from probe.files import read_document, write_text
 from probe.scene.document import SceneDocument
 from probe.scene.visibility import Visibility
 from probe.tasks.suite import Suite
-from probe.tasks.task import LETTERS, Certificate, Letter, Option, QuestionKind, Task
+from probe.tasks.task import LETTERS, Certificate, Form, Letter, Mark, Option, QuestionKind, Task
 
 CANARY = "PROBE SUITE; NOT FOR TRAINING; canary 6d0f1c52-6c0e-4e7c-9a53-0b6f2f8f7d41"
 """Anyone who finds this text in training data knows that a suite got there."""
@@ -36,28 +36,42 @@ class CertificateDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=Fals
     candidates: tuple[str, ...]
 
 
+class MarkDocument(pydantic.BaseModel, extra="forbid"):
+    """One mark."""
+
+    letter: Letter
+    instance: int
+    point: tuple[int, int]
+
+
 class TaskDocument(pydantic.BaseModel, extra="forbid"):
     """One task."""
 
     id: str = pydantic.Field(pattern=r"^[a-z0-9-]+$")
     kind: QuestionKind
+    form: Form
     seed: int
     version: int
     subject: str
     question: str
-    options: tuple[str, str, str, str, str]
+    options: tuple[str, ...] = pydantic.Field(min_length=2, max_length=len(LETTERS))
     answer: Letter
     targets: tuple[int, ...]
     cover: int | None
+    named: tuple[int, ...]
+    marks: tuple[MarkDocument, ...]
     certificate: CertificateDocument
     scene: SceneDocument
 
     @pydantic.model_validator(mode="after")
     def _names_what_is_there(self) -> TaskDocument:
         present = {placed.instance for placed in self.scene.objects}
-        named = {*self.targets, *([] if self.cover is None else [self.cover])}
+        named = {*self.targets, *self.named, *(mark.instance for mark in self.marks)}
+        named |= set() if self.cover is None else {self.cover}
         if not named <= present:
             raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
+        if self.answer not in LETTERS[: len(self.options)]:
+            raise ValueError(f"its answer {self.answer} is none of its options")
         return self
 
     @staticmethod
@@ -68,18 +82,23 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
             number: VisibilityDocument(visible_px=seen.visible_px, alone_px=seen.alone_px)
             for number, seen in proof.visibility.items()
         }
-        a, b, c, d, e = (option.text for option in task.options)
         return TaskDocument(
             id=task.id,
             kind=task.kind,
+            form=task.form,
             seed=task.seed,
             version=task.version,
             subject=task.subject,
             question=task.question,
-            options=(a, b, c, d, e),
+            options=tuple(option.text for option in task.options),
             answer=task.answer,
             targets=task.targets,
             cover=task.cover,
+            named=task.named,
+            marks=tuple(
+                MarkDocument(letter=mark.letter, instance=mark.instance, point=mark.point)
+                for mark in task.marks
+            ),
             certificate=CertificateDocument(
                 visibility=visibility,
                 measures=dict(proof.measures),
@@ -90,7 +109,7 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
 
     def task(self) -> Task:
         """The task it describes."""
-        options = zip(LETTERS, self.options, strict=True)
+        options = zip(LETTERS, self.options, strict=False)
         proof = self.certificate
         visibility = {
             number: Visibility(seen.visible_px, seen.alone_px)
@@ -99,6 +118,7 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
         return Task(
             id=self.id,
             kind=self.kind,
+            form=self.form,
             seed=self.seed,
             subject=self.subject,
             question=self.question,
@@ -107,6 +127,8 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
             scene=self.scene.scene(),
             targets=self.targets,
             cover=self.cover,
+            named=self.named,
+            marks=tuple(Mark(mark.letter, mark.instance, mark.point) for mark in self.marks),
             certificate=Certificate(visibility, proof.measures, proof.candidates),
             version=self.version,
         )
@@ -119,7 +141,7 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
 class SuiteDocument(pydantic.BaseModel, extra="forbid"):
     """A whole suite, with a hash of every task and a fingerprint of every object."""
 
-    version: Literal[2] = 2
+    version: Literal[3] = 3
     name: str = pydantic.Field(min_length=1)
     canary: str = CANARY
     objects: dict[str, tuple[float, ...]]

@@ -9,16 +9,22 @@ from typing import Literal, get_args
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 
-QuestionKind = Literal["beneath", "count", "find"]
+QuestionKind = Literal["beneath", "compare", "count", "find", "reduce", "size"]
 KINDS: tuple[QuestionKind, ...] = get_args(QuestionKind)
+
+Form = Literal["plain", "colour", "darker", "like", "longer", "larger", "smaller"]
+"""What exactly Compare and Size ask; "plain" in the other types."""
 
 Letter = Literal["A", "B", "C", "D", "E"]
 LETTERS: tuple[Letter, ...] = get_args(Letter)
 
-NONE_OF_THE_ABOVE = "None of the above"
-"""Text of the last option, E."""
+PAIR: tuple[Letter, Letter] = "A", "B"
+"""Letters of Compare and Size, whose options are the two marked things."""
 
-TASK_VERSION = 1
+NONE_OF_THE_ABOVE = "None of the above"
+"""Text of the last of five options, E."""
+
+TASK_VERSION = 2
 """To be raised when rules change so that scores do."""
 
 
@@ -28,6 +34,21 @@ class Option:
 
     letter: Letter
     text: str
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A letter drawn on the first picture.
+
+    Attributes:
+        letter: A or B.
+        instance: What it is on, for the whole episode wherever that goes.
+        point: Pixel (u, v) of the first picture, well inside of what shows of it.
+    """
+
+    letter: Letter
+    instance: int
+    point: tuple[int, int]
 
 
 @dataclass(frozen=True)
@@ -53,21 +74,26 @@ class Task:
     Attributes:
         id: Says nothing of the answer.
         kind: Its type.
+        form: What exactly it asks.
         seed: What it was made from; never shown to an agent.
-        subject: The words of the question that name a thing: the cover, or what is counted, in
-            the singular; empty in Find.
+        subject: The words of the question that name a thing: the cover, what is counted, in the
+            singular, what a colour is compared with, or the colour itself; else empty.
         question: What the agent is asked.
-        options: A to E; E is "None of the above".
+        options: A to E, E being "None of the above"; in Compare and Size A and B.
         answer: The right letter.
         scene: The table at the start.
-        targets: Instances whose presence decides: the hidden one, or all that are counted.
+        targets: Instances that decide: the hidden one, all that are counted, or the two that are
+            marked.
         cover: Instance of Beneath's cover, else None.
+        named: Instances that Reduce wants removed, else empty.
+        marks: Of Compare and Size, else empty.
         certificate: Why it can't be answered by looking.
         version: Of the rules it was made by.
     """
 
     id: str
     kind: QuestionKind
+    form: Form
     seed: int
     subject: str
     question: str
@@ -76,5 +102,7 @@ class Task:
     scene: Scene
     targets: tuple[int, ...]
     cover: int | None
+    named: tuple[int, ...]
+    marks: tuple[Mark, ...]
     certificate: Certificate
     version: int = TASK_VERSION

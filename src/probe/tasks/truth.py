@@ -7,11 +7,35 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from probe.assets.colour_difference import ciede2000
 from probe.scene.scene import PlacedObject, Scene
+from probe.tasks.task import Form, Letter
 from probe.types import Array
 
 COVERED_SHARE = 0.7
 """Share of an object's silhouette that lies within the silhouette of what it is under."""
+
+
+LONGER = 1.25
+"""Ratio of longest sides from which on one thing is longer than another."""
+
+LARGER = 2.0
+"""Ratio of hull volumes from which on one thing is larger, if it is in no way smaller."""
+
+DIFFERENT, DARKER = 15.0, 15.0
+"""CIEDE2000 difference, and difference of L*, from which on two main colours are told apart."""
+
+ALIKE = 12.0
+"""CIEDE2000 difference up to which a main colour counts as that of something else."""
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How large an object is: longest side (m), footprint (m2), volume of its hull (m3)."""
+
+    longest: float
+    footprint: float
+    volume: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +93,48 @@ def covered_share(item: Silhouette, cover: Silhouette) -> float:
     """Share of an object's silhouette within the cover's, 0 to 1."""
     whole = np.count_nonzero(item.mask)
     return float(np.count_nonzero(item.mask & cover.mask) / whole) if whole else 0.0
+
+
+def which_size(form: Form, a: Extent, b: Extent) -> Letter:
+    """Size: A or B.
+
+    Raises:
+        ValueError: They are too alike, or it depends on how one measures.
+    """
+    if form == "longer":
+        ratio, agree = a.longest / b.longest, True
+        needed = LONGER
+    else:
+        ratio, needed = a.volume / b.volume, LARGER
+        agree = (a.longest > b.longest) == (a.footprint > b.footprint) == (ratio > 1)
+    if not agree or max(ratio, 1 / ratio) < needed:
+        raise ValueError(f"Neither of the two is clearly {form}.")
+    return "A" if (ratio > 1) != (form == "smaller") else "B"
+
+
+def which_darker(a: Array, b: Array) -> Letter:
+    """Compare: which of two main colours, CIELAB, shape (3,), is darker.
+
+    Raises:
+        ValueError: They are too alike.
+    """
+    if abs(float(a[0] - b[0])) < DARKER or float(ciede2000(a, b)) < DIFFERENT:
+        raise ValueError("Neither of the two is clearly darker.")
+    return "A" if a[0] < b[0] else "B"
+
+
+def which_like(a: Array, b: Array, wanted: Array) -> Letter:
+    """Compare: which of two main colours, CIELAB, shape (3,), is like a third.
+
+    Raises:
+        ValueError: They are too alike, or none is like it, or both are.
+    """
+    first, second = float(ciede2000(a, wanted)), float(ciede2000(b, wanted))
+    if float(ciede2000(a, b)) < DIFFERENT or max(first, second) < DIFFERENT:
+        raise ValueError("The two are too alike.")
+    if min(first, second) > ALIKE:
+        raise ValueError("None of the two is like it.")
+    return "A" if first < second else "B"
 
 
 def _only(found: list[PlacedObject]) -> PlacedObject:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import string
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 from typing import Annotated
@@ -12,24 +13,39 @@ import pydantic
 import yaml
 
 from probe.errors import BadData
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import Form, QuestionKind
 
-FEWEST = 5
-_SLOTS: dict[QuestionKind, set[str]] = {"beneath": {"cover"}, "count": {"names"}, "find": set()}
+FEWEST = 20
+"""Ways to ask each type."""
+
+_SLOTS: Mapping[QuestionKind, Mapping[Form, set[str]]] = {
+    "beneath": {"plain": {"cover"}},
+    "compare": {"colour": {"colour"}, "darker": set(), "like": {"name"}},
+    "count": {"plain": {"names"}},
+    "find": {"plain": set()},
+    "reduce": {"plain": {"names"}},
+    "size": {"longer": set(), "larger": set(), "smaller": set()},
+}
 _REMEDY = "Correct that line"
 
 
-def _checked(wording: str, info: pydantic.ValidationInfo) -> str:
-    """Refuse a wording that lacks a slot, has one too many, or isn't a sentence."""
+@dataclass(frozen=True)
+class Wording:
+    """One way to ask.
+
+    Attributes:
+        form: What exactly is asked, where a type asks for several things.
+        text: With its slots in braces.
+    """
+
+    form: Form
+    text: str
+
+
+def _sentence(wording: str) -> str:
+    """Refuse a wording that isn't a sentence."""
     if not wording[:1].isupper() or wording[-1:] not in {"?", "."}:
         raise ValueError("a wording begins with a capital and ends with '?' or '.'")
-    try:
-        slots = [slot for _, slot, _, _ in string.Formatter().parse(wording) if slot is not None]
-    except ValueError as error:
-        raise ValueError(f"its braces don't match ({error})") from error
-    if "kind" in info.data and (sorted(slots) != sorted(_SLOTS[info.data["kind"]])):
-        wanted = " ".join(f"{{{slot}}}" for slot in _SLOTS[info.data["kind"]]) or "none"
-        raise ValueError(f"its slots are {slots or 'none'}, wanted exactly: {wanted}")
     return wording
 
 
@@ -37,21 +53,22 @@ class WordingsDocument(pydantic.BaseModel, extra="forbid", frozen=True):
     """One file of wordings."""
 
     kind: QuestionKind
-    wordings: list[Annotated[str, pydantic.AfterValidator(_checked)]] = pydantic.Field(
-        min_length=FEWEST
-    )
+    forms: dict[Form, list[Annotated[str, pydantic.AfterValidator(_sentence)]]]
 
-    @pydantic.field_validator("wordings")
+    @pydantic.field_validator("forms")
     @classmethod
-    def _differ(cls, wordings: list[str]) -> list[str]:
-        twins = sorted({wording for wording in wordings if wordings.count(wording) > 1})
+    def _differ(cls, forms: dict[Form, list[str]]) -> dict[Form, list[str]]:
+        texts = [text for some in forms.values() for text in some]
+        twins = sorted({text for text in texts if texts.count(text) > 1})
         if twins:
             raise ValueError(f"{twins[0]!r} is there twice")
-        return wordings
+        if len(texts) < FEWEST:
+            raise ValueError(f"there are {len(texts)} wordings, wanted at least {FEWEST}")
+        return forms
 
 
 @lru_cache
-def wordings(kind: QuestionKind) -> tuple[str, ...]:
+def wordings(kind: QuestionKind) -> tuple[Wording, ...]:
     """All wordings of a type.
 
     Raises:
@@ -62,7 +79,7 @@ def wordings(kind: QuestionKind) -> tuple[str, ...]:
     return parse_wordings(text, name)
 
 
-def parse_wordings(text: str, path: object) -> tuple[str, ...]:
+def parse_wordings(text: str, path: object) -> tuple[Wording, ...]:
     """Wordings of a file's text; `path` is for messages.
 
     Raises:
@@ -76,12 +93,38 @@ def parse_wordings(text: str, path: object) -> tuple[str, ...]:
     except yaml.YAMLError as error:
         raise BadData(path, str(error), "Write it as UTF-8 YAML") from error
     try:
-        return tuple(WordingsDocument.model_validate(content).wordings)
+        document = WordingsDocument.model_validate(content)
     except pydantic.ValidationError as error:
         first = error.errors()[0]
-        place = ".".join(str(part) for part in first["loc"]) or "the file"
-        line = _line(root, first["loc"])
-        raise BadData(path, f"line {line}, {place}: {first['msg']}", _REMEDY) from error
+        raise _broken(path, root, first["loc"], first["msg"]) from error
+    if set(document.forms) != set(_SLOTS[document.kind]):
+        wanted = ", ".join(_SLOTS[document.kind])
+        raise _broken(path, root, ("forms",), f"the forms of {document.kind} are {wanted}")
+    for form, texts in document.forms.items():
+        for number, wording in enumerate(texts):
+            fault = _slot_fault(wording, _SLOTS[document.kind][form])
+            if fault:
+                raise _broken(path, root, ("forms", form, number), fault)
+    return tuple(Wording(form, text) for form, texts in document.forms.items() for text in texts)
+
+
+def _slot_fault(wording: str, wanted: set[str]) -> str | None:
+    """What is wrong with a wording's slots; None if nothing is."""
+    try:
+        slots = [slot for _, slot, _, _ in string.Formatter().parse(wording) if slot is not None]
+    except ValueError as error:
+        return f"its braces don't match ({error})"
+    if sorted(slots) == sorted(wanted):
+        return None
+    shown = " ".join(f"{{{slot}}}" for slot in wanted) or "none"
+    return f"its slots are {slots or 'none'}, wanted exactly: {shown}"
+
+
+def _broken(
+    path: object, root: yaml.Node | None, place: Sequence[str | int], reason: str
+) -> BadData:
+    where = ".".join(str(part) for part in place) or "the file"
+    return BadData(path, f"line {_line(root, place)}, {where}: {reason}", _REMEDY)
 
 
 def _line(node: yaml.Node | None, place: Sequence[str | int]) -> int:

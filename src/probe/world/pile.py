@@ -22,6 +22,9 @@ _HELD_DAMPING = 1e5
 _PARKED_Z = -3.0
 _PARKED_SPACING = 1.0
 _CHUNK = 25
+_WALL = 2
+"""Bit of the contact masks that walls and posts have for their own."""
+
 _WALLS = ("wall/e", "wall/w", "wall/n", "wall/s")
 
 
@@ -39,6 +42,8 @@ class Pile:
         }
         self._free_damping: Array = self.model.dof_damping.copy()
         self._dropped: set[int] = set()
+        self.hold()
+        self.set_walls(standing=True)
         for item in items:
             self.park(item.instance)
         mujoco.mj_forward(self.model, self.data)
@@ -65,11 +70,18 @@ class Pile:
         self._put(instance, pose, speed=-1e-6)
 
     def hold(self, *instances: int) -> None:
-        """Keep items from moving, however hard others lean on them; all others go free."""
+        """Keep items from moving, however hard others lean on them; all others go free.
+
+        Walls and posts pass through what is held, or they would push it out of their way.
+        """
         self.model.dof_damping[:] = self._free_damping
-        for instance in instances:
-            at = self._dof(instance)
-            self.model.dof_damping[at : at + 6] = _HELD_DAMPING
+        for item in self.items:
+            held = item.instance in instances
+            body = self._body[item.instance]
+            self.model.geom_conaffinity[self.model.geom_bodyid == body] = 1 if held else 1 | _WALL
+            if held:
+                at = self._dof(item.instance)
+                self.model.dof_damping[at : at + 6] = _HELD_DAMPING
 
     def park(self, instance: int) -> None:
         """Take an item off the table."""
@@ -110,8 +122,8 @@ class Pile:
         """Put walls and posts up, or take them away so that objects lean and roll as they will."""
         for name in self._walls:
             geom = self.model.geom(name).id
-            self.model.geom_contype[geom] = int(standing)
-            self.model.geom_conaffinity[geom] = int(standing)
+            self.model.geom_contype[geom] = _WALL if standing else 0
+            self.model.geom_conaffinity[geom] = 0
         self.wake()
 
     def wake(self) -> None:

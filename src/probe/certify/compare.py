@@ -1,0 +1,234 @@
+"""Compare: which of two marked things has a colour? The patches that show mislead half the time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from probe.assets.colour_difference import ciede2000
+from probe.assets.library import Library
+from probe.assets.spec import ObjectSpec
+from probe.certify.alike import told_apart
+from probe.certify.looks import Looks
+from probe.certify.marked import (
+    MarkedCast,
+    Nest,
+    Set,
+    build_set,
+    cast_marked,
+    draw_marks,
+    partly_covered,
+    settle_around,
+)
+from probe.certify.palettes import palette_of
+from probe.certify.plan import Plan
+from probe.certify.result import Candidate, Rejected
+from probe.certify.rules import LITTLE, is_clear
+from probe.certify.view import View
+from probe.certify.writing import Draft, write_task
+from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
+from probe.scene.seeds import generator
+from probe.tasks.task import PAIR, Form
+from probe.tasks.truth import which_darker, which_like
+from probe.types import Array
+
+SMALLEST, LARGEST = 0.04, 0.17
+"""Longest sides of marked things, metres."""
+
+_PAIRS = 2000
+_NESTS = 5
+_MARGIN = 5.0
+"""Least difference, CIEDE2000 or L*, by which patches tell or mislead."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Asked:
+    """What is asked about: the two, and what their colour is compared with.
+
+    Attributes:
+        marked: A first.
+        right: Index of the right one.
+        word: The colour's name; empty where none is named.
+        reference: The thing in plain view whose colour is asked for, or None.
+    """
+
+    marked: tuple[ObjectSpec, ObjectSpec]
+    right: int
+    word: str
+    reference: ObjectSpec | None
+
+
+def generate_compare(
+    seed: int, plan: Plan, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> Candidate:
+    """One attempt.
+
+    Raises:
+        Rejected: It failed a check.
+    """
+    rng = generator(seed, "compare")
+    asked, cast = _draw_cast(library, plan, rng)
+    table = tables[int(rng.integers(len(tables)))]
+    view = View(renderer, library, [spec.id for spec in cast.specs])
+    made = build_set(cast, seed, library, view, table, rng)
+    scene = settle_around(made, _nests(made, asked, library, plan, rng), rng)
+    reference = made.frame.number_of[len(cast.specs)] if asked.reference else None
+    _check_reference(view, scene, reference)
+    marks = draw_marks(made, scene)
+    labels = view.labels(scene)
+    looks = Looks(renderer, scene, labels, library)
+    measures = _measure(looks, made, asked, plan, reference)
+    draft = Draft(
+        kind="compare",
+        scene=scene,
+        subject=asked.word or (asked.reference.name if asked.reference else ""),
+        slots={"colour": asked.word, "name": asked.reference.name if asked.reference else ""},
+        candidates=(),
+        truth=asked.right,
+        targets=made.marked,
+        marks=marks,
+        measures=measures,
+        drawn_from=tuple(spec.id for spec in cast.marked),
+    )
+    # Looks loaded textures; the certificate's visibilities need none, and both see the same.
+    return Candidate(write_task(draft, plan, view))
+
+
+def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> tuple[_Asked, MarkedCast]:
+    """Two things and what is asked of them, such that patches could tell as planned."""
+    pool = [spec for spec in library.specs if SMALLEST <= max(spec.size) <= LARGEST]
+    for _ in range(_PAIRS):
+        a, b, third = (pool[int(index)] for index in rng.choice(len(pool), size=3, replace=False))
+        asked = _asked(plan, (a, b), third) if told_apart([a, b, third]) else None
+        if asked is None or _truth(library, plan.form, asked) != plan.letter:
+            continue
+        needed = [asked.reference] if asked.reference else []
+        if _could_show(library, plan, asked) and (
+            cast := cast_marked(library, (a, b), needed, rng)
+        ):
+            return asked, cast
+    raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
+
+
+def _asked(plan: Plan, marked: tuple[ObjectSpec, ObjectSpec], third: ObjectSpec) -> _Asked | None:
+    """What may be asked of two things by their annotated colours; None if that would be unclear."""
+    right = PAIR.index(plan.letter)
+    if plan.form == "darker":
+        return _Asked(marked, right, "", None)
+    word = (third if plan.form == "like" else marked[right]).colours[0]
+    if marked[right].colours[0] != word or _has_colour(marked[1 - right], word):
+        return None
+    return (
+        _Asked(marked, right, "", third)
+        if plan.form == "like"
+        else _Asked(marked, right, word, None)
+    )
+
+
+def _has_colour(spec: ObjectSpec, word: str) -> bool:
+    """Whether a colour's name is among a thing's, whatever its shade."""
+    return word.split()[-1] in {colour.split()[-1] for colour in spec.colours}
+
+
+def _main(library: Library, spec: ObjectSpec) -> Array:
+    return np.array(palette_of(library, spec.id)[0].lab)
+
+
+def _truth(library: Library, form: Form, asked: _Asked) -> str:
+    """The letter by the textures; empty if it isn't clear."""
+    a, b = (_main(library, spec) for spec in asked.marked)
+    wanted = _main(library, asked.reference or asked.marked[asked.right])
+    try:
+        return which_darker(a, b) if form == "darker" else which_like(a, b, wanted)
+    except ValueError:
+        return ""
+
+
+def _lead(form: Form, right: Array, wrong: Array, wanted: Array) -> float:
+    """By how much a patch of the right thing fits what is asked better than one of the wrong."""
+    if form == "darker":
+        return float(wrong[0] - right[0])
+    return float(ciede2000(wrong, wanted) - ciede2000(right, wanted))
+
+
+def _tells(lead: float) -> bool | None:
+    """Whether patches tell the answer; None where they do neither."""
+    return None if abs(lead) < _MARGIN else lead > 0
+
+
+def _could_show(library: Library, plan: Plan, asked: _Asked) -> bool:
+    """Whether both have colours that, if these alone showed, would tell as planned."""
+    wanted = _main(library, asked.reference or asked.marked[asked.right])
+    right, wrong = (palette_of(library, asked.marked[k].id) for k in (asked.right, 1 - asked.right))
+    return any(
+        _tells(_lead(plan.form, np.array(r.lab), np.array(w.lab), wanted)) is plan.cues[0]
+        for r, w in product(right, wrong)
+    )
+
+
+def _nests(
+    made: Set, asked: _Asked, library: Library, plan: Plan, rng: np.random.Generator
+) -> tuple[Nest, Nest]:
+    """Nests of both whose patches, by their textures, tell as planned.
+
+    Raises:
+        Rejected: None of those that were tried do.
+    """
+    wanted = _main(library, asked.reference or asked.marked[asked.right])
+    tried: list[list[tuple[Nest, Array]]] = [[], []]
+    for _ in range(_NESTS):
+        for place in (0, 1):
+            nest = partly_covered(made, place, float(rng.uniform(*LITTLE)), rng)
+            if nest is not None:
+                number = made.marked[place]
+                body = library.body(made.cast.marked[place].id)
+                patch = made.view.patch(nest.scene, nest.labels, number, body.mesh)
+                tried[place].append((nest, patch))
+        for (first, a), (second, b) in product(*tried):
+            right, wrong = (a, b) if asked.right == 0 else (b, a)
+            if _tells(_lead(plan.form, right, wrong, wanted)) is plan.cues[0]:
+                return first, second
+    if not all(tried):
+        raise Rejected("nest", "the covers leave too much or too little in view")
+    raise Rejected("patch", "no patches that tell as planned")
+
+
+def _check_reference(view: View, scene: Scene, reference: int | None) -> None:
+    if reference is None:
+        return
+    seen = view.visibility(scene, view.labels(scene), [reference])[reference]
+    if not is_clear(seen):
+        raise Rejected("reference", f"only {seen.fraction:.0%} of what it is compared with show")
+
+
+def _measure(
+    looks: Looks, made: Set, asked: _Asked, plan: Plan, reference: int | None
+) -> dict[str, float]:
+    """Checks on pictures that main colours differ in every light, and what the patches tell.
+
+    Raises:
+        Rejected: They don't, or the patches tell something else than planned.
+    """
+    measures: dict[str, float] = {}
+    letter = PAIR[asked.right]
+    for light in looks.lights:
+        a, b = (looks.main(number, light) for number in made.marked)
+        wanted = looks.main(reference or made.marked[asked.right], light)
+        try:
+            found = which_darker(a, b) if plan.form == "darker" else which_like(a, b, wanted)
+        except ValueError as error:
+            raise Rejected("light", f"{light}: {error}") from error
+        if found != letter:
+            raise Rejected("light", f"the other one fits in {light}")
+        measures[f"apart_{light}"] = float(ciede2000(a, b))
+    patches = [looks.patch(number) for number in made.marked]
+    first = looks.lights[0]
+    wanted = looks.main(reference or made.marked[asked.right], first)
+    lead = _lead(plan.form, patches[asked.right], patches[1 - asked.right], wanted)
+    if _tells(lead) is not plan.cues[0]:
+        raise Rejected("cues", f"the patches lead by {lead:.0f}")
+    return measures | {"patch_lead": lead}

@@ -1,0 +1,45 @@
+"""The colours of things in pictures: whole, in several lights, and of what shows of them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.assets.tables import load_table
+from probe.certify.palettes import shades
+from probe.render.lighting import light_of
+from probe.render.photograph import load_scene, photograph
+from probe.render.renderer import Renderer
+from probe.scene.lighting import AMBIENT, Lighting
+from probe.scene.scene import Scene
+from probe.types import Array
+
+LIGHTS = (AMBIENT, Lighting("workshop"))
+"""Lights in which an answer must hold; the second has a colour of its own."""
+
+
+class Looks:
+    """Pictures of a scene and of its things alone; replaces what the renderer had loaded."""
+
+    def __init__(self, renderer: Renderer, scene: Scene, labels: Array, library: Library) -> None:
+        load_scene(renderer, scene, library, load_table(scene.table, library.assets))
+        self.lights = [light.name for light in LIGHTS]
+        self._lit = {light.name: light_of(light, library.assets) for light in LIGHTS}
+        self._renderer = renderer
+        self._scene = scene
+        self._labels = labels
+        self._rgb: Array | None = None
+
+    def main(self, number: int, light: str) -> Array:
+        """Main colour of a thing where it is, if it were alone, CIELAB, shape (3,)."""
+        alone = self._scene.only(number)
+        frame = photograph(self._renderer, alone, light=self._lit[light])
+        assert frame.rgb is not None and frame.labels is not None
+        return np.array(shades(frame.rgb[frame.labels == number])[0].lab)
+
+    def patch(self, number: int) -> Array:
+        """Main colour of what shows of a thing in the first light, CIELAB, shape (3,)."""
+        if self._rgb is None:
+            self._rgb = photograph(self._renderer, self._scene, light=self._lit[self.lights[0]]).rgb
+        assert self._rgb is not None
+        return np.array(shades(self._rgb[self._labels == number])[0].lab)

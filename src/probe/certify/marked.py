@@ -1,0 +1,233 @@
+"""Scenes in which two marked things show a little each, beneath covers of their own."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+
+from probe.assets.library import Library
+from probe.assets.spec import ObjectSpec
+from probe.certify.alike import unlike
+from probe.certify.cast import draw_crowd
+from probe.certify.covers import Cover, draw_shield, lies_on_side, low_footprint_of
+from probe.certify.frame import SceneFrame, numbers
+from probe.certify.result import Rejected
+from probe.certify.rules import LITTLE, LITTLE_PX
+from probe.certify.stage import Layer, Poses, Stage
+from probe.certify.view import View
+from probe.scene.layout import PICTURE_PX
+from probe.scene.scene import Scene
+from probe.scene.visibility import Visibility
+from probe.tasks.task import PAIR, Mark
+from probe.types import Array
+from probe.world.model import Post
+
+INSIDE_PX = 6.0
+"""Distance of a mark from the edge of what shows of its thing."""
+
+LARGEST_AROUND = 0.15
+"""Longest side in metres of the others: there must be room beside two covers."""
+
+_COUNT = 15
+_SIDES = 2
+_FROM_MIDDLE = 0.10
+_KEEP_OFF = 1.1
+_ASIDE = math.radians(80)
+_BISECTIONS = 5
+
+
+@dataclass(frozen=True, eq=False)
+class MarkedCast:
+    """Who plays: the marked two, a cover for each, and all others."""
+
+    marked: tuple[ObjectSpec, ObjectSpec]
+    covers: tuple[Cover, Cover]
+    others: tuple[ObjectSpec, ...]
+
+    @property
+    def specs(self) -> tuple[ObjectSpec, ...]:
+        """All of them, in the order of their instances on a stage."""
+        return (*self.marked, *(cover.spec for cover in self.covers), *self.others)
+
+
+@dataclass(frozen=True, eq=False)
+class Nest:
+    """One marked thing, partly beneath its cover on a bare table.
+
+    Attributes:
+        poses: Of both, by instance on the stage.
+        seen: How much of the thing shows.
+        labels: Instance numbers of the picture, shape (h, w).
+        scene: The same as a scene.
+    """
+
+    poses: Poses
+    seen: Visibility
+    labels: Array
+    scene: Scene
+
+
+@dataclass(frozen=True, eq=False)
+class Set:
+    """A stage with what looks at it."""
+
+    cast: MarkedCast
+    stage: Stage
+    posts: tuple[Post, Post]
+    view: View
+    frame: SceneFrame
+
+    @property
+    def marked(self) -> tuple[int, int]:
+        """The scene's numbers of the two that are marked."""
+        return self.frame.number_of[1], self.frame.number_of[2]
+
+
+def cast_marked(
+    library: Library,
+    pair: tuple[ObjectSpec, ObjectSpec],
+    needed: Sequence[ObjectSpec],
+    rng: np.random.Generator,
+) -> MarkedCast | None:
+    """Draw covers that would both do for either of two marked things, and the others.
+
+    Args:
+        library: To choose from.
+        pair: The two, A first.
+        needed: What must be among the others; it is dropped last.
+        rng: Draws the rest.
+
+    Returns:
+        None if nothing covers them.
+
+    Raises:
+        Rejected: The library has too few others.
+    """
+    free = unlike(library.specs, [*pair, *needed])
+    room = [low_footprint_of(library, spec.id) for spec in pair]
+    first = draw_shield(library, free, room, rng)
+    second = first and draw_shield(library, unlike(free, [first.spec]), room, rng)
+    if not first or not second:
+        return None
+    free = unlike(free, [first.spec, second.spec])
+    free = [spec for spec in free if max(spec.size) <= LARGEST_AROUND]
+    crowd = draw_crowd(free, _COUNT - 2 * _SIDES - len(needed), rng)
+    return MarkedCast(pair, (first, second), (*crowd, *needed))
+
+
+def build_set(
+    cast: MarkedCast, seed: int, library: Library, view: View, table: str, rng: np.random.Generator
+) -> Set:
+    """The stage of a cast: its two nests go on two sides of the middle."""
+    angle = float(rng.uniform(0, 2 * math.pi))
+    distance = max(_FROM_MIDDLE, sum(cover.reach for cover in cast.covers) / 2)
+    sides = [angle, angle + math.pi]
+    first, second = (
+        Post(distance * math.cos(turn), distance * math.sin(turn), cover.reach * _KEEP_OFF)
+        for turn, cover in zip(sides, cast.covers, strict=True)
+    )
+    posts = first, second
+    drawn = numbers(len(cast.specs), rng)
+    ids = {number: spec.id for number, spec in enumerate(cast.specs, start=1)}
+    frame = SceneFrame(seed, table, ids, dict(enumerate(drawn, start=1)))
+    return Set(cast, Stage(cast.specs, library, posts), posts, view, frame)
+
+
+def partly_covered(made: Set, place: int, wanted: float, rng: np.random.Generator) -> Nest | None:
+    """Move a thing out from under its cover until about so much of it shows.
+
+    Args:
+        made: The set.
+        place: 0 for A, 1 for B.
+        wanted: Visible share, 0 to 1.
+        rng: Draws which way, and how both lie.
+
+    Returns:
+        None if it doesn't get there, or doesn't stay.
+    """
+    cover, spec, post = made.cast.covers[place], made.cast.marked[place], made.posts[place]
+    turn = float(rng.uniform(0, 2 * math.pi))
+    # Outwards: towards the middle, the other nest might be in its place.
+    towards = math.atan2(post.y, post.x) + float(rng.uniform(-_ASIDE, _ASIDE))
+    out = np.array([math.cos(towards), math.sin(towards)])
+    low, high = 0.0, cover.reach + max(spec.size) / 2
+    best: Nest | None = None
+    for _ in range(_BISECTIONS):
+        middle = (low + high) / 2
+        x, y = np.array([post.x, post.y]) + middle * out
+        layer = Layer(_SIDES + place + 1, cover, -middle * out, turn)
+        at = Post(float(x), float(y), post.radius)
+        nest = _look(made, place, made.stage.nest(place + 1, [layer], at, laid=lies_on_side(spec)))
+        if _shows_little(nest.seen) and not made.stage.jammed:
+            best = min(filter(None, (best, nest)), key=lambda each: _off(each, wanted))
+        low, high = (middle, high) if nest.seen.fraction < wanted else (low, middle)
+    return best and _at_rest(made, place, best)
+
+
+def _look(made: Set, place: int, poses: Poses) -> Nest:
+    scene = made.frame.scene(poses)
+    number = made.frame.number_of[place + 1]
+    labels = made.view.labels(scene)
+    return Nest(poses, made.view.visibility(scene, labels, [number])[number], labels, scene)
+
+
+def _at_rest(made: Set, place: int, nest: Nest) -> Nest | None:
+    """The nest once all is still; None if its cover slides off before."""
+    try:
+        settled = _look(made, place, made.stage.settle(nest.poses))
+    except Rejected:
+        return None
+    return settled if _shows_little(settled.seen) else None
+
+
+def _shows_little(seen: Visibility) -> bool:
+    return LITTLE[0] <= seen.fraction <= LITTLE[1] and seen.visible_px >= LITTLE_PX
+
+
+def _off(nest: Nest, wanted: float) -> float:
+    return abs(math.log(nest.seen.fraction / wanted))
+
+
+def settle_around(made: Set, nests: Sequence[Nest], rng: np.random.Generator) -> Scene:
+    """The crowd around both nests, all at rest.
+
+    Raises:
+        Rejected: They don't come to rest, or too much or too little shows of a marked thing.
+    """
+    poses = {instance: pose for nest in nests for instance, pose in nest.poses.items()}
+    crowd = list(range(2 * _SIDES + 1, len(made.cast.specs) + 1))
+    scene = made.frame.scene(made.stage.settle(made.stage.heap(poses, crowd, rng)))
+    seen = made.view.visibility(scene, made.view.labels(scene), made.marked)
+    for number in made.marked:
+        if not _shows_little(seen[number]):
+            share, pixels = seen[number].fraction, seen[number].visible_px
+            raise Rejected("shows", f"{share:.0%}, {pixels} px of a marked thing show")
+    return scene
+
+
+def draw_marks(made: Set, scene: Scene) -> tuple[Mark, Mark]:
+    """Marks where the visible parts are widest.
+
+    Raises:
+        Rejected: One is too narrow anywhere.
+    """
+    labels = made.view.labels(scene)
+    first, second = (
+        Mark(letter, number, _widest(labels == number))
+        for letter, number in zip(PAIR, made.marked, strict=True)
+    )
+    return first, second
+
+
+def _widest(mask: Array) -> tuple[int, int]:
+    """Pixel (u, v) furthest from the edge of a mask, shape (h, w), and of the picture."""
+    # The picture's own edge is one, too.
+    depth: Array = ndimage.distance_transform_edt(np.pad(mask, 1))[1:-1, 1:-1]
+    row, column = np.unravel_index(int(depth.argmax()), (PICTURE_PX, PICTURE_PX))
+    if depth[row, column] < INSIDE_PX:
+        raise Rejected("mark", f"a marked thing shows by a strip of {2 * depth.max():.0f} px")
+    return int(column), int(row)

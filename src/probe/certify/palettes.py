@@ -1,0 +1,54 @@
+"""The colours of things, for Compare: of whole objects, and of what a picture shows of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from probe.assets.colours import lab, nearest_colours
+from probe.assets.library import Library
+from probe.assets.sampling import colours_at, spots
+from probe.types import Array
+
+_SPOTS = 4000
+_SMALLEST_SHARE = 0.08
+
+
+@dataclass(frozen=True)
+class Shade:
+    """One colour of a thing.
+
+    Attributes:
+        lab: Mean CIELAB of the parts that have it.
+        share: Of the surface, or of the pixels, 0 to 1.
+    """
+
+    lab: tuple[float, float, float]
+    share: float
+
+
+Palette = Sequence[Shade]
+"""Colours that matter, the most frequent first."""
+
+
+@lru_cache(maxsize=2048)
+def palette_of(library: Library, object_id: str) -> tuple[Shade, ...]:
+    """Colours of an object's surface, by its texture."""
+    mesh = library.body(object_id).mesh
+    return shades(colours_at(mesh, *spots(mesh.vertices, mesh.faces, _SPOTS)))
+
+
+def shades(pixels: Array) -> tuple[Shade, ...]:
+    """Colours of pixels, sRGB uint8, shape (n, 3), as everyday words tell them apart."""
+    sample = pixels[:: max(1, len(pixels) // _SPOTS)]
+    names, values = nearest_colours(sample), lab(sample)
+    found: list[Shade] = []
+    for name in np.unique(names):
+        mine = values[names == name]
+        lightness, a, b = (float(value) for value in mine.mean(axis=0))
+        found.append(Shade((lightness, a, b), len(mine) / len(sample)))
+    found.sort(key=lambda shade: -shade.share)
+    return tuple(shade for shade in found if shade.share >= _SMALLEST_SHARE or shade is found[0])
