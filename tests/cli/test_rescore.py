@@ -6,16 +6,19 @@ from importlib import import_module
 
 import pytest
 
-from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, rescore
+from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, _lines, rescore
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
 from probe.episodes.record import EpisodeRecord, Table
 from probe.errors import BadData
+from probe.scores.roster import roster_of
 from probe.scores.row_files import read_csv, read_json_lines
+from probe.scores.summary import summarise
 from probe.tasks.grading import Score
 from probe.tasks.suite_file import demo_suite, write_suite
 from probe.toolshed.result import Answer
+from score_rows import row
 
 DEMO = demo_suite()
 
@@ -67,6 +70,12 @@ def test_rows_and_scores_are_written_beside_the_records(folder, capsys):
     assert "incomplete" in shown
     assert "anna (agentic): n = 6 tasks; ICC of runs unknown" in shown
     assert "5 rows missing" in shown
+
+
+def test_a_difference_that_cannot_be_is_not_promised():
+    half = [row(f"find-{i}", i, agent="anna") for i in range(2)]
+    (line,) = _lines(summarise("s", half, roster_of(half)))
+    assert "detectable difference from an unrelated agent none, with so few tasks" in line
 
 
 def test_an_arm_may_be_named(folder):

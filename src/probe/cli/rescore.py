@@ -70,6 +70,8 @@ def _lines(scores: Scores) -> Iterator[str]:
     for card in scores.cards:
         resemblance = "unknown" if card.icc is None else f"{card.icc:.2f}"
         gap = "unknown" if card.detectable is None else f"{100 * card.detectable:.0f} points"
+        if card.detectable is not None and card.detectable > 1:
+            gap = "none, with so few tasks"
         yield (
             f"{_name(card.entrant)}: n = {card.macro.tasks} tasks; ICC of runs {resemblance}; "
             f"detectable difference from an unrelated agent {gap}; {len(card.gaps)} rows missing"
