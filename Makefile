@@ -3,11 +3,11 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 BIN := .venv/bin
 WORKERS ?= 2
 
-.PHONY: help demo test test-slow check bench format driver
+.PHONY: help demo test test-slow check bench mutants format driver
 .DELETE_ON_ERROR:
 
 help:
-	@echo "make demo | test | test-slow | check | bench | format"
+	@echo "make demo | test | test-slow | check | bench | mutants | format"
 
 demo: .venv/.ready driver
 	$(BIN)/probe demo
@@ -27,6 +27,10 @@ check: .venv/.ready
 bench: .venv/.ready driver
 	@for script in benchmarks/*.py; do echo "== $$script"; $(BIN)/python "$$script" || exit 1; done
 
+mutants: .venv/.mutmut
+	$(BIN)/mutmut run --max-children $(WORKERS)
+	$(BIN)/mutmut results
+
 format: .venv/.ready
 	$(BIN)/ruff format
 	$(BIN)/ruff check --fix
@@ -39,6 +43,9 @@ format: .venv/.ready
 
 .venv/.torch: .venv/.ready
 	@PYTHON="$(PYTHON)" scripts/add-torch
+
+.venv/.mutmut: .venv/.ready
+	@PYTHON="$(PYTHON)" scripts/add-mutmut
 
 driver: .venv/.ready
 	@PYTHON="$(BIN)/python" scripts/ensure-driver

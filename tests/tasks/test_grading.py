@@ -95,6 +95,15 @@ def test_other_types_look_at_the_letter_alone(kind, position):
         ((-0.55, -0.44, 0.01), "basket"),
         ((-0.71, -0.27, 0.3), "basket"),
         ((-0.36, -0.44, 0.0), "table"),
+        ((-0.55, -0.25, 0.01), "table"),
+        ((-0.55, -0.63, 0.01), "table"),
+        ((-0.55, -0.44, -0.019), "basket"),
+        ((-0.55, -0.44, -0.021), "off the table"),
+        ((0.0, 0.0, -0.019), "table"),
+        ((0.0, 0.0, -0.021), "off the table"),
+        ((0.0, 0.71, 0.1), "off the table"),
+        ((0.0, -0.71, 0.1), "off the table"),
+        ((-0.81, 0.0, 0.1), "off the table"),
     ],
 )
 def test_whereabouts(position, place):

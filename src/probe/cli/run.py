@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -11,7 +12,6 @@ from rich.progress import track
 
 from probe.agents.random import Random
 from probe.agents.scripted import Scripted
-from probe.assets.library import Library
 from probe.assets.tables import load_table
 from probe.cli.surroundings import assets_folder, everything
 from probe.episodes.files import append_record, read_records
@@ -29,6 +29,7 @@ from probe.report.episode_view import EpisodeView
 from probe.report.page import write_report
 from probe.report.tally import rates
 from probe.scene.seeds import generator
+from probe.tasks.grading import Score
 from probe.tasks.suite import Suite, check_objects
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
@@ -98,15 +99,10 @@ def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int, noise: Noise
 def write_run_report(out: Path) -> Path:
     """Draw and grade every record of a folder; returns the page."""
     suite = read_suite(out / SUITE)
-    tasks = {task.id: task for task in suite.tasks}
-    things = everything()
     views: list[EpisodeView] = []
     with Renderer() as renderer:
-        for record in track(read_records(out / RECORDS), "Drawing and grading"):
-            if record.task not in tasks:
-                remedy = "Move one of them elsewhere"
-                raise BadData(out / RECORDS, f"{record.task} is not in {SUITE}", remedy)
-            views.append(_view(out, tasks[record.task], record, things, renderer))
+        for task, record in _loaded(out, suite, renderer):
+            views.append(_view(out, task, record, renderer))
     page = out / "index.html"
     write_report(page, f"PROBE: suite {suite.name}", views)
     total = rates(views)[-1]
@@ -114,10 +110,31 @@ def write_run_report(out: Path) -> Path:
     return page
 
 
-def _view(
-    out: Path, task: Task, record: EpisodeRecord, things: Library, renderer: Renderer
-) -> EpisodeView:
-    load_scene(renderer, task.scene, things, load_table(task.scene.table, assets_folder()))
+def graded(out: Path) -> Iterator[tuple[Task, EpisodeRecord, Score]]:
+    """Every record of a folder with its task and what it is worth, in the order of the file.
+
+    Raises:
+        BadData: The suite or a record can't be read, or a record is about something else.
+        OtherTask: A task has changed since.
+    """
+    with Renderer() as renderer:
+        for task, record in _loaded(out, read_suite(out / SUITE), renderer):
+            yield task, record, score(task, record, renderer)
+
+
+def _loaded(out: Path, suite: Suite, renderer: Renderer) -> Iterator[tuple[Task, EpisodeRecord]]:
+    """Every record of a folder with its task, whose objects the renderer then has."""
+    tasks, things = {task.id: task for task in suite.tasks}, everything()
+    for record in track(read_records(out / RECORDS), "Drawing and grading"):
+        if record.task not in tasks:
+            remedy = "Move one of them elsewhere"
+            raise BadData(out / RECORDS, f"{record.task} is not in {SUITE}", remedy)
+        task = tasks[record.task]
+        load_scene(renderer, task.scene, things, load_table(task.scene.table, assets_folder()))
+        yield task, record
+
+
+def _view(out: Path, task: Task, record: EpisodeRecord, renderer: Renderer) -> EpisodeView:
     pictures: list[str] = []
     for number, frame in enumerate(frames(record, renderer)):
         name = f"pictures/{record.task}-{record.agent}-{record.run}/{number}.jpg"

@@ -1,0 +1,102 @@
+"""`probe rescore`: grade a run's records again and write down what they are worth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.console import Console
+from rich.table import Table
+
+from probe.cli.run import graded
+from probe.episodes.folder import SUITE
+from probe.scores.marking import roster_of_tasks, row_of
+from probe.scores.row import Entrant
+from probe.scores.row_files import write_csv, write_json_lines
+from probe.scores.scorecard import Figure, Scorecard
+from probe.scores.summary import AGENTIC, DIRECT, Scores, summarise, write_scores
+from probe.tasks.suite_file import read_suite
+
+ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
+
+_ARMS = {"scripted": "scripted", "random": "random"}
+"""Arms that are named after their agents."""
+
+
+def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) -> None:
+    """Grade a run's records again, without physics, and write rows.csv, rows.jsonl, scores.json.
+
+    Args:
+        out: Folder that `probe run` wrote to.
+        arm: How the agents were allowed to answer; by default "agentic", and the scripted and the
+            random agent have arms of their own.
+    """
+    suite = read_suite(out / SUITE)
+    rows = [
+        row_of(
+            task,
+            record,
+            score,
+            suite=suite.name,
+            arm=arm or _ARMS.get(record.agent, AGENTIC),
+        )
+        for task, record, score in graded(out)
+    ]
+    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
+    write_csv(out / ROWS_CSV, rows)
+    write_json_lines(out / ROWS_JSON, rows)
+    write_scores(out / SCORES, scores)
+    console = Console()
+    for card in scores.cards:
+        console.print(_table(card))
+    for line in _lines(scores):
+        console.print(line, highlight=False)
+    print(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
+
+
+def _table(card: Scorecard) -> Table:
+    table = Table(title=_name(card.entrant), title_justify="left")
+    for column in ("", "tasks", "runs", "right", "95 % interval", "chance"):
+        table.add_column(column)
+    for figure in (card.macro, *card.kinds, *card.parts):
+        table.add_row(*_cells(figure))
+    return table
+
+
+def _lines(scores: Scores) -> Iterator[str]:
+    """What must stand beside the table, in words."""
+    for card in scores.cards:
+        resemblance = "unknown" if card.icc is None else f"{card.icc:.2f}"
+        gap = "unknown" if card.detectable is None else f"{100 * card.detectable:.0f} points"
+        if card.detectable is not None and card.detectable > 1:
+            gap = "none, with so few tasks"
+        yield (
+            f"{_name(card.entrant)}: n = {card.macro.tasks} tasks; ICC of runs {resemblance}; "
+            f"detectable difference from an unrelated agent {gap}; {len(card.gaps)} rows missing"
+        )
+    for pair in scores.all_pairs:
+        verdict = "a tie" if pair.tie else "different"
+        yield (
+            f"{_name(pair.first)} less {_name(pair.second)}: {100 * pair.difference:+.1f} points "
+            f"({100 * pair.student.low:+.0f} to {100 * pair.student.high:+.0f}), n = {pair.tasks}, "
+            f"p = {pair.p:.2g}, corrected {pair.adjusted:.2g}: {verdict}"
+        )
+    if scores.arms is not None:
+        yield (
+            f"{AGENTIC} against {DIRECT} over {scores.arms.agents} agents: "
+            f"p = {scores.arms.p:.2g} (plain CMH {scores.arms.plain_p:.2g})"
+        )
+
+
+def _name(entrant: Entrant) -> str:
+    return f"{entrant.agent} ({entrant.arm})"
+
+
+def _cells(figure: Figure) -> tuple[str, ...]:
+    top, interval = figure.headline, figure.student
+    right, range_ = "incomplete", f"in any case {top.worst:.0%} to {top.best:.0%}"
+    if top.value is not None and interval is not None:
+        right, range_ = f"{top.value:.1%}", f"{interval.low:.0%} to {interval.high:.0%}"
+    return (figure.name, str(figure.tasks), str(figure.runs), right, range_, f"{figure.chance:.0%}")

@@ -1,0 +1,111 @@
+"""A graded episode to its row. Knows the rules of a suite, no statistics."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+
+from probe.certify.rules import is_hidden
+from probe.episodes.record import EpisodeRecord
+from probe.scores.fidelity import fidelity
+from probe.scores.roster import Listed
+from probe.scores.row import Row
+from probe.tasks.grading import Score
+from probe.tasks.task import LETTERS, Task
+from probe.toolshed.toolshed import MANIPULATIONS
+
+_PERCEPTION = ("perceive_scene", "find_object")
+
+
+@dataclass(frozen=True)
+class Usage:
+    """What a model used in one episode; None where its server doesn't say.
+
+    Attributes:
+        cost: US dollars.
+    """
+
+    tokens_in: int | None = None
+    tokens_out: int | None = None
+    cost: float | None = None
+
+
+def row_of(
+    task: Task,
+    record: EpisodeRecord,
+    score: Score,
+    *,
+    suite: str,
+    arm: str,
+    usage: Usage | None = None,
+) -> Row:
+    """The row of an episode.
+
+    Args:
+        task: What was asked.
+        record: What happened.
+        score: What it is worth by the task's rules.
+        suite: Name of the suite.
+        arm: How the agent was allowed to answer.
+        usage: Of the model, if there was one.
+    """
+    done = [step.call.name for step in record.steps if step.status in ("done", "failed")]
+    return Row.model_validate(
+        {
+            "suite": suite,
+            "task": task.id,
+            "kind": task.kind,
+            "stratum": stratum_of(task),
+            "options": len(task.options),
+            "agent": record.agent,
+            "arm": arm,
+            "run": record.run,
+            "answer": _letter(record),
+            "right": task.answer,
+            "correct": score.correct,
+            "letter_correct": score.letter_correct,
+            "outcome": score.outcome,
+            "end": record.end,
+            "fault": (record.fault or "unknown") if record.end == "fault" else None,
+            "turns": len(record.steps),
+            "manipulations": record.manipulations,
+            "perceptions": sum(name in _PERCEPTION for name in done),
+            "turns_spent": record.end == "out_of_turns",
+            "manipulations_spent": record.manipulations >= MANIPULATIONS,
+            "manipulated": record.manipulations > 0,
+            "seconds_agent": _total(record.seconds.agent, record),
+            "seconds_tools": _total(record.seconds.tools, record),
+            **asdict(usage or Usage()),
+            **_execution(task, record, score),
+        }
+    )
+
+
+def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, object]:
+    if not task.named:
+        return {}
+    found = fidelity(record, task.named)
+    return {**asdict(found), "strict": score.correct and found.exact}
+
+
+def stratum_of(task: Task) -> str:
+    """Find's "hidden" or "partly", by how much of the target shows at the start; else empty."""
+    if task.kind != "find":
+        return ""
+    seen = task.certificate.visibility[task.targets[0]]
+    return "hidden" if is_hidden(seen) else "partly"
+
+
+def _letter(record: EpisodeRecord) -> str | None:
+    choice = record.answer.choice if record.answer else None
+    return choice if choice in LETTERS else None
+
+
+def _total(seconds: tuple[float, ...], record: EpisodeRecord) -> float | None:
+    """None where a record was kept without its timing."""
+    return sum(seconds) if len(seconds) == len(record.steps) else None
+
+
+def roster_of_tasks(tasks: Iterable[Task]) -> dict[str, Listed]:
+    """All that a suite consists of, run or not."""
+    return {task.id: Listed(task.kind, stratum_of(task), len(task.options)) for task in tasks}

@@ -1,0 +1,106 @@
+"""What wasn't run, or failed on our side: named, counted, and bounded. Never left out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from probe.scores.estimates import macro
+from probe.scores.roster import Listed, Roster
+from probe.scores.row import Entrant, Row
+from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A run of a task that gave no result, and why."""
+
+    task: str
+    kind: str
+    run: int
+    reason: str
+
+
+@dataclass(frozen=True)
+class Headline:
+    """A macro average, or the reason why there is none.
+
+    Attributes:
+        value: None while rows are missing.
+        worst, best: The macro average if all that is missing were wrong, or right.
+        rows: How many there should be.
+        missing: How many of them are missing.
+    """
+
+    value: float | None
+    worst: float
+    best: float
+    rows: int
+    missing: int
+
+
+def settled(rows: Iterable[Row]) -> list[Row]:
+    """Rows of which each run has one: a run that failed on our side gives way to its repetition.
+
+    Raises:
+        ContraryRows: A run has two results.
+    """
+    kept: dict[tuple[Entrant, str, int], Row] = {}
+    for row in rows:
+        key = row.entrant, row.task, row.run
+        earlier = kept.get(key)
+        if earlier is not None and not earlier.missing and not row.missing:
+            raise ContraryRows(row, "it has two results")
+        if earlier is None or earlier.missing:
+            kept[key] = row
+    return list(kept.values())
+
+
+def gaps_of(rows: Sequence[Row], roster: Roster) -> list[Gap]:
+    """What one entrant lacks: each task of the roster should have each run that any task has.
+
+    Raises:
+        ContraryRows: A row's task isn't on the roster, or is another one there.
+    """
+    for row in rows:
+        if roster.get(row.task) != Listed(row.kind, row.stratum, row.options):
+            raise ContraryRows(row, "the task isn't of this suite")
+    there = {(row.task, row.run): row for row in rows}
+    runs = sorted({row.run for row in rows}) or [0]
+    found = list[Gap]()
+    for task, listed in roster.items():
+        for run in runs:
+            row = there.get((task, run))
+            if row is None or row.fault is not None:
+                reason = "never run" if row is None else str(row.fault)
+                found.append(Gap(task, listed.kind, run, reason))
+    return found
+
+
+def present(rows: Iterable[Row]) -> list[Row]:
+    """Rows that aren't missing; whoever takes these says how many are."""
+    return [row for row in rows if not row.missing]
+
+
+def filled(
+    rows: Sequence[Row], gaps: Sequence[Gap], value: float, worth: Worth = is_correct
+) -> list[Unit]:
+    """One entrant's units, with all that is missing given this value."""
+    runs: dict[tuple[str, str], list[float]] = {}
+    for unit in units_of(present(rows), worth):
+        runs[unit.task, unit.kind] = list(unit.runs)
+    for gap in gaps:
+        runs.setdefault((gap.task, gap.kind), []).append(value)
+    return [Unit(task, kind, tuple(values)) for (task, kind), values in runs.items()]
+
+
+def headline(rows: Sequence[Row], roster: Roster, worth: Worth = is_correct) -> Headline:
+    """One entrant's macro average; refused while anything of it is missing.
+
+    Raises:
+        ContraryRows: A run is there twice, or a task isn't on the roster.
+    """
+    gaps = gaps_of(rows, roster)
+    worst, best = (macro(strata_of(filled(rows, gaps, value, worth))) for value in (0.0, 1.0))
+    whole = len(present(rows)) + len(gaps)
+    return Headline(None if gaps else worst, worst, best, whole, len(gaps))

@@ -1,0 +1,99 @@
+"""One graded episode as a row of a table: what all statistics are made of."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import pydantic
+
+from probe.episodes.record import End
+from probe.tasks.grading import Outcome
+from probe.tasks.task import Letter
+
+
+class Entrant(NamedTuple):
+    """Who is scored: an agent in an arm."""
+
+    agent: str
+    arm: str
+
+
+class Row(pydantic.BaseModel, frozen=True, extra="forbid", allow_inf_nan=False):
+    """One run of one agent at one task; a field is None where it is unknown or says nothing.
+
+    Attributes:
+        suite, task: Names of the suite and of its task.
+        kind: Question type.
+        stratum: Part of the type that is also reported apart: Find's "hidden" or "partly".
+        options: Number of options to choose from.
+        agent, arm, run: Who answered, how it was allowed to, and which of its runs this is.
+        answer, right: The letter it gave, and the right one.
+        correct: The answer counts; in Find the point too.
+        letter_correct: The letter alone is right.
+        outcome, end: Why it counts or not, and why the episode ended.
+        fault: What failed on our side; the row is then *missing*, whatever else it says.
+        turns, manipulations, perceptions: Calls in all; grasps and pushes carried out, failed
+            ones included; looks at the scene and searches.
+        turns_spent: The episode ended for want of turns.
+        manipulations_spent: All manipulations that are allowed were used.
+        manipulated: At least one manipulation was used.
+        seconds_agent, seconds_tools: Wall time of both.
+        tokens_in, tokens_out, cost: Of the model; the cost in US dollars.
+        precision, recall, exact, attempts_a_removal, others_disturbed, strict: Of Reduce, how
+            what was asked for was done; see probe.scores.fidelity.
+    """
+
+    suite: str
+    task: str
+    kind: str
+    stratum: str = ""
+    options: int = pydantic.Field(ge=2)
+    agent: str
+    arm: str
+    run: int = pydantic.Field(ge=0)
+    answer: Letter | None = None
+    right: Letter
+    correct: bool
+    letter_correct: bool
+    outcome: Outcome
+    end: End
+    fault: str | None = pydantic.Field(default=None, min_length=1)
+    turns: int = pydantic.Field(ge=0)
+    manipulations: int = pydantic.Field(ge=0)
+    perceptions: int = pydantic.Field(ge=0)
+    turns_spent: bool
+    manipulations_spent: bool
+    manipulated: bool
+    seconds_agent: float | None = None
+    seconds_tools: float | None = None
+    tokens_in: int | None = None
+    tokens_out: int | None = None
+    cost: float | None = None
+    precision: float | None = None
+    recall: float | None = None
+    exact: bool | None = None
+    attempts_a_removal: float | None = None
+    others_disturbed: int | None = None
+    strict: bool | None = None
+
+    @pydantic.model_validator(mode="after")
+    def _agrees_with_itself(self) -> Row:
+        if self.correct and not self.letter_correct:
+            raise ValueError("it counts as right with a wrong letter")
+        if self.letter_correct != (self.answer == self.right):
+            raise ValueError("letter_correct isn't what the letters say")
+        if (self.fault is not None) != (self.end == "fault"):
+            raise ValueError("a fault has words, and nothing else has")
+        if self.manipulated != (self.manipulations > 0):
+            raise ValueError("manipulated isn't what the manipulations say")
+        return self
+
+    @property
+    def entrant(self) -> Entrant:
+        """Whose row it is."""
+        return Entrant(self.agent, self.arm)
+
+    @property
+    def missing(self) -> bool:
+        """Our failure ended it: neither right nor wrong."""
+        return self.fault is not None

@@ -1,0 +1,153 @@
+"""One entrant's figures: the headline, its parts, how sure they are, and what it did."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from probe.scores.breakdown import Effort, Execution, Outcomes, effort, execution, outcomes
+from probe.scores.estimates import corrected, macro_chance
+from probe.scores.icc import icc
+from probe.scores.intervals import Interval, bootstrap, standard_error, student, wilson
+from probe.scores.missing import Gap, Headline, gaps_of, headline, present
+from probe.scores.power import detectable_gap
+from probe.scores.roster import Listed, Roster, chance_by_kind
+from probe.scores.row import Entrant, Row
+from probe.scores.units import Worth, is_correct, strata_of, units_of
+
+
+@dataclass(frozen=True)
+class Figure:
+    """An accuracy.
+
+    Attributes:
+        name: Of what: "macro", a type, a part of one.
+        headline: The number, or why there is none.
+        tasks: n, on which intervals rest.
+        runs: Rows that aren't missing.
+        chance: What a guess gives.
+        corrected: Accuracy beyond chance; None while rows are missing.
+        student, bootstrap: 95 % intervals of the number, by the t distribution and by drawing
+            tasks; None while rows are missing.
+        wilson: The same for a single type whose tasks were run once each, else None.
+    """
+
+    name: str
+    headline: Headline
+    tasks: int
+    runs: int
+    chance: float
+    corrected: float | None
+    student: Interval | None
+    bootstrap: Interval | None
+    wilson: Interval | None
+
+
+@dataclass(frozen=True)
+class Scorecard:
+    """All figures of one entrant.
+
+    Attributes:
+        macro: The headline: mean over types.
+        kinds: Each type.
+        parts: Find's letter alone, and Find's hidden and partly visible targets.
+        gaps: What is missing, by task and run.
+        icc: Of runs, within types; None if there is nothing to tell it from.
+        detectable: Difference from an equally variable agent, unrelated to this one, that 80 % of
+            suites of this size would show; pairs have their own. None while rows are missing.
+        outcomes, effort, execution: What it did; the last of Reduce.
+    """
+
+    entrant: Entrant
+    macro: Figure
+    kinds: tuple[Figure, ...]
+    parts: tuple[Figure, ...]
+    gaps: tuple[Gap, ...]
+    icc: float | None
+    detectable: float | None
+    outcomes: tuple[Outcomes, ...]
+    effort: Effort
+    execution: Execution | None
+
+
+def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
+    """All figures of one entrant.
+
+    Args:
+        rows: Of one agent in one arm, each run once.
+        roster: All tasks of the suite.
+        seed: Of the bootstrap.
+
+    Raises:
+        ContraryRows: They are of several entrants or suites, or a run is there twice.
+    """
+    gaps = gaps_of(rows, roster)
+    kinds = chance_by_kind(roster)
+    error, freedom = standard_error(strata_of([] if gaps else units_of(rows)))
+    return Scorecard(
+        entrant=rows[0].entrant,
+        macro=_figure("macro", rows, roster, seed),
+        kinds=tuple(_part(kind, rows, roster, seed, _of_kind(kind)) for kind in kinds),
+        parts=_parts(rows, roster, seed),
+        gaps=tuple(gaps),
+        icc=icc(units_of(present(rows))),
+        detectable=detectable_gap(math.sqrt(2) * error, freedom) if error else None,
+        outcomes=tuple(outcomes(rows)),
+        effort=effort(rows),
+        execution=execution(rows),
+    )
+
+
+def _of_kind(kind: str) -> Callable[[Listed], bool]:
+    return lambda listed: listed.kind == kind
+
+
+def _parts(rows: Sequence[Row], roster: Roster, seed: int) -> tuple[Figure, ...]:
+    strata = sorted({(it.kind, it.stratum) for it in roster.values() if it.stratum})
+    figures = [
+        _part(f"{kind}, {stratum}", rows, roster, seed, lambda it, s=stratum: it.stratum == s)
+        for kind, stratum in strata
+    ]
+    if any(listed.kind == "find" for listed in roster.values()):
+        letter = _part("find, letter alone", rows, roster, seed, _of_kind("find"), _letter)
+        figures.insert(0, letter)
+    return tuple(figures)
+
+
+def _letter(row: Row) -> bool:
+    return row.letter_correct
+
+
+def _part(
+    name: str,
+    rows: Sequence[Row],
+    roster: Roster,
+    seed: int,
+    keep: Callable[[Listed], bool],
+    worth: Worth = is_correct,
+) -> Figure:
+    some = {task: listed for task, listed in roster.items() if keep(listed)}
+    return _figure(name, [row for row in rows if row.task in some], some, seed, worth)
+
+
+def _figure(
+    name: str, rows: Sequence[Row], roster: Roster, seed: int, worth: Worth = is_correct
+) -> Figure:
+    top = headline(rows, roster, worth)
+    chance = macro_chance(chance_by_kind(roster))
+    known = top.value is not None
+    units = units_of(rows, worth) if known else []
+    strata = strata_of(units)
+    single = len(strata) == 1 and all(len(unit.runs) == 1 for unit in units)
+    return Figure(
+        name=name,
+        headline=top,
+        tasks=len(roster),
+        runs=len(present(rows)),
+        chance=chance,
+        corrected=None if top.value is None else corrected(top.value, chance),
+        student=student(strata) if known else None,
+        bootstrap=bootstrap(strata, seed) if known else None,
+        wilson=wilson(units) if single else None,
+    )

@@ -1,0 +1,117 @@
+"""All scores of a table of rows, as one document."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from pathlib import Path
+
+import pydantic
+
+from probe.files import write_text
+from probe.scene.seeds import generator
+from probe.scores.arms import ArmEffect, Both, arm_effect
+from probe.scores.holm import ties
+from probe.scores.missing import present, settled
+from probe.scores.pairs import Pair, Results, family
+from probe.scores.roster import Roster
+from probe.scores.row import Entrant, Row
+from probe.scores.scorecard import Scorecard, scorecard
+from probe.scores.units import ContraryRows, by_entrant, units_of
+
+AGENTIC, DIRECT = "agentic", "direct"
+
+
+@dataclass(frozen=True)
+class Scores:
+    """What a table of rows says.
+
+    Attributes:
+        suite: Its name.
+        seed: Of all draws.
+        complete: Nothing is missing; otherwise comparisons rest on what is there, and headlines
+            are refused.
+        cards: One an entrant, best first by the worst case.
+        agentic_against_direct: A family of comparisons: each agent that has both arms.
+        all_pairs: Another: everyone with everyone.
+        apart: Pairs that are in neither, since they share no task that both have results of.
+        ties: Largest groups of whom no two differ in `all_pairs`.
+        arms: Agentic against direct over all agents; None if nobody has both.
+    """
+
+    suite: str
+    seed: int
+    complete: bool
+    cards: tuple[Scorecard, ...]
+    agentic_against_direct: tuple[Pair, ...]
+    all_pairs: tuple[Pair, ...]
+    apart: tuple[tuple[Entrant, Entrant], ...]
+    ties: tuple[tuple[Entrant, ...], ...]
+    arms: ArmEffect | None
+
+
+def summarise(suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0) -> Scores:
+    """All scores of a suite.
+
+    Args:
+        suite: Its name.
+        rows: Of any agents in any arms; runs that failed may be there beside their repetitions.
+        roster: All tasks of the suite.
+        seed: Of all draws.
+
+    Raises:
+        ContraryRows: Rows of another suite or of other tasks, or two results of a run.
+    """
+    kept = settled(rows)
+    for row in kept:
+        if row.suite != suite:
+            raise ContraryRows(row, f"it is of suite {row.suite}, not of {suite}")
+    entrants = by_entrant(kept)
+    cards = [scorecard(some, roster, seed) for some in entrants.values()]
+    cards.sort(key=lambda card: -card.macro.headline.worst)
+    results: Results = {
+        entrant: units for entrant, some in entrants.items() if (units := units_of(present(some)))
+    }
+    ranked = [card.entrant for card in cards if card.entrant in results]
+    shared = [pair for pair in combinations(ranked, 2) if _share_tasks(results, pair)]
+    arms = [pair for pair in _both_arms(ranked) if _share_tasks(results, pair)]
+    pairs = family(results, shared, seed)
+    return Scores(
+        suite=suite,
+        seed=seed,
+        complete=not any(card.gaps for card in cards),
+        cards=tuple(cards),
+        agentic_against_direct=tuple(family(results, arms, seed)),
+        all_pairs=tuple(pairs),
+        apart=tuple(pair for pair in combinations(ranked, 2) if pair not in shared),
+        ties=tuple(ties(ranked, [(p.first, p.second) for p in pairs if not p.tie])),
+        arms=_arm_effect(results, arms, seed),
+    )
+
+
+def write_scores(path: Path, scores: Scores) -> None:
+    """Write scores as JSON.
+
+    Raises:
+        OutputFailed: It can't be written; nothing half-written is left.
+    """
+    text = pydantic.TypeAdapter(Scores).dump_json(scores, indent=1).decode()
+    write_text(path, text + "\n")
+
+
+def _both_arms(entrants: Sequence[Entrant]) -> list[tuple[Entrant, Entrant]]:
+    direct = {entrant.agent: entrant for entrant in entrants if entrant.arm == DIRECT}
+    return [(it, direct[it.agent]) for it in entrants if it.arm == AGENTIC and it.agent in direct]
+
+
+def _share_tasks(results: Results, pair: tuple[Entrant, Entrant]) -> bool:
+    one, other = ({unit.task for unit in results[entrant]} for entrant in pair)
+    return not one.isdisjoint(other)
+
+
+def _arm_effect(
+    results: Results, arms: Sequence[tuple[Entrant, Entrant]], seed: int
+) -> ArmEffect | None:
+    both: Both = {one.agent: (results[one], results[other]) for one, other in arms}
+    return arm_effect(both, generator(seed, "arms")) if both else None

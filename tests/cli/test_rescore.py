@@ -1,0 +1,89 @@
+"""`probe rescore` on records that are made by hand; nothing is drawn."""
+
+import json
+from dataclasses import replace
+from importlib import import_module
+
+import pytest
+
+from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, _lines, rescore
+from probe.episodes.files import write_records
+from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.grading import question_of
+from probe.episodes.record import EpisodeRecord, Table
+from probe.errors import BadData
+from probe.scores.roster import roster_of
+from probe.scores.row_files import read_csv, read_json_lines
+from probe.scores.summary import summarise
+from probe.tasks.grading import Score
+from probe.tasks.suite_file import demo_suite, write_suite
+from probe.toolshed.result import Answer
+from score_rows import row
+
+DEMO = demo_suite()
+
+
+def episode(task, letter: str, **changes) -> EpisodeRecord:
+    start = Table(task.scene, (0.0,) * 6)
+    record = EpisodeRecord(
+        task.id, "anna", 0, question_of(task), start, (), Answer(letter), "answered"
+    )
+    return replace(record, **changes)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A run folder of three records; grading by letters alone stands in for drawing."""
+    records = [
+        episode(DEMO.tasks[0], DEMO.tasks[0].answer),
+        episode(DEMO.tasks[1], "A", answer=None, end="fault", fault="RenderFailed: gone"),
+        episode(DEMO.tasks[2], DEMO.tasks[2].answer, agent="scripted"),
+    ]
+    write_suite(tmp_path / SUITE, DEMO)
+    write_records(tmp_path / RECORDS, records)
+
+    def graded(out):
+        tasks = {task.id: task for task in DEMO.tasks}
+        for record in records:
+            said = record.answer.choice if record.answer else None
+            right = said == tasks[record.task].answer
+            words = "right" if right else "wrong" if said else "unanswered"
+            yield tasks[record.task], record, Score(right, right, words)
+
+    monkeypatch.setattr(import_module("probe.cli.rescore"), "graded", graded)
+    return tmp_path
+
+
+def test_rows_and_scores_are_written_beside_the_records(folder, capsys):
+    rescore(folder)
+    rows = read_csv(folder / ROWS_CSV)
+    assert read_json_lines(folder / ROWS_JSON) == rows
+    assert [(row.agent, row.arm, row.correct, row.missing) for row in rows] == [
+        ("anna", "agentic", True, False),
+        ("anna", "agentic", False, True),
+        ("scripted", "scripted", True, False),
+    ]
+    scores = json.loads((folder / SCORES).read_text())
+    assert (scores["suite"], scores["complete"]) == ("demo", False)
+    assert [card["macro"]["headline"]["value"] for card in scores["cards"]] == [None, None]
+    shown = capsys.readouterr().out
+    assert "incomplete" in shown
+    assert "anna (agentic): n = 6 tasks; ICC of runs unknown" in shown
+    assert "5 rows missing" in shown
+
+
+def test_a_difference_that_cannot_be_is_not_promised():
+    half = [row(f"find-{i}", i, agent="anna") for i in range(2)]
+    (line,) = _lines(summarise("s", half, roster_of(half)))
+    assert "detectable difference from an unrelated agent none, with so few tasks" in line
+
+
+def test_an_arm_may_be_named(folder):
+    rescore(folder, arm="oracle-view")
+    assert {row.arm for row in read_csv(folder / ROWS_CSV)} == {"oracle-view"}
+
+
+def test_a_folder_without_a_suite_is_refused(tmp_path):
+    with pytest.raises(BadData, match="suite.json"):
+        rescore(tmp_path)
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,135 @@
+# An unexpected None fails a test as well as a check of its type does.
+# pyright: reportOptionalMemberAccess=false, reportOptionalOperand=false, reportArgumentType=false
+
+import math
+
+import pytest
+from scipy import stats
+from statsmodels.stats.proportion import proportion_confint
+
+from probe.scores.missing import Gap, Headline
+from probe.scores.scorecard import scorecard
+from probe.scores.units import ContraryRows
+from score_rows import faulty, roster, row
+
+ROSTER = {
+    **roster("find-1", "find-2", stratum="hidden"),
+    **roster("find-3", stratum="partly"),
+    **roster("size-1", "size-2", options=2),
+}
+
+
+def rows(run: int = 0):
+    missed = {"answer": "B", "letter_correct": True, "outcome": "missed"}
+    return [
+        row("find-1", True, stratum="hidden", run=run),
+        row("find-2", False, stratum="hidden", run=run, **missed),
+        row("find-3", False, stratum="partly", run=run),
+        row("size-1", True, options=2, run=run, manipulations=0, manipulated=False),
+        row("size-2", False, options=2, run=run),
+    ]
+
+
+def test_figures_of_a_whole_run():
+    card = scorecard(rows(), ROSTER, seed=0)
+    assert card.entrant == ("anna", "agentic")
+    # Find 1 of 3, Size 1 of 2; chance 0.2 and 0.5.
+    assert (card.macro.name, card.macro.headline.value) == ("macro", pytest.approx(5 / 12))
+    assert card.macro.chance == pytest.approx(0.35)
+    assert card.macro.corrected == pytest.approx((5 / 12 - 0.35) / 0.65)
+    assert (card.macro.tasks, card.macro.runs, card.macro.wilson) == (5, 5, None)
+    find, size = card.kinds
+    assert (find.name, size.name) == ("find", "size")
+    assert find.headline == Headline(
+        pytest.approx(1 / 3), pytest.approx(1 / 3), pytest.approx(1 / 3), 3, 0
+    )
+    assert (size.headline.value, size.chance, size.corrected) == (0.5, 0.5, 0)
+    letter, hidden, partly = card.parts
+    assert (letter.name, letter.headline.value) == ("find, letter alone", pytest.approx(2 / 3))
+    assert (hidden.name, hidden.headline.value, hidden.tasks) == ("find, hidden", 0.5, 2)
+    assert (partly.name, partly.headline.value, partly.chance) == ("find, partly", 0, 0.2)
+    assert (card.gaps, card.icc, card.execution) == ((), None, None)
+    assert [(it.kind, it.unused_right) for it in card.outcomes] == [("find", 0), ("size", 1)]
+    assert card.effort.episodes == 5
+
+
+def test_intervals_of_single_runs():
+    find = scorecard(rows(), ROSTER, seed=0).kinds[0]
+    low, high = proportion_confint(1, 3, method="wilson")
+    assert (find.wilson.low, find.wilson.high) == pytest.approx((low, high))
+    t = stats.t.interval(0.95, 2, 1 / 3, stats.sem([1, 0, 0]))
+    assert (find.student.low, find.student.high) == (max(0, t[0]), min(1, t[1]))
+    assert 0 <= find.bootstrap.low < 1 / 3 < find.bootstrap.high <= 1
+
+
+def test_the_letter_has_intervals_of_its_own():
+    letter = scorecard(rows(), ROSTER, seed=0).parts[0]
+    low, high = proportion_confint(2, 3, method="wilson")
+    assert (letter.wilson.low, letter.wilson.high) == pytest.approx((low, high))
+
+
+def test_execution_is_on_the_card():
+    done = row("reduce-1", recall=0.5, exact=False, others_disturbed=0, strict=False)
+    card = scorecard([done], roster("reduce-1"), seed=0)
+    assert (card.execution.episodes, card.execution.recall) == (1, 0.5)
+
+
+def test_wilson_is_kept_from_several_runs():
+    card = scorecard([*rows(0), *rows(1)], ROSTER, seed=0)
+    assert all(it.wilson is None for it in (*card.kinds, *card.parts))
+    assert card.icc == pytest.approx(1)
+    assert card.macro.runs == 10
+    assert card.kinds[0].headline.rows == 6
+
+
+def test_the_detectable_difference_is_from_an_unrelated_equal():
+    card = scorecard(rows(), ROSTER, seed=0)
+    # Variances 1/3 of three and 1/2 of two tasks, halved weights.
+    parts = [1 / 3 / 3 / 4, 1 / 2 / 2 / 4]
+    freedom = sum(parts) ** 2 / (parts[0] ** 2 / 2 + parts[1] ** 2 / 1)
+    quantiles = stats.t.ppf(0.975, freedom) + stats.t.ppf(0.8, freedom)
+    assert card.detectable == pytest.approx(quantiles * math.sqrt(2 * sum(parts)))
+
+
+def test_an_incomplete_run_shows_bounds_and_no_number():
+    some = [*rows()[:-1], faulty("size-2", options=2)]
+    card = scorecard(some, ROSTER, seed=0)
+    assert card.macro.headline == Headline(None, pytest.approx(5 / 12), pytest.approx(2 / 3), 5, 1)
+    refused = (card.macro, card.kinds[1])
+    for it in refused:
+        assert it.corrected is it.student is it.bootstrap is it.wilson is None
+    assert card.kinds[0].headline.value == pytest.approx(1 / 3)  # Find lacks nothing
+    assert card.detectable is None
+    assert card.gaps == (Gap("size-2", "size", 0, "RenderFailed: gone"),)
+    assert card.macro.runs == 4
+    assert card.outcomes[1].missing == 1
+
+
+def test_a_part_is_refused_where_one_of_its_tasks_is_missing():
+    card = scorecard(rows()[1:], ROSTER, seed=0)
+    values = {part.name: part.headline.value for part in card.parts}
+    assert values == {"find, letter alone": None, "find, hidden": None, "find, partly": 0}
+
+
+def test_all_failed():
+    card = scorecard([faulty("find-1", stratum="hidden")], ROSTER, seed=0)
+    assert (card.macro.headline.worst, card.macro.headline.best) == (0, 1)
+    assert (card.icc, card.detectable, card.effort.episodes) == (None, None, 0)
+
+
+def test_all_right():
+    card = scorecard([row("find-1"), row("find-2")], roster("find-1", "find-2"), seed=0)
+    low = proportion_confint(2, 2, method="wilson")[0]
+    assert (card.macro.headline.value, card.macro.student.low) == (1, pytest.approx(low))
+    assert card.macro.student.high == card.macro.bootstrap.high == 1
+    assert card.detectable is None
+
+
+def test_two_entrants_have_no_card():
+    with pytest.raises(ContraryRows):
+        scorecard([row("find-1"), row("find-2", agent="bob")], roster("find-1", "find-2"), seed=0)
+
+
+def test_a_suite_without_find_has_no_letter():
+    card = scorecard([row("size-1", options=2)], roster("size-1", options=2), seed=0)
+    assert card.parts == ()
