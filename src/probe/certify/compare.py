@@ -20,6 +20,7 @@ from probe.certify.marked import (
     build_set,
     cast_marked,
     draw_marks,
+    markable,
     partly_covered,
     settle_around,
 )
@@ -35,9 +36,6 @@ from probe.scene.seeds import generator
 from probe.tasks.task import PAIR, Form
 from probe.tasks.truth import which_darker, which_like
 from probe.types import Array
-
-SMALLEST, LARGEST = 0.04, 0.17
-"""Longest sides of marked things, metres."""
 
 _PAIRS = 2000
 _NESTS = 5
@@ -72,9 +70,8 @@ def generate_compare(
     """
     rng = generator(seed, "compare")
     asked, cast = _draw_cast(library, plan, rng)
-    table = tables[int(rng.integers(len(tables)))]
-    view = View(renderer, library, [spec.id for spec in cast.specs])
-    made = build_set(cast, seed, library, view, table, rng)
+    made = build_set(cast, seed, library, renderer, tables, rng)
+    view = made.view
     scene = settle_around(made, _nests(made, asked, library, plan, rng), rng)
     reference = made.frame.number_of[len(cast.specs)] if asked.reference else None
     _check_reference(view, scene, reference)
@@ -100,7 +97,7 @@ def generate_compare(
 
 def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> tuple[_Asked, MarkedCast]:
     """Two things and what is asked of them, such that patches could tell as planned."""
-    pool = [spec for spec in library.specs if SMALLEST <= max(spec.size) <= LARGEST]
+    pool = markable(library)
     for _ in range(_PAIRS):
         a, b, third = (pool[int(index)] for index in rng.choice(len(pool), size=3, replace=False))
         asked = _asked(plan, (a, b), third) if told_apart([a, b, third]) else None
@@ -185,8 +182,7 @@ def _nests(
             nest = partly_covered(made, place, float(rng.uniform(*LITTLE)), rng)
             if nest is not None:
                 number = made.marked[place]
-                body = library.body(made.cast.marked[place].id)
-                patch = made.view.patch(nest.scene, nest.labels, number, body.mesh)
+                patch = made.view.patch(nest.scene, nest.labels, number)
                 tried[place].append((nest, patch))
         for (first, a), (second, b) in product(*tried):
             right, wrong = (a, b) if asked.right == 0 else (b, a)

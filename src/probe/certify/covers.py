@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -110,14 +110,13 @@ def draw_lean(
     rng: np.random.Generator,
 ) -> Cover | None:
     """Draw a flat thing that, leaning on any of these, may leave a part in view, or None."""
-    for index in rng.permutation(len(specs)):
-        spec = specs[int(index)]
+
+    def leans(spec: ObjectSpec) -> bool:
         narrow = sorted(spec.size)[1]
-        if _is_flat(spec) and all(narrow >= max(i.width, _STEEPER * i.height) for i in items):
-            cover = cover_of(library, spec.id)
-            if cover and cover.depth == 0:
-                return cover
-    return None
+        wide = all(narrow >= max(i.width, _STEEPER * i.height) for i in items)
+        return _is_flat(spec) and wide
+
+    return _draw_flat(library, specs, leans, rng)
 
 
 def draw_slab(
@@ -127,16 +126,14 @@ def draw_slab(
     rng: np.random.Generator,
 ) -> Cover | None:
     """Draw a flat thing that can be grasped and hides each of these, laid on top; or None."""
-    for index in rng.permutation(len(specs)):
-        spec = specs[int(index)]
+
+    def hides(spec: ObjectSpec) -> bool:
         thin, narrow, long = sorted(spec.size)
         slab = thin <= SLAB_THICKNESS and SMALLEST_SLAB[0] <= narrow <= GRASP_WIDTH
         slab = slab and SMALLEST_SLAB[1] <= long <= FLAT_WIDTH
-        if slab and all(_overhangs(narrow, item) for item in items):
-            cover = cover_of(library, spec.id)
-            if cover and cover.depth == 0:
-                return cover
-    return None
+        return slab and all(_overhangs(narrow, item) for item in items)
+
+    return _draw_flat(library, specs, hides, rng)
 
 
 def draw_shield(
@@ -146,14 +143,25 @@ def draw_shield(
     rng: np.random.Generator,
 ) -> Cover | None:
     """Draw a flat thing that rests on any of these and hides most of it; None without one."""
+
+    def rests(spec: ObjectSpec) -> bool:
+        narrow = sorted(spec.size)[1]
+        small = _is_flat(spec) and max(spec.size) <= _WIDEST_SHIELD
+        return small and all(narrow >= max(_MOST * i.width, i.height / _LOWER) for i in items)
+
+    return _draw_flat(library, specs, rests, rng)
+
+
+def _draw_flat(
+    library: Library,
+    specs: Sequence[ObjectSpec],
+    suits: Callable[[ObjectSpec], bool],
+    rng: np.random.Generator,
+) -> Cover | None:
+    """Draw something of a suitable size that lies flat as a cover; None if there is none."""
     for index in rng.permutation(len(specs)):
         spec = specs[int(index)]
-        narrow = sorted(spec.size)[1]
-        if (
-            _is_flat(spec)
-            and max(spec.size) <= _WIDEST_SHIELD
-            and all(narrow >= max(_MOST * item.width, item.height / _LOWER) for item in items)
-        ):
+        if suits(spec):
             cover = cover_of(library, spec.id)
             if cover and cover.depth == 0:
                 return cover

@@ -29,13 +29,17 @@ class Looks:
         self._scene = scene
         self._labels = labels
         self._rgb: Array | None = None
+        self._mains: dict[tuple[int, str], Array] = {}
 
     def main(self, number: int, light: str) -> Array:
         """Main colour of a thing where it is, if it were alone, CIELAB, shape (3,)."""
-        alone = self._scene.only(number)
-        frame = photograph(self._renderer, alone, light=self._lit[light])
-        assert frame.rgb is not None and frame.labels is not None
-        return np.array(shades(frame.rgb[frame.labels == number])[0].lab)
+        if (number, light) not in self._mains:
+            alone = self._scene.only(number)
+            frame = photograph(self._renderer, alone, light=self._lit[light])
+            assert frame.rgb is not None and frame.labels is not None
+            colours = shades(frame.rgb[frame.labels == number])
+            self._mains[number, light] = np.array(colours[0].lab)
+        return self._mains[number, light]
 
     def patch(self, number: int) -> Array:
         """Main colour of what shows of a thing in the first light, CIELAB, shape (3,)."""

@@ -19,6 +19,7 @@ from probe.certify.result import Rejected
 from probe.certify.rules import LITTLE, LITTLE_PX
 from probe.certify.stage import Layer, Poses, Stage
 from probe.certify.view import View
+from probe.render.renderer import Renderer
 from probe.scene.layout import PICTURE_PX
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
@@ -28,6 +29,9 @@ from probe.world.model import Post
 
 INSIDE_PX = 6.0
 """Distance of a mark from the edge of what shows of its thing."""
+
+SMALLEST, LARGEST = 0.04, 0.17
+"""Longest sides of marked things, metres."""
 
 LARGEST_AROUND = 0.15
 """Longest side in metres of the others: there must be room beside two covers."""
@@ -119,10 +123,22 @@ def cast_marked(
     return MarkedCast(pair, (first, second), (*crowd, *needed))
 
 
+def markable(library: Library) -> list[ObjectSpec]:
+    """Objects of a size to be marked."""
+    return [spec for spec in library.specs if SMALLEST <= max(spec.size) <= LARGEST]
+
+
 def build_set(
-    cast: MarkedCast, seed: int, library: Library, view: View, table: str, rng: np.random.Generator
+    cast: MarkedCast,
+    seed: int,
+    library: Library,
+    renderer: Renderer,
+    tables: Sequence[str],
+    rng: np.random.Generator,
 ) -> Set:
     """The stage of a cast: its two nests go on two sides of the middle."""
+    view = View(renderer, library, [spec.id for spec in cast.specs])
+    table = tables[int(rng.integers(len(tables)))]
     angle = float(rng.uniform(0, 2 * math.pi))
     distance = max(_FROM_MIDDLE, sum(cover.reach for cover in cast.covers) / 2)
     sides = [angle, angle + math.pi]

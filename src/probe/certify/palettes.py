@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -30,10 +29,6 @@ class Shade:
     share: float
 
 
-Palette = Sequence[Shade]
-"""Colours that matter, the most frequent first."""
-
-
 @lru_cache(maxsize=2048)
 def palette_of(library: Library, object_id: str) -> tuple[Shade, ...]:
     """Colours of an object's surface, by its texture."""
@@ -42,7 +37,10 @@ def palette_of(library: Library, object_id: str) -> tuple[Shade, ...]:
 
 
 def shades(pixels: Array) -> tuple[Shade, ...]:
-    """Colours of pixels, sRGB uint8, shape (n, 3), as everyday words tell them apart."""
+    """Colours of pixels, sRGB uint8, shape (n, 3), as everyday words tell them apart.
+
+    The most frequent first; rare ones are left out.
+    """
     sample = pixels[:: max(1, len(pixels) // _SPOTS)]
     names, values = nearest_colours(sample), lab(sample)
     found: list[Shade] = []

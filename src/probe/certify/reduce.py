@@ -151,13 +151,13 @@ class _Judge:
         measured = {"hidden_share": seen[target].fraction, "removals": float(len(named))}
         if len(named) > 1:
             measured["revealed_by_one"] = self._revealed_by_one(look, target)
+        others = {placed.instance for placed in twin.scene.objects} - {target, *named}
+        hidden = [n for n, v in look.before(others).items() if v.fraction <= HIDDEN_SHARE]
         for how, after in look.removals(self.cast.covering):
             measured[f"revealed_{how}"] = share = look.share(after, target)
             if share < CLEAR_SHARE:
                 raise Rejected(f"revealed {how}", f"only {share:.0%} show")
-            others = [placed.instance for placed in after.scene.objects]
-            hidden = [n for n, v in look.before(others).items() if v.fraction <= HIDDEN_SHARE]
-            risen = max((look.share(after, n) for n in hidden if n != target), default=0.0)
+            risen = max((look.share(after, n) for n in hidden), default=0.0)
             if risen > LARGEST_GAIN:
                 raise Rejected(f"others {how}", f"another hidden thing shows by {risen:.0%}")
         self.measures[twin.candidate] = measured

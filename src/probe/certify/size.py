@@ -17,22 +17,19 @@ from probe.certify.marked import (
     build_set,
     cast_marked,
     draw_marks,
+    markable,
     partly_covered,
     settle_around,
 )
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
 from probe.certify.rules import LITTLE
-from probe.certify.view import View
 from probe.certify.writing import Draft, write_task
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
 from probe.tasks.task import PAIR
 from probe.tasks.truth import which_size
-
-SMALLEST, LARGEST = 0.04, 0.17
-"""Longest sides of marked things, metres."""
 
 _PAIRS = 400
 _SHARES = 200
@@ -51,9 +48,8 @@ def generate_size(
     """
     rng = generator(seed, "size")
     cast = _draw_cast(library, plan, rng)
-    view = View(renderer, library, [spec.id for spec in cast.specs])
-    table = tables[int(rng.integers(len(tables)))]
-    made = build_set(cast, seed, library, view, table, rng)
+    made = build_set(cast, seed, library, renderer, tables, rng)
+    view = made.view
     nests = _nests(made, library, plan, rng)
     scene = settle_around(made, nests, rng)
     seen = view.visibility(scene, view.labels(scene), made.marked)
@@ -85,7 +81,7 @@ def generate_size(
 
 def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> MarkedCast:
     """Two things of clearly different size, the right answer under the planned letter."""
-    pool = [spec for spec in library.specs if SMALLEST <= max(spec.size) <= LARGEST]
+    pool = markable(library)
     for _ in range(_PAIRS):
         a, b = (pool[int(index)] for index in rng.choice(len(pool), size=2, replace=False))
         if not told_apart([a, b]):

@@ -44,8 +44,9 @@ class View:
         placed = [item for item in scene.objects if item.instance in of]
         return visibilities(labels, self._renderer.outlines(placed, top_camera()))
 
-    def patch(self, scene: Scene, labels: Array, number: int, mesh: TexturedMesh) -> Array:
+    def patch(self, scene: Scene, labels: Array, number: int) -> Array:
         """Main colour of what shows of an object, by its texture, CIELAB, shape (3,)."""
+        mesh = self._meshes[scene[number].object_id]
         face, weights = spots(mesh.vertices, mesh.faces, _SPOTS)
         shown = _spots_shown(
             scene, labels, number, places(mesh.vertices, mesh.faces, face, weights)

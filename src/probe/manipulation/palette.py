@@ -44,7 +44,7 @@ class Palette:
 
     def alike(self, rgb: Array, mask: Array) -> float:
         """How much the colours under a mask are the thing's, 0 to 1."""
-        return float(np.sqrt(self.thing * _histogram(_bins(rgb)[mask])).sum())
+        return float(np.sqrt(self.thing * _histogram(_bins(rgb[mask][None])[0])).sum())
 
 
 def _bins(rgb: Array) -> Array:

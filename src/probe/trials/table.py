@@ -53,7 +53,7 @@ def lay(seed: int, tool: str, things: Library, renderer: Renderer) -> Laid:
     scene = make_scene(seed, things, table_ids(things.assets))
     load_scene(renderer, scene, things, load_table(scene.table, things.assets))
     world = World(scene, things)
-    frame = SimulatedStation(world, renderer).observe(rgb=False)
+    frame = SimulatedStation(world, renderer).observe(rgb=tool == "push")
     rng = generator(seed, "trials", tool)
     return Laid(scene, world, frame, world.save(), _drawn(scene, frame, rng), rng)
 
