@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from typing import Literal
 
 import numpy as np
 
+from probe.manipulation.dragging import drags
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.kinematics import between, either_way, line, moved, reaching, straight
+from probe.manipulation.kinematics import either_way, line, moved, reaching, straight
 from probe.manipulation.looking import still_there
 from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.parking import park
 from probe.manipulation.pushing import DESCENT, Push, pushes
 from probe.manipulation.room import room_ahead
 from probe.manipulation.routes import over
-from probe.manipulation.target import target_of
-from probe.manipulation.terrain import survey
+from probe.manipulation.sweeping import pressed, swept
+from probe.manipulation.target import Target, target_of
+from probe.manipulation.terrain import Terrain, survey
 from probe.station.station import Station
 from probe.types import Array, Frame, Pose, Vector3
 
@@ -26,12 +28,12 @@ StrokeEnd = Literal["swept", "no_space", "unreachable", "blocked"]
 """How a stroke ended: the tool went its whole way; there is nowhere to begin; the arm can't follow
 any such path; something stopped the arm."""
 
-_TRIED = 40
+_TRIED, _PRESSED = 40, 10
+_VAIN = 2
 _PARTS = (1.0, 0.75, 0.5, 0.25)
 _LEAST = 0.008
 _STAYED = 0.9
 _SPARE = 0.005
-_CREEP = 0.004
 _STARTS = 3
 _SAME_START = 0.02
 
@@ -87,9 +89,7 @@ def stroke(
     target = target_of(frame, mask, terrain)
     shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
     distance = min(distance, room_ahead(target, terrain, along, basket))
-    every = pushes(target, terrain, shape, along, distance)
-    fresh = (option for option in every if not any(_close(option, pose) for pose in unlike))
-    options = list(islice(fresh, _TRIED))
+    options = _options(target, terrain, shape, along, distance, unlike)
     result = Stroke("unreachable" if options else "no_space", frame)
     if distance < _LEAST:
         return result
@@ -104,6 +104,32 @@ def stroke(
         # Stopped before it met the thing, which is still where it was: from elsewhere, then.
         options = [option for option in options if not _close(option, best.push.start)]
     return result
+
+
+def _options(
+    target: Target,
+    terrain: Terrain,
+    shape: HandShape,
+    along: Array,
+    distance: float,
+    unlike: Sequence[Pose],
+) -> list[Push]:
+    """From behind; if that was in vain, from above or by what stands behind it, in turns."""
+    every = _fresh(pushes(target, terrain, shape, along, distance), unlike)
+    above = islice(_fresh(drags(target, terrain, shape, along), unlike), _PRESSED)
+    if len(unlike) < _VAIN:
+        behind = list(islice(every, _TRIED))
+        return behind if len(behind) == _TRIED else [*behind, *above]
+    if len(unlike) % 2 == 0:
+        return [*above, *islice(every, _TRIED)]
+    behind = list(every)
+    through = [option for option in behind if option.through]
+    return [*through[:_TRIED], *above, *behind[:_TRIED]]
+
+
+def _fresh(options: Iterable[Push], unlike: Sequence[Pose]) -> Iterator[Push]:
+    """Those that begin elsewhere than some."""
+    return (one for one in options if not any(_close(one, pose) for pose in unlike))
 
 
 def _close(one: Push, other: Pose) -> bool:
@@ -150,21 +176,21 @@ def _execute(
     station: Station, obstacles: Obstacles, route: _Route, shape: HandShape, along: Array
 ) -> Stroke:
     """Push, lift, park and look."""
-    swept = 0.0
+    gone = 0.0
     station.grip(0.0)
     if station.follow(route.transit) and station.follow(route.descent):
-        begin = _place(station)
-        path = np.vstack([route.descent[-1], route.sweep])
-        for joints in between(path, _CREEP)[1:]:
-            if not station.follow(joints[None]):
-                break
-        swept = float((_place(station) - begin) @ along)
+        gone = _swept(station, route, along * route.travel)
     park(station, obstacles, shape.whole(0.0)[::3])
     station.grip(station.hand.max_opening)
-    end: StrokeEnd = "swept" if swept > route.travel - _SPARE else "blocked"
+    end: StrokeEnd = "swept" if gone > route.travel - _SPARE else "blocked"
     frame = station.observe(rgb=False)
-    return Stroke(end, frame, max(0.0, swept - route.push.gap), (route.push.start,))
+    return Stroke(end, frame, max(0.0, gone - route.push.gap), (route.push.start,))
 
 
-def _place(station: Station) -> Array:
-    return np.array(station.arm.forward(station.joints()).position)
+def _swept(station: Station, route: _Route, way: Array) -> float:
+    """Metres that the hand came along a way."""
+    joints, path = route.descent[-1], route.sweep
+    if route.push.pressed:
+        joints = pressed(station, joints)
+        path = straight(station.arm, joints, line(station.arm.forward(joints), way))
+    return 0.0 if path is None else swept(station, np.vstack([joints, path]), way)
