@@ -11,8 +11,9 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import ndimage
 
+from probe.manipulation.closedhand import SIDE, ClosedHand, orientation
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pushing import SIDE, Push, Tool, orientation
+from probe.manipulation.pushing import Push
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import CELL, Terrain
 from probe.types import Array, Pose, quaternion_of
@@ -44,7 +45,7 @@ def drags(target: Target, terrain: Terrain, shape: HandShape, along: Array) -> I
     found: list[Push] = []
     for lean in _LEANS_DEG:
         for across in (along, aside):
-            tool = Tool.of(shape, orientation(np.radians(lean), along, across), along, aside)
+            tool = ClosedHand.of(shape, orientation(np.radians(lean), along, across), along, aside)
             found += _spots(target, terrain, others, mine, tool, along, abs(lean))
     yield from sorted(found, key=lambda push: push.cost)
 
@@ -54,7 +55,7 @@ def _spots(
     terrain: Terrain,
     others: Terrain,
     mine: Array,
-    tool: Tool,
+    tool: ClosedHand,
     along: Array,
     lean: float,
 ) -> Iterator[Push]:
@@ -85,7 +86,7 @@ def _spots(
         yield Push(Pose.of(at, quaternion_of(tool.rotation)), gap, cost, pressed=True)
 
 
-def _wall(target: Target, tool: Tool, at: Array, along: Array) -> float:
+def _wall(target: Target, tool: ClosedHand, at: Array, along: Array) -> float:
     """Metres until the tips meet a wall of the thing itself; 0 without one."""
     aside = np.array([-along[1], along[0], 0.0])
     own, front = target.top, float(at @ along) + tool.front

@@ -23,7 +23,7 @@ PushStatus = Literal["pushed", "short", "unmoved", "no_space", "unreachable", "b
 pushed: The tool swept, or the thing went, as far as was asked for.
 short: It swept less: the basket or the arm's reach ended it.
 unmoved: It swept, but the thing looks as it did.
-no_space: There is no free spot behind the thing where the tool could come down.
+no_space: There is no free spot, behind the thing or on it, where the tool could come down.
 unreachable: The arm can't follow any such path.
 blocked: Something stopped the arm.
 """

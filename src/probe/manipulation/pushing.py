@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from probe.manipulation.closedhand import SIDE, ClosedHand, orientation
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
@@ -25,9 +26,7 @@ _AHEAD = np.array([0.3, 0.6, 1.0])
 _LOWEST, _HIGHEST = 0.0015, 0.012
 _OVERLAP = 0.003
 _REAR = 0.02
-_TIP = 0.012
 _KNUCKLES = 0.04
-SIDE = 0.002
 
 
 @dataclass(frozen=True)
@@ -69,40 +68,6 @@ class _Surroundings:
     bare: Terrain
 
 
-@dataclass(frozen=True, eq=False)
-class Tool:
-    """The closed hand in one orientation.
-
-    Attributes:
-        rotation: world_from_hand, shape (3, 3).
-        points: On the hand from its frame's origin, along the world's axes, shape (n, 3).
-        front: How far the tips reach along the push.
-        half: Half of the tips' width across it.
-        middle: Where the tips' middle lies aside of the origin.
-        bottom: How far the tips reach down; below 0.
-        tips: Those points that lie on the tips' ends, shape (k, 3).
-    """
-
-    rotation: Array
-    points: Array
-    front: float
-    half: float
-    middle: float
-    bottom: float
-    tips: Array
-
-    @staticmethod
-    def of(shape: HandShape, rotation: Array, along: Array, aside: Array) -> Tool:
-        points = shape.whole(0.0) @ rotation.T
-        ends = shape.tips(0.0) @ rotation.T
-        bottom = float(ends[:, 2].min())
-        tips = points[points[:, 2] < bottom + _TIP]
-        across = tips @ aside
-        low, high = float(across.min()), float(across.max())
-        front = float((tips @ along).max())
-        return Tool(rotation, points, front, (high - low) / 2, (high + low) / 2, bottom, ends)
-
-
 def pushes(
     target: Target, terrain: Terrain, shape: HandShape, along: Array, distance: float
 ) -> Iterator[Push]:
@@ -127,20 +92,12 @@ def pushes(
         found: list[Push] = []
         for across, cost in ((along, 0.0), (aside, 0.05)):
             rotation = orientation(np.radians(lean_deg), towards, across)
-            tool = Tool.of(shape, rotation, along, aside)
+            tool = ClosedHand.of(shape, rotation, along, aside)
             found += [push for line in _ASIDE for push in _on_line(tool, around, line, cost)]
         yield from sorted(found, key=lambda push: push.cost)
 
 
-def orientation(lean: float, towards: Array, closing: Array) -> Array:
-    """world_from_hand with the tips leading towards a side and the pads closing along another."""
-    approach = np.sin(lean) * towards - np.cos(lean) * np.array([0.0, 0.0, 1.0])
-    axis = closing - approach * (closing @ approach)
-    axis /= np.linalg.norm(axis)
-    return np.column_stack([np.cross(axis, approach), axis, approach])
-
-
-def _on_line(tool: Tool, around: _Surroundings, line: float, cost: float) -> Iterator[Push]:
+def _on_line(tool: ClosedHand, around: _Surroundings, line: float, cost: float) -> Iterator[Push]:
     """The nearest free spot at each height behind the target, on a line beside its middle."""
     target = around.target
     aside = float(target.centre @ around.aside) + line
@@ -179,7 +136,7 @@ def _heights(own: Array, around: _Surroundings) -> list[float]:
     return [low] if skim < low + 0.004 else [low, (low + skim) / 2, skim]
 
 
-def _free_gap(tool: Tool, around: _Surroundings, contact: Array) -> float | None:
+def _free_gap(tool: ClosedHand, around: _Surroundings, contact: Array) -> float | None:
     """Smallest distance behind the contact at which the hand can come down."""
     for gap in _GAPS:
         down = contact - gap * around.along + _DOWN[:, None] * np.array([0.0, 0.0, 1.0])
@@ -188,7 +145,9 @@ def _free_gap(tool: Tool, around: _Surroundings, contact: Array) -> float | None
     return None
 
 
-def _hindrance(tool: Tool, around: _Surroundings, contact: Array, gap: float) -> tuple[bool, float]:
+def _hindrance(
+    tool: ClosedHand, around: _Surroundings, contact: Array, gap: float
+) -> tuple[bool, float]:
     """Whether other things are met on the way, and the cost of that and of touching too much."""
     behind = contact - np.linspace(0.0, gap, 5)[:, None] * around.along
     through = not _above(around.bare, tool.points, behind).all()

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import islice
 from typing import Literal
 
 import numpy as np
 
-from probe.manipulation.dragging import drags
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.kinematics import either_way, line, moved, reaching, straight
 from probe.manipulation.looking import still_there
 from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.parking import park
-from probe.manipulation.pushing import DESCENT, Push, pushes
+from probe.manipulation.pushing import DESCENT, Push
 from probe.manipulation.room import room_ahead
 from probe.manipulation.routes import over
+from probe.manipulation.starts import close, starts
 from probe.manipulation.sweeping import pressed, swept
-from probe.manipulation.target import Target, target_of
-from probe.manipulation.terrain import Terrain, survey
+from probe.manipulation.target import target_of
+from probe.manipulation.terrain import survey
 from probe.station.station import Station
 from probe.types import Array, Frame, Pose, Vector3
 
@@ -28,14 +27,11 @@ StrokeEnd = Literal["swept", "no_space", "unreachable", "blocked"]
 """How a stroke ended: the tool went its whole way; there is nowhere to begin; the arm can't follow
 any such path; something stopped the arm."""
 
-_TRIED, _PRESSED = 40, 10
-_VAIN = 2
 _PARTS = (1.0, 0.75, 0.5, 0.25)
 _LEAST = 0.008
 _STAYED = 0.9
 _SPARE = 0.005
 _STARTS = 3
-_SAME_START = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +85,7 @@ def stroke(
     target = target_of(frame, mask, terrain)
     shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
     distance = min(distance, room_ahead(target, terrain, along, basket))
-    options = _options(target, terrain, shape, along, distance, unlike)
+    options = starts(target, terrain, shape, along, distance, unlike)
     result = Stroke("unreachable" if options else "no_space", frame)
     if distance < _LEAST:
         return result
@@ -102,39 +98,8 @@ def stroke(
         if result.end == "swept" or result.swept > 0 or stayed < _STAYED:
             break
         # Stopped before it met the thing, which is still where it was: from elsewhere, then.
-        options = [option for option in options if not _close(option, best.push.start)]
+        options = [option for option in options if not close(option, best.push.start)]
     return result
-
-
-def _options(
-    target: Target,
-    terrain: Terrain,
-    shape: HandShape,
-    along: Array,
-    distance: float,
-    unlike: Sequence[Pose],
-) -> list[Push]:
-    """From behind; if that was in vain, from above or by what stands behind it, in turns."""
-    every = _fresh(pushes(target, terrain, shape, along, distance), unlike)
-    above = islice(_fresh(drags(target, terrain, shape, along), unlike), _PRESSED)
-    if len(unlike) < _VAIN:
-        behind = list(islice(every, _TRIED))
-        return behind if len(behind) == _TRIED else [*behind, *above]
-    if len(unlike) % 2 == 0:
-        return [*above, *islice(every, _TRIED)]
-    behind = list(every)
-    through = [option for option in behind if option.through]
-    return [*through[:_TRIED], *above, *behind[:_TRIED]]
-
-
-def _fresh(options: Iterable[Push], unlike: Sequence[Pose]) -> Iterator[Push]:
-    """Those that begin elsewhere than some."""
-    return (one for one in options if not any(_close(one, pose) for pose in unlike))
-
-
-def _close(one: Push, other: Pose) -> bool:
-    apart = np.subtract(one.start.position, other.position)
-    return float(np.linalg.norm(apart)) < _SAME_START
 
 
 def _best(

@@ -15,7 +15,7 @@ _BACK, _OVER, _LIFTS = 0.015, 0.015, 2
 
 
 def swept(station: Station, path: Array, way: Array) -> float:
-    """Follow a path along a way, shape (3,); stopped, the hand draws back a little and goes on higher.
+    """Follow a path along a way, shape (3,); stopped, the hand draws back and goes on higher.
 
     Returns:
         Metres that it came along the way.
