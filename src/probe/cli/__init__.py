@@ -1,4 +1,4 @@
-"""The command line: `probe demo | scene | assets | suite | run | merge | report | rescore | ...`."""
+"""The command line: `probe demo | scene | assets | suite | run | merge | report | ...`."""
 
 from __future__ import annotations
 

@@ -15,6 +15,7 @@ from probe.agents.scripted import Scripted
 from probe.assets.tables import load_table
 from probe.cli.running import run_order
 from probe.cli.surroundings import assets_folder, everything
+from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE, in_order
 from probe.episodes.luck import NOISES, NoiseName
@@ -49,6 +50,7 @@ def run(
     noise: NoiseName = "none",
     workers: int = 1,
     shard: str = "0/1",
+    conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
 ) -> None:
     """Let an agent work on every task of a suite; goes on where an earlier run stopped.
 
@@ -60,8 +62,9 @@ def run(
         noise: How far the hand errs; "paper" fails as often as the paper's.
         workers: Processes that run episodes.
         shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
+        conditions: In what episodes differ from their tasks; see docs/run.md.
     """
-    order = Order(agent, runs, NOISES[noise], shard=parse_shard(shard))
+    order = Order(agent, runs, NOISES[noise], conditions, parse_shard(shard))
     run_order(read_suite(suite), order, make_agent, everything(), out, workers)
     print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
 

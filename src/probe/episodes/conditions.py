@@ -21,9 +21,10 @@ class Conditions:
 
     Attributes:
         lighting: Even light, or surroundings drawn for each task.
-        camera: How the camera strays; see probe.scene.perturb.
+        camera: How the camera strays; shifted (along the table), raised (up or down),
+            tilted, or moved (all three).
         table: The task's own table top, or another one drawn for each task.
-        jitter: How far each object is moved before the start, metres at most.
+        pose_jitter: How far each object is moved before the start, metres at most.
         dials: Rates of errors of the oracle that the tools see with.
         ideal: Which tool makes no errors: grasps, or perception; to split errors by their cause.
     """
@@ -31,7 +32,7 @@ class Conditions:
     lighting: LightKind = "ambient"
     camera: CameraName = "fixed"
     table: TableKind = "own"
-    jitter: float = 0.0
+    pose_jitter: float = 0.0
     dials: Dials = NO_DIALS
     ideal: Ideal = "none"
 
@@ -42,7 +43,7 @@ class Conditions:
             "" if self.lighting == "ambient" else f"lighting {self.lighting}",
             "" if self.camera == "fixed" else f"camera {self.camera}",
             "" if self.table == "own" else f"table {self.table}",
-            f"jitter {1000 * self.jitter:g} mm" if self.jitter else "",
+            f"jitter {1000 * self.pose_jitter:g} mm" if self.pose_jitter else "",
             _dials_label(self.dials),
             "" if self.ideal == "none" else f"ideal {self.ideal}",
         ]

@@ -86,7 +86,7 @@ class ConditionsDocument(_Document):
     lighting: LightKind = "ambient"
     camera: CameraName = "fixed"
     table: TableKind = "own"
-    jitter: float = 0.0
+    pose_jitter: float = 0.0
     dials: DialsDocument = DialsDocument()
     ideal: Ideal = "none"
 
@@ -201,7 +201,7 @@ def _conditions(document: ConditionsDocument) -> Conditions:
         lighting=document.lighting,
         camera=document.camera,
         table=document.table,
-        jitter=document.jitter,
+        pose_jitter=document.pose_jitter,
         dials=Dials(rates.over, rates.under, rates.missed, rates.hallucinated),
         ideal=document.ideal,
     )

@@ -9,6 +9,7 @@ from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import RECORDS, SUITE, in_order
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
+from probe.runs.variation import read_variation, write_variation
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 
@@ -34,6 +35,9 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
             first = first or record
             _check(part, record, first, found)
         kept += records
+    variation = read_variation(parts[0])
+    if variation is not None:
+        write_variation(out, variation)
     write_suite(out / SUITE, suite)
     write_records(out / RECORDS, in_order(kept, suite))
     return len(kept)
