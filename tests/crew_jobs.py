@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,7 +28,7 @@ class Bench:
     stillborn: bool = False
 
     @contextmanager
-    def __call__(self) -> Iterator[Callable[[str], bytes]]:
+    def __call__(self) -> Generator[Callable[[str], bytes]]:
         if self.unfit:
             raise ProbeError("no tools here")
         if self.stillborn:

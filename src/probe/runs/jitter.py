@@ -13,8 +13,8 @@ from probe.scene.perturb import PoseRange, jittered
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.seeds import generator
 
-DRAWS = 8
-"""How often other small moves are drawn, each half as wide as those before the last."""
+DRAWS = 12
+"""How often small moves are drawn; every third time half as wide as before."""
 
 SLACK = 0.005
 """Metres that a thing may settle in addition to how far it was moved."""
@@ -39,7 +39,7 @@ def jitter(scene: Scene, shift: float, library: Library) -> Scene | None:
     specs = [library[placed.object_id] for placed in scene.objects]
     stage = Stage(specs, library, ())
     for draw in range(DRAWS):
-        reach = shift * 0.5 ** (draw // 2)
+        reach = shift * 0.5 ** (draw // 3)
         rng = generator(scene.seed, "jitter", draw)
         moved = jittered(scene, rng, PoseRange(reach, reach / _LEVER))
         settled = _settled(moved, stage)
