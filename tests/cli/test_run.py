@@ -71,7 +71,7 @@ def test_half_a_record_is_set_aside_and_run_again(tmp_path):
 
 
 def test_two_runs_do_not_share_a_folder(tmp_path):
-    with begun(tmp_path, DEMO, Order("random")):
-        with pytest.raises(BadData, match="another run is at work there"):
-            begin(tmp_path)
+    there = pytest.raises(BadData, match="another run is at work there")
+    with begun(tmp_path, DEMO, Order("random")), there:
+        begin(tmp_path)
     assert len(begin(tmp_path).jobs) == len(DEMO.tasks)
