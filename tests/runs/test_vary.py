@@ -53,6 +53,7 @@ def task(renderer):
     return replace(TASK, certificate=Certificate(measure(renderer, SCENE), {}, ()))
 
 
+@pytest.mark.slow
 def test_another_table_changes_nothing_else(task, renderer):
     (made,) = vary([task], Conditions(table="other"), LIBRARY, renderer)
     assert made.task.scene.table != "oak_planks" and made.note is None
@@ -60,6 +61,7 @@ def test_another_table_changes_nothing_else(task, renderer):
     assert [made] == list(vary([task], Conditions(table="other"), LIBRARY, renderer))
 
 
+@pytest.mark.slow
 def test_marks_follow_the_camera(task, renderer):
     conditions = Conditions(camera="moved")
     (made,) = vary([task], conditions, LIBRARY, renderer)
