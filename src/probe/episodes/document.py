@@ -2,23 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, replace
 from typing import Literal
 
 import pydantic
 
-from probe.episodes.conditions import Conditions, Ideal, LightKind, TableKind
+from probe.episodes.conditions_document import ConditionsDocument, SightDocument
 from probe.episodes.luck import Noise
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
 from probe.episodes.turns import Call, Question
-from probe.perception.dials import Dials
 from probe.scene.document import SceneDocument
-from probe.scene.layout import top_camera
-from probe.scene.lighting import Lighting
-from probe.scene.perturb import CameraName
 from probe.scene.sight import Sight
 from probe.toolshed.result import Answer, Status
-from probe.types import Pose, Quaternion, Vector3
 
 
 class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
@@ -71,35 +65,6 @@ class NoiseDocument(_Document):
     push: float
 
 
-class DialsDocument(_Document):
-    """Rates of the oracle's errors."""
-
-    over: float = 0.0
-    under: float = 0.0
-    missed: float = 0.0
-    hallucinated: float = 0.0
-
-
-class ConditionsDocument(_Document):
-    """In what the run differed from its tasks; by default in nothing. The jitter is in metres."""
-
-    lighting: LightKind = "ambient"
-    camera: CameraName = "fixed"
-    table: TableKind = "own"
-    pose_jitter: float = 0.0
-    dials: DialsDocument = DialsDocument()
-    ideal: Ideal = "none"
-
-
-class SightDocument(_Document):
-    """Pose of the camera (world_from_camera) and the light, if they weren't the usual ones."""
-
-    position: Vector3
-    wxyz: Quaternion
-    lighting: str
-    yaw: float
-
-
 class EpisodeDocument(_Document):
     """One episode."""
 
@@ -137,8 +102,8 @@ class EpisodeDocument(_Document):
             fault=record.fault,
             seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
-            conditions=ConditionsDocument.model_validate(asdict(record.conditions)),
-            sight=_sight_document(record.sight),
+            conditions=ConditionsDocument.of(record.conditions),
+            sight=SightDocument.of(record.sight),
         )
 
     def record(self) -> EpisodeRecord:
@@ -156,8 +121,8 @@ class EpisodeDocument(_Document):
             fault=self.fault,
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
             noise=Noise(self.noise.grasp, self.noise.push),
-            conditions=_conditions(self.conditions),
-            sight=_sight(self.sight),
+            conditions=self.conditions.conditions(),
+            sight=self.sight.sight() if self.sight else Sight(),
         )
 
 
@@ -193,31 +158,3 @@ def _table_document(table: Table) -> TableDocument:
 
 def _table(document: TableDocument) -> Table:
     return Table(document.scene.scene(), document.joints)
-
-
-def _conditions(document: ConditionsDocument) -> Conditions:
-    rates = document.dials
-    return Conditions(
-        lighting=document.lighting,
-        camera=document.camera,
-        table=document.table,
-        pose_jitter=document.pose_jitter,
-        dials=Dials(rates.over, rates.under, rates.missed, rates.hallucinated),
-        ideal=document.ideal,
-    )
-
-
-def _sight_document(sight: Sight) -> SightDocument | None:
-    if sight == Sight():
-        return None
-    pose, light = sight.camera.world_from_camera, sight.lighting
-    return SightDocument(position=pose.position, wxyz=pose.wxyz, lighting=light.name, yaw=light.yaw)
-
-
-def _sight(document: SightDocument | None) -> Sight:
-    if document is None:
-        return Sight()
-    pose = Pose(document.position, document.wxyz)
-    return Sight(
-        replace(top_camera(), world_from_camera=pose), Lighting(document.lighting, document.yaw)
-    )

@@ -6,25 +6,20 @@ moment, even while it sends, takes nobody with it.
 
 from __future__ import annotations
 
-import os
 import signal
-import threading
 from collections import deque
-from collections.abc import Callable, Generator, Sequence
-from contextlib import AbstractContextManager, ExitStack, suppress
+from collections.abc import Generator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
-from multiprocessing import get_context, parent_process
+from multiprocessing import get_context
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Generic, TypeVar, cast
 
 from probe.errors import ProbeError, WorkerDied
+from probe.runs.worker import Opening, Ready, serve
 
 Job = TypeVar("Job")
-
-Opening = Callable[[], AbstractContextManager[Callable[[Job], bytes]]]
-"""Sets a worker up and gives what does a job; it is sent to the worker, so it has to be of a
-module or a value of such a class. What the doing raises is a fault of this program."""
 
 TRIES = 3
 """How often a job is begun when workers die over it."""
@@ -48,13 +43,6 @@ class Lost:
     """
 
     reason: str
-
-
-@dataclass(frozen=True)
-class _Ready:
-    """A worker's first message, with the reason if it can't work; later ones are results."""
-
-    problem: str | None = None
 
 
 @dataclass(eq=False)
@@ -101,7 +89,7 @@ class _Crew(Generic[Job]):
     def hire(self) -> None:
         """Start one more worker."""
         ours, theirs = _SPAWN.Pipe()
-        process = _SPAWN.Process(target=_serve, args=(self._opening, theirs), daemon=True)
+        process = _SPAWN.Process(target=serve, args=(self._opening, theirs), daemon=True)
         process.start()
         theirs.close()
         self.workers.append(_Worker(process, ours))
@@ -117,7 +105,7 @@ class _Crew(Generic[Job]):
             message = worker.pipe.recv()
         except (EOFError, OSError):
             return self._bury(worker)
-        if isinstance(message, _Ready) and message.problem:
+        if isinstance(message, Ready) and message.problem:
             raise WorkerUnfit(message.problem)
         self._stillborn = 0
         job, worker.job = worker.job, None
@@ -173,28 +161,3 @@ def _death(exitcode: int | None) -> str:
     if exitcode is None or exitcode >= 0:
         return f"ended with status {exitcode}"
     return f"was killed by signal {-exitcode} ({signal.Signals(-exitcode).name})"
-
-
-def _serve(opening: Opening[Job], pipe: Connection) -> None:
-    """What a worker process does: set up once, then job after job until nobody asks any more."""
-    # Ctrl-C reaches every process of a terminal; the parent alone decides what it means.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    with ExitStack() as stack:
-        try:
-            carry = stack.enter_context(opening())
-        except ProbeError as error:
-            pipe.send(_Ready(str(error)))
-            return
-        with suppress(EOFError, BrokenPipeError):
-            pipe.send(_Ready())
-            while True:
-                pipe.send(carry(pipe.recv()))
-
-
-def _end_with_parent() -> None:
-    """End this process when its parent is gone, even if that was killed."""
-    parent = parent_process()
-    assert parent is not None
-    wait([parent.sentinel])
-    os._exit(1)
