@@ -51,8 +51,11 @@ def robustness(
     made = shifts(rows, found, broken)
     text = pydantic.TypeAdapter(list[Shift]).dump_json(made, indent=1).decode()
     write_text(out, text + "\n")
-    Console().print(_table(made))
-    print(f"All figures are in {out}.")
+    console = Console()
+    console.print(_table(made))
+    for each in made:
+        console.print(_line(each), highlight=False)
+    print(f"p is corrected for {len(made)} comparisons. All figures are in {out}.")
 
 
 def _graded(folder: Path) -> tuple[str, list[Row]]:
@@ -68,21 +71,9 @@ def _graded(folder: Path) -> tuple[str, list[Row]]:
 
 
 def _table(made: Iterable[Shift]) -> Table:
-    table = Table(
-        "agent",
-        "conditions",
-        "n tasks",
-        "plain",
-        "so",
-        "difference, points",
-        "95 % interval",
-        "p, corrected",
-        "certified tasks alone",
-        "missing",
-    )
+    table = Table("agent", "under", "n", "plain", "so", "points", "95 %", "p")
     for it in made:
         pair = it.pair
-        alone = "none" if it.certified is None else f"{100 * it.certified:+.1f}"
         table.add_row(
             pair.first.agent,
             it.conditions,
@@ -92,7 +83,14 @@ def _table(made: Iterable[Shift]) -> Table:
             f"{100 * pair.difference:+.1f}",
             f"{100 * pair.student.low:+.0f} to {100 * pair.student.high:+.0f}",
             f"{pair.adjusted:.2g}",
-            f"{alone}, n = {it.certified_tasks}",
-            str(it.missing),
         )
     return table
+
+
+def _line(it: Shift) -> str:
+    """What must stand beside the table, in words."""
+    alone = "" if it.certified is None else f", difference {100 * it.certified:+.1f} points"
+    return (
+        f"{it.pair.first.agent}, {it.conditions}: n = {it.pair.tasks} tasks, of which "
+        f"{it.certified_tasks} still are what was certified{alone}; {it.missing} rows missing"
+    )
