@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from probe.errors import ProbeError
+from probe.runs.plan import Job
+from probe.runs.work import Workplace
 
 
 @dataclass(frozen=True)
@@ -48,3 +50,12 @@ class Bench:
         if job == "long":
             time.sleep(60)
         return f"{job} done".encode()
+
+
+@dataclass(frozen=True)
+class Deadly(Workplace):
+    """A workplace where every episode kills the worker."""
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[Job], bytes]]:
+        yield lambda job: os.kill(os.getpid(), signal.SIGKILL) or b""
