@@ -1,44 +1,77 @@
 """`probe run` short of an episode: folders that it leaves as they are."""
 
 from dataclasses import replace
-from importlib import import_module
 
 import pytest
 
-from probe.cli.run import run_suite
+from probe.episodes.conditions import Conditions
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS, SUITE
-from probe.episodes.luck import NO_NOISE, NOISES
+from probe.episodes.luck import NOISES
 from probe.episodes.record import EpisodeRecord, Table
 from probe.episodes.turns import Question
 from probe.errors import BadData
+from probe.runs.plan import Order
+from probe.runs.run import begun
 from probe.scene.scene import Scene
 from probe.tasks.suite_file import demo_suite, write_suite
 
 EMPTY = Table(Scene(0, "oak", ()), (0.0,) * 6)
 RECORD = EpisodeRecord("t-1", "random", 0, Question("What?", ()), EMPTY, (), None, "stopped", None)
+DEMO = demo_suite()
 
 
-@pytest.fixture
-def suite(monkeypatch):
-    monkeypatch.delenv("PROBE_ASSETS", raising=False)
-    # Objects would have to be made first, which takes minutes.
-    command = import_module("probe.cli.run")
-    monkeypatch.setattr(command, "check_objects", lambda suite, things: None)
-    return demo_suite()
+def begin(out, order=Order("random")):  # noqa: B008 - a value
+    with begun(out, DEMO, order) as beginning:
+        return beginning
 
 
-def test_a_folder_of_another_suite_is_refused(suite, tmp_path):
+def test_a_folder_of_another_suite_is_refused(tmp_path):
     path = tmp_path / "out" / SUITE
-    write_suite(path, replace(suite, name="other"))
+    write_suite(path, replace(DEMO, name="other"))
     before = path.read_bytes()
     with pytest.raises(BadData, match="another suite. Choose another folder"):
-        run_suite(suite, "random", tmp_path / "out", 1, NO_NOISE)
+        begin(tmp_path / "out")
     assert path.read_bytes() == before
 
 
-def test_another_noise_is_refused_before_anything_is_written(suite, tmp_path):
+@pytest.mark.parametrize(
+    ("order", "words"),
+    [
+        (Order("random", noise=NOISES["paper"]), "another noise"),
+        (Order("random", conditions=Conditions(ideal="grasp")), r"other conditions \(none\)"),
+    ],
+)
+def test_other_settings_are_refused_before_anything_is_written(tmp_path, order, words):
     append_record(tmp_path / "out" / RECORDS, RECORD)
-    with pytest.raises(BadData, match="another noise. Choose another folder"):
-        run_suite(suite, "random", tmp_path / "out", 1, NOISES["paper"])
+    with pytest.raises(BadData, match=f"{words}. Choose another folder"):
+        begin(tmp_path / "out", order)
     assert [path.name for path in (tmp_path / "out").iterdir()] == [RECORDS]
+
+
+def test_what_is_there_is_not_run_again_but_faults_are(tmp_path):
+    first, second = DEMO.tasks[:2]
+    append_record(tmp_path / RECORDS, replace(RECORD, task=first.id))
+    append_record(tmp_path / RECORDS, replace(RECORD, task=second.id, end="fault", fault="gone"))
+    beginning = begin(tmp_path)
+    assert [job.task for job in beginning.jobs] == list(DEMO.tasks[1:])
+    assert (beginning.done, beginning.cut) == (1, None)
+
+
+def test_half_a_record_is_set_aside_and_run_again(tmp_path):
+    path = tmp_path / RECORDS
+    append_record(path, replace(RECORD, task=DEMO.tasks[0].id))
+    whole = path.read_bytes()
+    path.write_bytes(whole + b'{"version": 2, "ta')
+    beginning = begin(tmp_path)
+    assert len(beginning.jobs) == len(DEMO.tasks) - 1
+    assert path.read_bytes() == whole
+    assert beginning.cut is not None
+    assert beginning.cut.read_bytes() == b'{"version": 2, "ta\n'
+
+
+def test_two_runs_do_not_share_a_folder(tmp_path):
+    there = pytest.raises(BadData, match="another run is at work there")
+    with begun(tmp_path, DEMO, Order("random")), there:
+        begin(tmp_path)
+    assert len(begin(tmp_path).jobs) == len(DEMO.tasks)

@@ -1,10 +1,18 @@
 import json
+import resource
+from dataclasses import replace
 
 import pytest
 
-from probe.episodes.files import append_record, line_of, read_records, write_records
+from probe.episodes.conditions import Conditions
+from probe.episodes.files import append_record, line_of, read_records, set_aside_cut, write_records
 from probe.episodes.turns import Call
-from probe.errors import BadData
+from probe.errors import BadData, OutputFailed
+from probe.perception.dials import Dials
+from probe.scene.layout import top_camera
+from probe.scene.lighting import Lighting
+from probe.scene.sight import Sight
+from probe.types import Pose
 
 
 def test_records_survive_the_disk(tmp_path, play):
@@ -17,6 +25,52 @@ def test_records_survive_the_disk(tmp_path, play):
     write_records(again, read_records(path))
     assert again.read_bytes() == path.read_bytes()
     assert [f.name for f in path.parent.iterdir()] == ["records.jsonl"]
+
+
+def test_conditions_and_sight_survive_the_disk(tmp_path, play):
+    pose = Pose((0.01, -0.02, 1.18), (0.0, 1.0, 0.0, 0.0))
+    record = replace(
+        play(),
+        conditions=Conditions("hdri", "raised", "other", 0.003, Dials(missed=0.2), "grasp"),
+        sight=Sight(replace(top_camera(), world_from_camera=pose), Lighting("loft", 0.5)),
+    )
+    write_records(tmp_path / "records.jsonl", [record])
+    assert read_records(tmp_path / "records.jsonl") == [record]
+
+
+def test_records_of_before_there_were_conditions_are_read(tmp_path, play):
+    fields = json.loads(line_of(play()))
+    del fields["conditions"], fields["sight"]
+    (tmp_path / "records.jsonl").write_text(json.dumps(fields) + "\n")
+    (record,) = read_records(tmp_path / "records.jsonl")
+    assert record.untimed() == play().untimed()
+
+
+def test_what_found_no_room_is_taken_back(tmp_path, play):
+    path, line = tmp_path / "records.jsonl", line_of(play())
+    append_record(path, play())
+    before = path.read_bytes()
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (len(before) + len(line) // 2, limits[1]))
+    try:
+        with pytest.raises(OutputFailed, match="Free some space"):
+            append_record(path, play())
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert path.read_bytes() == before
+    append_record(path, play())
+    assert len(read_records(path)) == 2
+
+
+def test_a_line_that_was_cut_off_is_set_aside(tmp_path, play):
+    path, line = tmp_path / "records.jsonl", line_of(play())
+    assert set_aside_cut(path) is None
+    path.write_bytes(line + line[:100])
+    assert [record.untimed() for record in read_records(path, whole=False)] == [play().untimed()]
+    aside = set_aside_cut(path)
+    assert aside is not None and aside.read_bytes() == line[:100] + b"\n"
+    assert path.read_bytes() == line
+    assert set_aside_cut(path) is None
 
 
 def test_an_unchanged_table_is_written_once(play):

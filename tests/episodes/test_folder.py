@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from probe.episodes.files import read_records
-from probe.episodes.folder import add_run, start_folder
+from probe.episodes.folder import add_run, in_order, start_folder
 from probe.errors import BadData, OutputFailed
 from probe.tasks.suite_file import demo_suite
 
@@ -36,6 +36,22 @@ def test_runs_are_numbered_by_task_and_agent(tmp_path, play):
         ("t-2", "fixed", 0),
         ("t-1", "fixed", 2),
     ]
+
+
+def test_the_order_is_that_of_tasks_however_records_were_written(play):
+    suite, record = demo_suite(), play()
+    first, second = (replace(record, task=task.id) for task in suite.tasks[:2])
+    late = replace(first, run=3)
+    assert in_order([second, late, first], suite) == [first, late, second]
+    assert in_order([first, second, late], suite) == [first, late, second]
+
+
+def test_a_fault_gives_way_to_its_repetition(play):
+    suite = demo_suite()
+    good = replace(play(), task=suite.tasks[0].id)
+    one, other = (replace(good, end="fault", fault=words) for words in ("early", "late"))
+    assert in_order([one, good, other], suite) == [good]
+    assert in_order([one, other], suite) == [other]
 
 
 def test_a_folder_that_cannot_be_made_is_named():

@@ -233,14 +233,18 @@ def draw_marks(made: Set, scene: Scene) -> tuple[Mark, Mark]:
     """
     labels = made.view.labels(scene)
     first, second = (
-        Mark(letter, number, _widest(labels == number))
+        Mark(letter, number, widest(labels == number))
         for letter, number in zip(PAIR, made.marked, strict=True)
     )
     return first, second
 
 
-def _widest(mask: Array) -> tuple[int, int]:
-    """Pixel (u, v) furthest from the edge of a mask, shape (h, w), and of the picture."""
+def widest(mask: Array) -> tuple[int, int]:
+    """Pixel (u, v) furthest from the edge of a mask, shape (h, w), and of the picture.
+
+    Raises:
+        Rejected: The mask is too narrow for a mark anywhere.
+    """
     # The picture's own edge is one, too.
     depth: Array = ndimage.distance_transform_edt(np.pad(mask, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(int(depth.argmax()), (PICTURE_PX, PICTURE_PX))

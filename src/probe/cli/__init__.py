@@ -1,4 +1,4 @@
-"""The command line: `probe demo | scene | assets | suite | run | report | rescore | serve`."""
+"""The command line: `probe demo | scene | assets | suite | run | merge | report | ...`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ import tyro
 
 from probe.cli.assets import app as assets_app
 from probe.cli.demo import demo
+from probe.cli.merge import merge
 from probe.cli.rescore import rescore
+from probe.cli.robustness import robustness
 from probe.cli.run import report, run
 from probe.cli.scene import scene
 from probe.cli.serve import serve
@@ -17,7 +19,7 @@ from probe.cli.tools import app as tools_app
 from probe.errors import ProbeError
 
 app = tyro.extras.SubcommandApp()
-for command in (demo, scene, run, report, rescore, serve):
+for command in (demo, scene, run, merge, report, rescore, robustness, serve):
     app.command(command)
 app.command(assets_app, name="assets")
 app.command(suite_app, name="suite")

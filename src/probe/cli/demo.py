@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from probe.cli.run import run_suite, write_run_report
-from probe.episodes.luck import NO_NOISE
+from probe.cli.run import make_agent, write_run_report
+from probe.cli.running import run_order
+from probe.cli.surroundings import everything
+from probe.runs.plan import Order
 from probe.tasks.suite_file import demo_suite
 
 
@@ -15,5 +17,5 @@ def demo(out: Path = Path("outputs/demo")) -> None:
     Args:
         out: Folder for the records, pictures and the page.
     """
-    run_suite(demo_suite(), "scripted", out, runs=1, noise=NO_NOISE)
+    run_order(demo_suite(), Order("scripted"), make_agent, everything(), out)
     print(f"Open {write_run_report(out)} in a browser.")

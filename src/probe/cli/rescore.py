@@ -40,7 +40,7 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
             record,
             score,
             suite=suite.name,
-            arm=arm or _ARMS.get(record.agent, AGENTIC),
+            arm=arm or arm_of(record.agent),
         )
         for task, record, score in graded(out)
     ]
@@ -54,6 +54,11 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
     for line in _lines(scores):
         console.print(line, highlight=False)
     print(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
+
+
+def arm_of(agent: str) -> str:
+    """How an agent answers, if nobody says otherwise."""
+    return _ARMS.get(agent, AGENTIC)
 
 
 def _table(card: Scorecard) -> Table:

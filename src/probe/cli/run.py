@@ -13,12 +13,15 @@ from rich.progress import track
 from probe.agents.random import Random
 from probe.agents.scripted import Scripted
 from probe.assets.tables import load_table
+from probe.cli.running import run_order
+from probe.cli.shards import parse_shard
 from probe.cli.surroundings import assets_folder, everything
-from probe.episodes.files import append_record, read_records
-from probe.episodes.folder import RECORDS, SUITE, start_folder
-from probe.episodes.luck import NOISES, Noise, NoiseName
+from probe.episodes.conditions import AS_FROZEN, Conditions
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS, SUITE, in_order
+from probe.episodes.luck import NOISES, NoiseName
 from probe.episodes.pictures import frames
-from probe.episodes.play import play, score
+from probe.episodes.play import score
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Agent
 from probe.errors import BadData
@@ -28,9 +31,10 @@ from probe.render.renderer import Renderer
 from probe.report.episode_view import EpisodeView
 from probe.report.page import write_report
 from probe.report.tally import rates
+from probe.runs.plan import Order, Shard
 from probe.scene.seeds import generator
 from probe.tasks.grading import Score
-from probe.tasks.suite import Suite, check_objects
+from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
 
@@ -45,6 +49,9 @@ def run(
     out: Path = Path("outputs/run"),
     runs: int = 1,
     noise: NoiseName = "none",
+    workers: int = 1,
+    shard: str = "0/1",
+    conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
 ) -> None:
     """Let an agent work on every task of a suite; goes on where an earlier run stopped.
 
@@ -54,8 +61,12 @@ def run(
         out: Folder for the records.
         runs: Episodes of each task.
         noise: How far the hand errs; "paper" fails as often as the paper's.
+        workers: Processes that run episodes.
+        shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
+        conditions: In what episodes differ from their tasks; see docs/run.md.
     """
-    run_suite(read_suite(suite), agent, out, runs, NOISES[noise])
+    order = Order(agent, runs, NOISES[noise], conditions, Shard(*parse_shard(shard)))
+    run_order(read_suite(suite), order, make_agent, everything(), out, workers)
     print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
 
 
@@ -66,34 +77,6 @@ def report(out: Annotated[Path, tyro.conf.Positional]) -> None:
         out: Folder that `probe run` wrote to.
     """
     print(f"The report is {write_run_report(out)}")
-
-
-def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int, noise: Noise) -> None:
-    """Add the records that a folder doesn't hold yet, and the suite they are about.
-
-    Raises:
-        BadData: What is there was run with another noise, or is about another suite.
-    """
-    things = everything()
-    check_objects(suite, things)
-    records = out / RECORDS
-    earlier = read_records(records) if records.exists() else []
-    if any(record.noise != noise for record in earlier):
-        raise BadData(records, "was run with another noise", "Choose another folder")
-    start_folder(out, suite)
-    done = {(record.task, record.agent, record.run) for record in earlier}
-    waiting = [
-        (task, number)
-        for task in suite.tasks
-        for number in range(runs)
-        if (task.id, agent, number) not in done
-    ]
-    with Renderer() as renderer:
-        for task, number in track(waiting, f"{agent} at work"):
-            table = load_table(task.scene.table, assets_folder())
-            actor = _agent(agent, task, number)
-            record = play(task, actor, agent, things, table, renderer, number, noise)
-            append_record(records, record)
 
 
 def write_run_report(out: Path) -> Path:
@@ -111,7 +94,7 @@ def write_run_report(out: Path) -> Path:
 
 
 def graded(out: Path) -> Iterator[tuple[Task, EpisodeRecord, Score]]:
-    """Every record of a folder with its task and what it is worth, in the order of the file.
+    """Every record of a folder with its task and what it is worth, by task, agent and run.
 
     Raises:
         BadData: The suite or a record can't be read, or a record is about something else.
@@ -125,18 +108,19 @@ def graded(out: Path) -> Iterator[tuple[Task, EpisodeRecord, Score]]:
 def _loaded(out: Path, suite: Suite, renderer: Renderer) -> Iterator[tuple[Task, EpisodeRecord]]:
     """Every record of a folder with its task, whose objects the renderer then has."""
     tasks, things = {task.id: task for task in suite.tasks}, everything()
-    for record in track(read_records(out / RECORDS), "Drawing and grading"):
+    for record in track(in_order(read_records(out / RECORDS), suite), "Drawing and grading"):
         if record.task not in tasks:
             remedy = "Move one of them elsewhere"
             raise BadData(out / RECORDS, f"{record.task} is not in {SUITE}", remedy)
         task = tasks[record.task]
-        load_scene(renderer, task.scene, things, load_table(task.scene.table, assets_folder()))
+        start = record.start.scene
+        load_scene(renderer, start, things, load_table(start.table, assets_folder()))
         yield task, record
 
 
 def _view(out: Path, task: Task, record: EpisodeRecord, renderer: Renderer) -> EpisodeView:
     pictures: list[str] = []
-    for number, frame in enumerate(frames(record, renderer)):
+    for number, frame in enumerate(frames(record, renderer, assets_folder())):
         name = f"pictures/{record.task}-{record.agent}-{record.run}/{number}.jpg"
         assert frame.rgb is not None
         small = Image.fromarray(frame.rgb).resize((_PICTURE_PX, _PICTURE_PX), Image.Resampling.BOX)
@@ -147,7 +131,8 @@ def _view(out: Path, task: Task, record: EpisodeRecord, renderer: Renderer) -> E
     )
 
 
-def _agent(name: AgentName, task: Task, number: int) -> Agent:
+def make_agent(name: str, task: Task, number: int) -> Agent:
+    """A fresh agent by its name; see probe.runs.work.AgentOf."""
     rng = generator(task.seed, "run", name, number)
     return (
         Random(rng) if name == "random" else Scripted(task.kind, task.subject, rng, form=task.form)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import tyro
@@ -11,9 +10,9 @@ from rich.progress import Progress
 from rich.table import Table
 
 from probe.assets.library import Library
+from probe.cli.shards import parse_shard
 from probe.cli.surroundings import Pool, library
 from probe.episodes.luck import NOISES, NoiseName
-from probe.errors import BadData
 from probe.render.renderer import Renderer
 from probe.report.tools_page import Failure, write_tools_page
 from probe.trials.summary import Summary, summarise
@@ -54,7 +53,7 @@ def bench(
         graspgen: Address of a GraspGen server ("tcp://localhost:5556") that proposes the grasps,
             instead of the built-in planner.
     """
-    part = _shard(shard)
+    part = Shard(*parse_shard(shard))
     level = NOISES[noise]
     error = level.grasp if sigma is None else sigma
     settings = Settings(
@@ -110,10 +109,3 @@ def _print(summary: Summary) -> None:
     console = Console()
     console.print(table)
     console.print("outcomes: " + ", ".join(f"{cause} {n}" for cause, n in summary.causes))
-
-
-def _shard(text: str) -> Shard:
-    found = re.fullmatch(r"(\d+)/(\d+)", text)
-    if not found or int(found[1]) >= int(found[2]):
-        raise BadData("--shard", f"{text!r} is no part of the work", 'Say "0/2" or "1/2".')
-    return Shard(int(found[1]), int(found[2]))

@@ -6,10 +6,12 @@ from typing import Literal
 
 import pydantic
 
+from probe.episodes.conditions_document import ConditionsDocument, SightDocument
 from probe.episodes.luck import Noise
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
 from probe.episodes.turns import Call, Question
 from probe.scene.document import SceneDocument
+from probe.scene.sight import Sight
 from probe.toolshed.result import Answer, Status
 
 
@@ -79,6 +81,9 @@ class EpisodeDocument(_Document):
     fault: str | None
     seconds: SecondsDocument | None
     noise: NoiseDocument
+    # Records of before there were conditions are of none.
+    conditions: ConditionsDocument = ConditionsDocument()
+    sight: SightDocument | None = None
 
     @staticmethod
     def of(record: EpisodeRecord, *, timed: bool = True) -> EpisodeDocument:
@@ -97,6 +102,8 @@ class EpisodeDocument(_Document):
             fault=record.fault,
             seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
+            conditions=ConditionsDocument.of(record.conditions),
+            sight=SightDocument.of(record.sight),
         )
 
     def record(self) -> EpisodeRecord:
@@ -114,6 +121,8 @@ class EpisodeDocument(_Document):
             fault=self.fault,
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
             noise=Noise(self.noise.grasp, self.noise.push),
+            conditions=self.conditions.conditions(),
+            sight=self.sight.sight() if self.sight else Sight(),
         )
 
 

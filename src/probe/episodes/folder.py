@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import fcntl
 import os
-from collections.abc import Generator
+from collections.abc import Generator, Iterable
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
 
-from probe.episodes.files import append_record, read_records
+from probe.episodes.files import append_line, append_record, read_records
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, OutputFailed
 from probe.tasks.suite import Suite
@@ -27,9 +28,55 @@ def start_folder(out: Path, suite: Suite) -> None:
     """
     if (out / SUITE).exists() and read_suite(out / SUITE) != suite:
         raise BadData(out / SUITE, "is another suite", "Choose another folder")
-    write_suite(out / SUITE, suite)
+    if not (out / SUITE).exists():
+        write_suite(out / SUITE, suite)
     if (out / RECORDS).exists():
         read_records(out / RECORDS)
+
+
+def add_line(out: Path, line: bytes) -> None:
+    """Add a record as it is written down, at its end.
+
+    Raises:
+        OutputFailed: It can't be written; nothing of it is left.
+    """
+    with _alone(out):
+        append_line(out / RECORDS, line)
+
+
+def in_order(records: Iterable[EpisodeRecord], suite: Suite) -> list[EpisodeRecord]:
+    """Records by task, agent and run, however they were written; none of faults made good since.
+
+    Of several faults of one episode the last is kept.
+    """
+    places = {task.id: place for place, task in enumerate(suite.tasks)}
+
+    def place(record: EpisodeRecord) -> tuple[int, str, int]:
+        return places.get(record.task, len(places)), record.agent, record.run
+
+    kept = list[EpisodeRecord]()
+    for key, some in groupby(sorted(records, key=place), key=place):
+        of_one = list(some)
+        whole = [record for record in of_one if record.end != "fault"]
+        # Tasks that aren't in the suite share a place; they are for others to refuse.
+        kept += of_one if key[0] == len(places) else whole or of_one[-1:]
+    return kept
+
+
+@contextmanager
+def reserved(out: Path) -> Generator[None]:
+    """Keep other runs out of a started folder; the lock leaves no file and dies with us.
+
+    Raises:
+        BadData: Another run is at work there.
+    """
+    with (out / SUITE).open("rb") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            remedy = "Wait for it, or choose another folder"
+            raise BadData(out, "another run is at work there", remedy) from error
+        yield
 
 
 def add_run(out: Path, record: EpisodeRecord) -> None:

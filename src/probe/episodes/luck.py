@@ -13,6 +13,7 @@ from typing import Literal
 
 import numpy as np
 
+from probe.episodes.touched import touched
 from probe.scene.seeds import generator
 from probe.station.misplaced import Misplaced
 from probe.station.station import Station
@@ -83,14 +84,8 @@ class Lucky:
     ) -> Station:
         if sigma == 0:
             return station
-        touched = _touched(frame, mask)
-        self._attempts[tool, touched] += 1
+        instance = touched(frame, mask)
+        self._attempts[tool, instance] += 1
         seed, run = self._key
-        rng = generator(seed, "luck", run, tool, touched, self._attempts[tool, touched])
+        rng = generator(seed, "luck", run, tool, instance, self._attempts[tool, instance])
         return Misplaced(station, np.array([*(sigma * rng.standard_normal(2)), 0.0]))
-
-
-def _touched(frame: Frame, mask: Array) -> int:
-    """The instance that most of a mask shows, by the simulation's labels; 0 for none."""
-    assert frame.labels is not None, "luck needs a simulated frame"
-    return int(np.bincount(frame.labels[mask], minlength=1).argmax())

@@ -7,19 +7,24 @@ from dataclasses import replace
 from probe import manipulation
 from probe.assets.library import Library
 from probe.assets.tables import TableMaterial
+from probe.episodes.conditions import AS_FROZEN, NO_DIALS, Conditions
 from probe.episodes.episode import Episode
 from probe.episodes.grading import grade_episode, question_of
+from probe.episodes.ideal import IdealGrasp
 from probe.episodes.luck import NO_NOISE, Lucky, Noise
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Agent
-from probe.perception.choice import Perceiver, ideal
+from probe.perception.choice import Perceiver, dialled, ideal
+from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import BASKET_POSITION
+from probe.scene.sight import Sight
 from probe.station.simulated import SimulatedStation
 from probe.tasks.grading import Score
 from probe.tasks.task import Task
+from probe.toolshed.skills import Skills
 from probe.toolshed.toolshed import Toolshed
 from probe.types import Pose
 from probe.world.world import World
@@ -34,6 +39,8 @@ def set_table(
     pictures: bool,
     perceiver: Perceiver = ideal,
     noise: Noise = NO_NOISE,
+    conditions: Conditions = AS_FROZEN,
+    sight: Sight | None = None,
     run: int = 0,
 ) -> tuple[Toolshed, SimulatedStation]:
     """A task's table, fresh, with the tools over it and the station that the record watches.
@@ -46,20 +53,27 @@ def set_table(
         pictures: Whether the tools show any.
         perceiver: Makes what the tools see with.
         noise: How far the hand errs.
+        conditions: Its dials and its ideal hold; what it says of the table must be so already.
+        sight: From where and in which light the table is seen; by default as always.
         run: Of the episode's runs; each has its own luck.
     """
     load_scene(renderer, task.scene, library, table)
-    station = SimulatedStation(World(task.scene, library), renderer)
+    sight = sight or Sight()
+    light = light_of(sight.lighting, library.assets)
+    station = SimulatedStation(World(task.scene, library), renderer, sight.camera, light)
     words = {item.instance: library[item.object_id] for item in task.scene.objects}
 
     def poses() -> dict[int, Pose]:
         return {placed.instance: placed.pose for placed in station.snapshot().objects}
 
-    perception = perceiver(words, poses)
+    perception = _perceiver(perceiver, conditions, task, library, run)(words, poses)
+    skills: Skills = Lucky(manipulation, noise, task.seed, run)
+    if conditions.ideal == "grasp":
+        skills = IdealGrasp(skills, station)
     tools = Toolshed(
         station,
         perception.detector,
-        Lucky(manipulation, noise, task.seed, run),
+        skills,
         BASKET_POSITION,
         pictures=pictures,
         finder=perception.finder,
@@ -77,6 +91,8 @@ def play(
     renderer: Renderer,
     run: int = 0,
     noise: Noise = NO_NOISE,
+    conditions: Conditions = AS_FROZEN,
+    sight: Sight | None = None,
 ) -> EpisodeRecord:
     """Let an agent that needs no pictures work on a task.
 
@@ -89,11 +105,35 @@ def play(
         renderer: Draws what the station sees; what was loaded in it is replaced.
         run: Number of the run, for the record; each has its own luck.
         noise: How far the hand errs.
+        conditions: As for set_table.
+        sight: As for set_table.
     """
-    tools, station = set_table(task, library, table, renderer, pictures=False, noise=noise, run=run)
+    sight = sight or Sight()
+    tools, station = set_table(
+        task,
+        library,
+        table,
+        renderer,
+        pictures=False,
+        noise=noise,
+        conditions=conditions,
+        sight=sight,
+        run=run,
+    )
     asked = question_of(task)
     record = run_episode(task.id, asked, agent, tools, station, agent_name=agent_name, run=run)
-    return replace(record, noise=noise)
+    return replace(record, noise=noise, conditions=conditions, sight=sight)
+
+
+def _perceiver(
+    chosen: Perceiver, conditions: Conditions, task: Task, library: Library, run: int
+) -> Perceiver:
+    """What the tools see with once dials and ideals have had their say."""
+    if conditions.ideal == "perception":
+        return ideal
+    if conditions.dials == NO_DIALS:
+        return chosen
+    return dialled(conditions.dials, task.seed, run, library.specs)
 
 
 def open_episode(
@@ -107,6 +147,6 @@ def open_episode(
 
 def score(task: Task, record: EpisodeRecord, renderer: Renderer) -> Score:
     """Grade a record without physics; the renderer must have the task's objects loaded."""
-    labels = photograph(renderer, record.scenes[-1], rgb=False).labels
+    labels = photograph(renderer, record.scenes[-1], rgb=False, camera=record.sight.camera).labels
     assert labels is not None
     return grade_episode(task, record, labels)

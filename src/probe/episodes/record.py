@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
+from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.luck import NO_NOISE, Noise
 from probe.episodes.turns import Call, Question
 from probe.scene.scene import Scene
+from probe.scene.sight import Sight
 from probe.toolshed.result import Answer, Status
 
 End = Literal["answered", "stopped", "out_of_turns", "fault"]
@@ -64,6 +66,8 @@ class EpisodeRecord:
         fault: What failed, for the end "fault".
         seconds: Timing, which no comparison takes into account.
         noise: How far the hand erred; with the task's seed and the run it gives the same luck.
+        conditions: In what the run differed from its tasks.
+        sight: From where and in which light the table was seen.
     """
 
     task: str
@@ -77,6 +81,8 @@ class EpisodeRecord:
     fault: str | None = None
     seconds: Seconds = Seconds()
     noise: Noise = NO_NOISE
+    conditions: Conditions = AS_FROZEN
+    sight: Sight = field(default_factory=Sight)
 
     @property
     def scenes(self) -> tuple[Scene, ...]:

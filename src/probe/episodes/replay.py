@@ -12,6 +12,19 @@ from probe.episodes.run import run_episode
 from probe.episodes.turns import Call, Question, Turn
 from probe.toolshed.toolshed import Toolshed
 
+_FIELDS = (
+    "task",
+    "agent",
+    "run",
+    "question",
+    "start",
+    "answer",
+    "end",
+    "fault",
+    "noise",
+    "conditions",
+    "sight",
+)
 _PARTS = ("call", "status", "text", "point_px", "after")
 
 
@@ -31,8 +44,8 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> Episo
 
     Args:
         record: What happened the first time.
-        toolshed: Fresh, over a table that stands as at the record's start, with the record's noise
-            and run.
+        toolshed: Fresh, over a table that stands as at the record's start, with the record's
+            noise, conditions, sight and run.
         witness: Tells the new record where things are.
     """
     again = run_episode(
@@ -44,16 +57,12 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> Episo
         agent_name=record.agent,
         run=record.run,
     )
-    return replace(again, noise=record.noise)
+    return replace(again, noise=record.noise, conditions=record.conditions, sight=record.sight)
 
 
 def differences(first: EpisodeRecord, second: EpisodeRecord) -> list[str]:
     """Where two records differ, timing apart; empty exactly if their bytes are the same."""
-    found = [
-        name
-        for name in ("task", "agent", "run", "question", "start", "answer", "end", "fault", "noise")
-        if getattr(first, name) != getattr(second, name)
-    ]
+    found = [name for name in _FIELDS if getattr(first, name) != getattr(second, name)]
     if len(first.steps) != len(second.steps):
         found.append(f"number of steps: {len(first.steps)} and {len(second.steps)}")
     for number, (a, b) in enumerate(zip(first.steps, second.steps, strict=False), start=1):

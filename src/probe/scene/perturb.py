@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -38,6 +39,21 @@ class PoseRange:
 
     shift: float = 0.01
     turn: float = math.radians(10)
+
+
+CameraName = Literal["fixed", "shifted", "raised", "tilted", "moved"]
+"""How a camera strays: not at all, or in the ways that VIEW_RANGES allows."""
+
+_WIDE = ViewRange()
+
+VIEW_RANGES: dict[CameraName, ViewRange] = {
+    "fixed": ViewRange(0.0, 0.0, 0.0),
+    "shifted": ViewRange(_WIDE.shift, 0.0, 0.0),
+    "raised": ViewRange(0.0, _WIDE.height, 0.0),
+    "tilted": ViewRange(0.0, 0.0, _WIDE.tilt),
+    "moved": _WIDE,
+}
+"""By name: along the table, up or down, about the line of sight's normals, or all at once."""
 
 
 def moved_view(camera: Camera, rng: np.random.Generator, within: ViewRange = ViewRange()) -> Camera:

@@ -46,7 +46,7 @@ def row_of(
         record: What happened.
         score: What it is worth by the task's rules.
         suite: Name of the suite.
-        arm: How the agent was allowed to answer.
+        arm: How the agent was allowed to answer; the row's arm says under which conditions, too.
         usage: Of the model, if there was one.
     """
     done = [step.call.name for step in record.steps if step.status in ("done", "failed")]
@@ -58,7 +58,7 @@ def row_of(
             "stratum": stratum_of(task),
             "options": len(task.options),
             "agent": record.agent,
-            "arm": arm,
+            "arm": under(arm, record),
             "run": record.run,
             "answer": _letter(record),
             "right": task.answer,
@@ -79,6 +79,12 @@ def row_of(
             **_execution(task, record, score),
         }
     )
+
+
+def under(arm: str, record: EpisodeRecord) -> str:
+    """An arm's name with the conditions of a record: under others it is another arm."""
+    label = record.conditions.label
+    return f"{arm}, {label}" if label else arm
 
 
 def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, object]:

@@ -63,7 +63,8 @@ def summarise(suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0) ->
     Raises:
         ContraryRows: Rows of another suite or of other tasks, or two results of a run.
     """
-    kept = settled(rows)
+    # Draws go by position, so that the order of rows must not matter.
+    kept = sorted(settled(rows), key=lambda row: (*row.entrant, row.task, row.run))
     for row in kept:
         if row.suite != suite:
             raise ContraryRows(row, f"it is of suite {row.suite}, not of {suite}")

@@ -8,13 +8,14 @@ from dataclasses import replace
 import numpy as np
 
 from probe.errors import ArmInView
+from probe.render.illumination import AMBIENT, Illumination
 from probe.render.renderer import Renderer
 from probe.scene.layout import top_camera
 from probe.scene.scene import PlacedObject, Scene
 from probe.station.motion import smooth
 from probe.station.station import Arm, Hand
 from probe.station.ur5 import Gripper, Ur5
-from probe.types import Array, Frame
+from probe.types import Array, Camera, Frame
 from probe.world.world import TIME_STEP, World
 
 PEAK_SPEED = np.radians(90.0)
@@ -27,19 +28,35 @@ _CHECK_EVERY = 5
 _STILL = 0.004
 _GRIP_TIME = 2.5
 _GRIP_STILL = 2e-4
+_FALL_TIME = 4.0
 
 
 class SimulatedStation:
     """A Station in simulation. The renderer must have the scene's objects loaded.
 
-    Only this one has snapshot(): no skill and no tool can ask a Station for the truth.
+    Only this one has snapshot() and take_away(): no tool can ask a Station for the truth, or
+    change it without the arm.
+
+    Args:
+        world: What the arm moves.
+        renderer: What the camera sees with.
+        camera: Where it stands; by default the fixed top-down one.
+        light: Of colour pictures.
     """
 
-    def __init__(self, world: World, renderer: Renderer) -> None:
+    def __init__(
+        self,
+        world: World,
+        renderer: Renderer,
+        camera: Camera | None = None,
+        light: Illumination = AMBIENT,
+    ) -> None:
         self.arm: Arm = Ur5()
         self.hand: Hand = Gripper()
         self._world = world
         self._renderer = renderer
+        self._camera = camera or top_camera()
+        self._light = light
         self._goal = world.joints
         self._alone_px: dict[PlacedObject, int] = {}
 
@@ -52,7 +69,7 @@ class SimulatedStation:
         if np.abs(self._world.joints - self.arm.parked).max() > BLOCKED:
             raise ArmInView
         objects = self._world.scene().objects
-        frame = self._renderer.draw(objects, top_camera(), rgb=rgb)
+        frame = self._renderer.draw(objects, self._camera, rgb=rgb, light=self._light)
         assert frame.labels is not None
         shown = set(np.unique(frame.labels).tolist()) - {0}
         outlines = self._alone([placed for placed in objects if placed.instance in shown])
@@ -63,6 +80,11 @@ class SimulatedStation:
     def snapshot(self) -> Scene:
         """The table as it really is."""
         return self._world.scene()
+
+    def take_away(self, instance: int) -> None:
+        """Put an object into the basket as by magic; what leaned on it comes to rest."""
+        self._world.take_away(instance)
+        self.wait(_FALL_TIME)
 
     def joints(self) -> Array:
         """Joint angles as measured, radians, shape (6,)."""
@@ -109,7 +131,7 @@ class SimulatedStation:
         """Pixels of each object if it stood there alone; drawn anew only for what has moved."""
         new = [placed for placed in objects if placed not in self._alone_px]
         if new:
-            outlines = self._renderer.outlines(new, top_camera())
+            outlines = self._renderer.outlines(new, self._camera)
             for placed in new:
                 self._alone_px[placed] = int(np.count_nonzero(outlines[placed.instance]))
         return {placed.instance: self._alone_px[placed] for placed in objects}

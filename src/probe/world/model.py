@@ -24,6 +24,9 @@ from probe.world.robot.robot import BASE_POSE, add_robot
 TIME_STEP = 0.003
 """Seconds; contacts of 20 g objects stay stable up to here."""
 
+GHOST_BIT = 4
+"""Bit of the contact masks for what was taken away by magic: the basket alone is solid to it."""
+
 WALL_HEIGHT = 0.6
 _WALL_THICKNESS = 0.05
 _TABLE_THICKNESS = 0.10
@@ -143,6 +146,7 @@ def add_basket(spec: mujoco.MjSpec) -> None:
     ]
     for name, centre, size in sides:
         _add_fixed_box(spec, f"basket/{name}", centre, size)
+        spec.geom(f"basket/{name}").conaffinity = 1 | GHOST_BIT
 
 
 def build_pile(items: Sequence[Item], posts: Sequence[Post] = ()) -> mujoco.MjModel:

@@ -9,12 +9,18 @@ import mujoco
 import numpy as np
 
 from probe.assets.library import Library
+from probe.scene.layout import BASKET_POSITION
 from probe.scene.scene import PlacedObject, Scene
 from probe.types import Array, Pose
-from probe.world.model import TIME_STEP, Item, build_cell
+from probe.world.model import GHOST_BIT, TIME_STEP, Item, build_cell
 from probe.world.robot.arm_model import servo_command
 from probe.world.robot.gripper import joint_for, opening
 from probe.world.robot.robot import ARM_JOINTS, GRIPPER_DRIVE, GRIPPER_JOINT, PARKED
+
+_ABOVE = 0.02
+"""Metres over the basket's floor at which something that is taken away is let go."""
+
+_NEAR = 0.005
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +47,10 @@ class World:
         self._grip_drive = int(self._model.actuator(GRIPPER_DRIVE).id)
         self._object_qpos = {
             item.instance: int(self._model.joint(item.name).qposadr[0]) for item in items
+        }
+        self._corners = {
+            item.instance: np.concatenate([piece.vertices for piece in item.body.pieces])
+            for item in items
         }
         self._data.qpos[self._arm_qpos] = PARKED
         self._data.ctrl[self._arm_servo] = PARKED
@@ -81,6 +91,25 @@ class World:
         ]
         return max(speeds, default=0.0)
 
+    def take_away(self, instance: int) -> None:
+        """Move an object into the basket, where nothing touches it any more.
+
+        What it touched wakes up and falls from now on.
+        """
+        for other in self._object_qpos:
+            if other != instance and self._are_near(instance, other):
+                # A sleeping body only notices that it may fall when it moves.
+                self._data.qvel[self._dof(other) + 2] -= 1e-6
+        body = int(self._model.body(f"object/{instance}").id)
+        geoms = self._model.geom_bodyid == body
+        self._model.geom_contype[geoms], self._model.geom_conaffinity[geoms] = GHOST_BIT, 0
+        low, high = self._bounds(instance)
+        middle = np.array([*(low + high)[:2] / 2, low[2]])
+        at, dof = self._object_qpos[instance], self._dof(instance)
+        self._data.qpos[at : at + 3] += np.add(BASKET_POSITION, (0.0, 0.0, _ABOVE)) - middle
+        self._data.qvel[dof : dof + 6] = (0.0, 0.0, -1e-6, 0.0, 0.0, 0.0)
+        mujoco.mj_forward(self._model, self._data)
+
     def scene(self) -> Scene:
         """The table as it is now."""
         objects = tuple(
@@ -98,6 +127,19 @@ class World:
     def restore(self, snapshot: Snapshot) -> None:
         """Go back to a saved state of this world."""
         mujoco.mj_copyData(self._data, self._model, snapshot.data)
+
+    def _are_near(self, one: int, other: int) -> bool:
+        """Whether the boxes around two objects meet."""
+        (low, high), (other_low, other_high) = self._bounds(one), self._bounds(other)
+        return bool((low < other_high + _NEAR).all() and (other_low < high + _NEAR).all())
+
+    def _bounds(self, instance: int) -> tuple[Array, Array]:
+        """Lowest and highest corner of the collision shape, each of shape (3,)."""
+        corners = self._pose(instance).apply(self._corners[instance])
+        return corners.min(axis=0), corners.max(axis=0)
+
+    def _dof(self, instance: int) -> int:
+        return int(self._model.joint(f"object/{instance}").dofadr[0])
 
     def _pose(self, instance: int) -> Pose:
         at = self._object_qpos[instance]

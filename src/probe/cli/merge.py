@@ -1,0 +1,20 @@
+"""`probe merge`: shards of a run become one run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from probe.runs.merge import merge_folders
+
+
+def merge(parts: Annotated[tuple[Path, ...], tyro.conf.Positional], out: Path) -> None:
+    """Join folders of records that `probe run --shard` wrote.
+
+    Args:
+        parts: The folders; none may hold an episode that another holds.
+        out: Folder for all of them; a new one.
+    """
+    print(f"{merge_folders(parts, out)} records are in {out}; `probe report {out}` shows them.")

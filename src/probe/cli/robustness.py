@@ -1,0 +1,96 @@
+"""`probe robustness`: a run against the same tasks under other conditions, task by task."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated
+
+import pydantic
+import tyro
+from rich.console import Console
+from rich.table import Table
+
+from probe.cli.rescore import arm_of
+from probe.cli.run import graded
+from probe.episodes.folder import SUITE
+from probe.errors import BadData
+from probe.files import write_text
+from probe.runs.variation import read_variation
+from probe.scores.marking import row_of
+from probe.scores.robustness import Shift, shifts
+from probe.scores.row import Row
+from probe.tasks.suite_file import read_suite
+
+
+def robustness(
+    plain: Annotated[Path, tyro.conf.Positional],
+    others: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    out: Path = Path("outputs/robustness.json"),
+) -> None:
+    """Compare a run with runs of the same tasks under other conditions.
+
+    Args:
+        plain: Folder of a run of the tasks as they were frozen.
+        others: Folders of runs with other light, camera, table top, small moves, or an ideal tool.
+        out: File for the figures.
+    """
+    label, rows = _graded(plain)
+    if label:
+        raise BadData(plain, f"was run under other conditions ({label})", "Name a plain run first")
+    found: dict[str, list[Row]] = {}
+    broken: dict[str, frozenset[str]] = {}
+    for folder in others:
+        label, mine = _graded(folder)
+        if not label or label in found:
+            reason = "is a second run under " + (label or "no other conditions")
+            raise BadData(folder, reason, "Name each conditions' run once")
+        found[label] = mine
+        variation = read_variation(folder)
+        broken[label] = frozenset(variation.notes if variation else ())
+    made = shifts(rows, found, broken)
+    text = pydantic.TypeAdapter(list[Shift]).dump_json(made, indent=1).decode()
+    write_text(out, text + "\n")
+    console = Console()
+    console.print(_table(made))
+    for each in made:
+        console.print(_line(each), highlight=False)
+    print(f"p is corrected for {len(made)} comparisons. All figures are in {out}.")
+
+
+def _graded(folder: Path) -> tuple[str, list[Row]]:
+    """The conditions of a folder's records, in words, and its rows."""
+    name = read_suite(folder / SUITE).name
+    labels, rows = set[str](), list[Row]()
+    for task, record, score in graded(folder):
+        labels.add(record.conditions.label)
+        rows.append(row_of(task, record, score, suite=name, arm=arm_of(record.agent)))
+    if len(labels) != 1:
+        raise BadData(folder, f"holds runs under {len(labels)} conditions", "Name another folder")
+    return labels.pop(), rows
+
+
+def _table(made: Iterable[Shift]) -> Table:
+    table = Table("agent", "under", "n", "plain", "so", "points", "95 %", "p")
+    for it in made:
+        pair = it.pair
+        table.add_row(
+            pair.first.agent,
+            it.conditions,
+            str(pair.tasks),
+            f"{it.plain:.1%}",
+            f"{it.other:.1%}",
+            f"{100 * pair.difference:+.1f}",
+            f"{100 * pair.student.low:+.0f} to {100 * pair.student.high:+.0f}",
+            f"{pair.adjusted:.2g}",
+        )
+    return table
+
+
+def _line(it: Shift) -> str:
+    """What must stand beside the table, in words."""
+    alone = "" if it.certified is None else f", difference {100 * it.certified:+.1f} points"
+    return (
+        f"{it.pair.first.agent}, {it.conditions}: n = {it.pair.tasks} tasks, of which "
+        f"{it.certified_tasks} still are what was certified{alone}; {it.missing} rows missing"
+    )

@@ -1,0 +1,80 @@
+"""Conditions and sight of an episode on disk, as parts of its record."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, replace
+
+import pydantic
+
+from probe.episodes.conditions import Conditions, Ideal, LightKind, TableKind
+from probe.perception.dials import Dials
+from probe.scene.layout import top_camera
+from probe.scene.lighting import Lighting
+from probe.scene.perturb import CameraName
+from probe.scene.sight import Sight
+from probe.types import Pose, Quaternion, Vector3
+
+
+class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
+    pass
+
+
+class DialsDocument(_Document):
+    """Rates of the oracle's errors."""
+
+    over: float = 0.0
+    under: float = 0.0
+    missed: float = 0.0
+    hallucinated: float = 0.0
+
+
+class ConditionsDocument(_Document):
+    """In what the run differed from its tasks; by default in nothing. The jitter is in metres."""
+
+    lighting: LightKind = "ambient"
+    camera: CameraName = "fixed"
+    table: TableKind = "own"
+    pose_jitter: float = 0.0
+    dials: DialsDocument = DialsDocument()
+    ideal: Ideal = "none"
+
+    @staticmethod
+    def of(conditions: Conditions) -> ConditionsDocument:
+        """The document of conditions."""
+        return ConditionsDocument.model_validate(asdict(conditions))
+
+    def conditions(self) -> Conditions:
+        """The conditions it describes."""
+        rates = self.dials
+        return Conditions(
+            lighting=self.lighting,
+            camera=self.camera,
+            table=self.table,
+            pose_jitter=self.pose_jitter,
+            dials=Dials(rates.over, rates.under, rates.missed, rates.hallucinated),
+            ideal=self.ideal,
+        )
+
+
+class SightDocument(_Document):
+    """Pose of the camera (world_from_camera) and the light, if they weren't the usual ones."""
+
+    position: Vector3
+    wxyz: Quaternion
+    lighting: str
+    yaw: float
+
+    @staticmethod
+    def of(sight: Sight) -> SightDocument | None:
+        """The document of a sight; None for the usual one."""
+        if sight == Sight():
+            return None
+        pose, light = sight.camera.world_from_camera, sight.lighting
+        return SightDocument(
+            position=pose.position, wxyz=pose.wxyz, lighting=light.name, yaw=light.yaw
+        )
+
+    def sight(self) -> Sight:
+        """The sight it describes."""
+        camera = replace(top_camera(), world_from_camera=Pose(self.position, self.wxyz))
+        return Sight(camera, Lighting(self.lighting, self.yaw))

@@ -1,0 +1,1 @@
+"""Many episodes: which, in how many processes, under which conditions. Grades nothing."""

@@ -1,0 +1,64 @@
+"""Joins folders of records about one suite, run under one set of conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from probe.episodes.files import read_records, write_records
+from probe.episodes.folder import RECORDS, SUITE, in_order
+from probe.episodes.record import EpisodeRecord
+from probe.errors import BadData
+from probe.runs.variation import read_variation, write_variation
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import read_suite, write_suite
+
+
+def merge_folders(parts: Sequence[Path], out: Path) -> int:
+    """Write the records of several folders into a new one, in order of tasks; returns how many.
+
+    Raises:
+        BadData: They are about different suites, were run under different conditions, an episode
+            is in two of them, one can't be read, or the new folder isn't new.
+        OutputFailed: It can't be written.
+    """
+    if (out / SUITE).exists() or (out / RECORDS).exists():
+        raise BadData(out, "holds a run", "Choose a new folder")
+    suite = read_suite(parts[0] / SUITE)
+    found: dict[tuple[str, str, int], Path] = {}
+    first: EpisodeRecord | None = None
+    kept = list[EpisodeRecord]()
+    for part in parts:
+        _check_suite(part, suite)
+        records = in_order(read_records(part / RECORDS), suite)
+        for record in records:
+            first = first or record
+            _check(part, record, first, found)
+        kept += records
+    variation = read_variation(parts[0])
+    if variation is not None:
+        write_variation(out, variation)
+    write_suite(out / SUITE, suite)
+    write_records(out / RECORDS, in_order(kept, suite))
+    return len(kept)
+
+
+def _check_suite(part: Path, suite: Suite) -> None:
+    if read_suite(part / SUITE) != suite:
+        raise BadData(part / SUITE, "is another suite", "Merge runs of one suite")
+
+
+def _check(
+    part: Path,
+    record: EpisodeRecord,
+    first: EpisodeRecord,
+    found: dict[tuple[str, str, int], Path],
+) -> None:
+    """Refuse a record that doesn't go with those before it; note it otherwise."""
+    if (record.noise, record.conditions) != (first.noise, first.conditions):
+        raise BadData(part, "was run under other conditions", "Merge runs under the same ones")
+    key = record.task, record.agent, record.run
+    if key in found:
+        reason = f"{record.task}, {record.agent}, run {record.run} is in {found[key]} too"
+        raise BadData(part, reason, "Leave one of the two out")
+    found[key] = part

@@ -1,0 +1,64 @@
+"""Which episodes a run consists of, and which of them one machine does. Data only."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from probe.episodes.conditions import AS_FROZEN, Conditions
+from probe.episodes.luck import NO_NOISE, Noise
+from probe.tasks.task import Task
+
+
+@dataclass(frozen=True)
+class Job:
+    """One episode to be run.
+
+    Attributes:
+        task: What is asked.
+        run: Which of the agent's runs at it this is.
+    """
+
+    task: Task
+    run: int
+
+
+@dataclass(frozen=True)
+class Shard:
+    """Part of a run: of every `count` episodes the one with this number, from 0."""
+
+    number: int = 0
+    count: int = 1
+
+    def of(self, jobs: Sequence[Job]) -> list[Job]:
+        """The episodes that belong to it; all shards together are all episodes, each once."""
+        return list(jobs[self.number :: self.count])
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is to be run.
+
+    Attributes:
+        agent: Name of who acts.
+        runs: Episodes of each task.
+        noise: How far the hand errs.
+        conditions: In what episodes differ from their tasks.
+        shard: Which part of them.
+    """
+
+    agent: str
+    runs: int = 1
+    noise: Noise = NO_NOISE
+    conditions: Conditions = AS_FROZEN
+    shard: Shard = Shard()
+
+    def jobs(self, tasks: Sequence[Task], done: Collection[tuple[str, str, int]] = ()) -> list[Job]:
+        """What is left to do, in order of task and run.
+
+        Args:
+            tasks: Of the suite.
+            done: Task, agent and run of episodes that needn't be run again.
+        """
+        mine = self.shard.of([Job(task, run) for task in tasks for run in range(self.runs)])
+        return [job for job in mine if (job.task.id, self.agent, job.run) not in done]

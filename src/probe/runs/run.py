@@ -1,0 +1,100 @@
+"""Runs what a folder lacks of an order: who did what is in the records, which come as they end."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from probe.episodes.files import line_of, read_records, set_aside_cut
+from probe.episodes.folder import RECORDS, SUITE, add_line, reserved
+from probe.episodes.record import EpisodeRecord
+from probe.errors import BadData
+from probe.runs.crew import Lost, carry_out
+from probe.runs.plan import Job, Order
+from probe.runs.work import Workplace, failed
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import read_suite, write_suite
+
+
+@dataclass(frozen=True)
+class Beginning:
+    """How a run finds its folder.
+
+    Attributes:
+        jobs: What is left to do.
+        done: How much of the order has been done before.
+        cut: Where a record that was cut off has been put; None if none was.
+    """
+
+    jobs: tuple[Job, ...]
+    done: int
+    cut: Path | None
+
+
+@contextmanager
+def begun(out: Path, suite: Suite, order: Order) -> Generator[Beginning]:
+    """Make or take up a folder, for this process alone; nothing is changed if it is refused.
+
+    Raises:
+        BadData: It is about another suite, was run under other conditions, can't be read, or
+            another run is at work there.
+        OutputFailed: It can't be written.
+    """
+    _check_suite(out, suite)
+    _check_settings(out / RECORDS, _earlier(out), order)
+    if not (out / SUITE).exists():
+        write_suite(out / SUITE, suite)
+    with reserved(out):
+        cut = set_aside_cut(out / RECORDS)
+        earlier = _earlier(out)
+        done = {(it.task, it.agent, it.run) for it in earlier if it.end != "fault"}
+        jobs = order.jobs(suite.tasks, done)
+        yield Beginning(tuple(jobs), len(order.jobs(suite.tasks)) - len(jobs), cut)
+
+
+def work(
+    out: Path, jobs: Sequence[Job], place: Workplace, workers: int
+) -> Generator[tuple[Job, str | None]]:
+    """Run episodes and add their records; yields each with our fault, if it came to nothing.
+
+    Raises:
+        OutputFailed: The disk is full; all records that are there are whole.
+        WorkerUnfit: A worker couldn't be set up.
+        WorkerDied: Workers die before they begin.
+    """
+    results = carry_out(place, jobs, workers)
+    try:
+        for job, result in results:
+            if isinstance(result, Lost):
+                result = line_of(failed(job, place.order, result.reason))
+            add_line(out, result)
+            yield job, _fault(result)
+    finally:
+        results.close()
+
+
+def _check_suite(out: Path, suite: Suite) -> None:
+    if (out / SUITE).exists() and read_suite(out / SUITE) != suite:
+        raise BadData(out / SUITE, "is another suite", "Choose another folder")
+
+
+def _check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) -> None:
+    for record in earlier:
+        if record.noise != order.noise:
+            raise BadData(path, "was run with another noise", "Choose another folder")
+        if record.conditions != order.conditions:
+            was = record.conditions.label or "none"
+            reason = f"was run under other conditions ({was})"
+            raise BadData(path, reason, "Choose another folder")
+
+
+def _earlier(out: Path) -> list[EpisodeRecord]:
+    path = out / RECORDS
+    return read_records(path, whole=False) if path.exists() else []
+
+
+def _fault(line: bytes) -> str | None:
+    return json.loads(line)["fault"]

@@ -1,0 +1,90 @@
+"""What a folder's suite was varied from, and what is amiss with which task; a file beside it."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import pydantic
+
+from probe.episodes.conditions import Conditions
+from probe.episodes.folder import SUITE
+from probe.errors import BadData
+from probe.files import read_document, write_text
+from probe.runs.vary import Varied
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import TaskDocument, read_suite, write_suite
+
+VARIATION = "variation.json"
+
+
+class Variation(pydantic.BaseModel, frozen=True, extra="forbid"):
+    """How a folder's tasks came about.
+
+    Attributes:
+        base: Digest of the suite that was varied.
+        conditions: In a few words.
+        notes: What is amiss, by task.
+    """
+
+    base: str
+    conditions: str
+    notes: dict[str, str]
+
+
+def read_variation(out: Path) -> Variation | None:
+    """The variation of a folder; None if its tasks are as they were frozen.
+
+    Raises:
+        BadData: It can't be read.
+    """
+    path = out / VARIATION
+    return read_document(path, Variation, "Choose another folder") if path.exists() else None
+
+
+def write_variation(out: Path, variation: Variation) -> None:
+    """Write down how a folder's tasks came about.
+
+    Raises:
+        OutputFailed: It can't be written.
+    """
+    write_text(out / VARIATION, variation.model_dump_json(indent=1) + "\n")
+
+
+def earlier(out: Path, base: Suite, conditions: Conditions) -> Suite | None:
+    """The varied suite of a folder that was begun before; None if there is none yet.
+
+    Raises:
+        BadData: The folder is about another suite, or other conditions.
+    """
+    known = read_variation(out)
+    if known is None and (out / SUITE).exists():
+        raise BadData(out, "was run under other conditions", "Choose another folder")
+    if known is None or not (out / SUITE).exists():
+        return None
+    if (known.base, known.conditions) != (_digest(base), conditions.label):
+        reason = f"is about another suite or other conditions ({known.conditions})"
+        raise BadData(out, reason, "Choose another folder")
+    return read_suite(out / SUITE)
+
+
+def keep_varied(out: Path, base: Suite, conditions: Conditions, made: Sequence[Varied]) -> Suite:
+    """Write down tasks that were varied, and what is amiss with them.
+
+    Raises:
+        OutputFailed: They can't be written.
+    """
+    suite = replace(base, tasks=tuple(each.task for each in made))
+    notes = {each.task.id: each.note for each in made if each.note}
+    known = Variation(base=_digest(base), conditions=conditions.label, notes=notes)
+    # A folder with a suite is a begun one: what says where that is from has to be there first.
+    write_variation(out, known)
+    write_suite(out / SUITE, suite)
+    return suite
+
+
+def _digest(suite: Suite) -> str:
+    lines = [f"{task.id} {TaskDocument.of(task).digest()}" for task in suite.tasks]
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()

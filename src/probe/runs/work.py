@@ -1,0 +1,96 @@
+"""What a worker process does: episode after episode, with its own library and renderer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from probe.assets.library import Library
+from probe.assets.tables import load_table
+from probe.episodes.files import line_of
+from probe.episodes.grading import question_of
+from probe.episodes.play import play
+from probe.episodes.record import EpisodeRecord, Table
+from probe.episodes.turns import Agent
+from probe.render.renderer import Renderer
+from probe.runs.crew import TRIES
+from probe.runs.plan import Job, Order
+from probe.runs.sights import sight_of
+from probe.station.ur5 import Ur5
+from probe.tasks.task import Task
+
+AgentOf = Callable[[str, Task, int], Agent]
+"""A fresh agent by its name, for a task and the number of a run; a function of a module."""
+
+
+@dataclass(frozen=True)
+class Workplace:
+    """All that a worker is told.
+
+    Attributes:
+        order: What is to be run.
+        library: Opens the objects; a value that can be sent to another process.
+        agent_of: Makes agents.
+        cache: Folder for prepared light.
+    """
+
+    order: Order
+    library: Callable[[], Library]
+    agent_of: AgentOf
+    cache: Path | None = None
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[Job], bytes]]:
+        """Open the library and start a renderer; gives what runs an episode to a record's line."""
+        things = self.library()
+        with Renderer(self.cache) as renderer:
+            yield partial(self._line, things, renderer)
+
+    def _line(self, things: Library, renderer: Renderer, job: Job) -> bytes:
+        """The record of an episode; one that failed on our side is begun anew, TRIES times."""
+        record = self._attempt(job, things, renderer)
+        for _ in range(TRIES - 1):
+            if record.end != "fault":
+                break
+            record = self._attempt(job, things, renderer)
+        return line_of(record)
+
+    def _attempt(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
+        order, task = self.order, job.task
+        try:
+            return play(
+                task,
+                self.agent_of(order.agent, task, job.run),
+                order.agent,
+                things,
+                load_table(task.scene.table, things.assets),
+                renderer,
+                job.run,
+                order.noise,
+                order.conditions,
+                sight_of(task, order.conditions, things.assets),
+            )
+        except Exception as error:
+            # Whatever it is, it costs this episode alone and is told in its record.
+            return failed(job, order, f"{type(error).__name__}: {error}")
+
+
+def failed(job: Job, order: Order, reason: str) -> EpisodeRecord:
+    """The record of an episode that never got anywhere, through our fault."""
+    start = Table(job.task.scene, tuple(float(angle) for angle in Ur5().parked))
+    return EpisodeRecord(
+        task=job.task.id,
+        agent=order.agent,
+        run=job.run,
+        question=question_of(job.task),
+        start=start,
+        steps=(),
+        answer=None,
+        end="fault",
+        fault=reason,
+        noise=order.noise,
+        conditions=order.conditions,
+    )

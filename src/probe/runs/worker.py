@@ -1,0 +1,58 @@
+"""What a worker process does until nobody asks any more. Knows no siblings and no episodes."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from collections.abc import Callable
+from contextlib import AbstractContextManager, ExitStack, suppress
+from dataclasses import dataclass
+from multiprocessing import parent_process
+from multiprocessing.connection import Connection, wait
+from typing import TypeVar
+
+from probe.errors import ProbeError
+
+Job = TypeVar("Job")
+
+Opening = Callable[[], AbstractContextManager[Callable[[Job], bytes]]]
+"""Sets a worker up and gives what does a job; it is sent to the worker, so it has to be of a
+module or a value of such a class. What the doing raises is a fault of this program."""
+
+
+@dataclass(frozen=True)
+class Ready:
+    """A worker's first message, with the reason if it can't work; later ones are results."""
+
+    problem: str | None = None
+
+
+def serve(opening: Opening[Job], pipe: Connection) -> None:
+    """Set up once, then do job after job; the function that a worker process runs.
+
+    Args:
+        opening: Sets it up.
+        pipe: Jobs come from there and results go there, the first of them whether it can work.
+    """
+    # Ctrl-C reaches every process of a terminal; the parent alone decides what it means.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    with ExitStack() as stack:
+        try:
+            carry = stack.enter_context(opening())
+        except ProbeError as error:
+            pipe.send(Ready(str(error)))
+            return
+        with suppress(EOFError, BrokenPipeError):
+            pipe.send(Ready())
+            while True:
+                pipe.send(carry(pipe.recv()))
+
+
+def _end_with_parent() -> None:
+    """End this process when its parent is gone, even if that was killed."""
+    parent = parent_process()
+    assert parent is not None
+    wait([parent.sentinel])
+    os._exit(1)

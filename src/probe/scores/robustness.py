@@ -1,0 +1,122 @@
+"""The same entrants on the same tasks under other conditions: differences by pairs of rows."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+from probe.errors import ProbeError
+from probe.scores.estimates import macro
+from probe.scores.missing import present, settled
+from probe.scores.pairs import Pair, Results, family
+from probe.scores.row import Entrant, Row
+from probe.scores.units import Unit, by_entrant, strata_of, units_of
+
+
+class NoCounterpart(ProbeError):
+    """Nobody was run under both conditions."""
+
+    def __init__(self, label: str) -> None:
+        super().__init__(
+            f"No agent of the run under {label!r} is in the plain run. Run the same agent on both."
+        )
+
+
+@dataclass(frozen=True)
+class Shift:
+    """What other conditions do to one entrant.
+
+    Attributes:
+        conditions: In a few words.
+        pair: Under them, less as frozen; on tasks that have results both ways.
+        plain, other: Both macro averages, on those tasks.
+        certified: The difference on the tasks whose rules still hold; None if none of them does.
+        certified_tasks: How many these are.
+        missing: Rows that failed on our side, of both.
+    """
+
+    conditions: str
+    pair: Pair
+    plain: float
+    other: float
+    certified: float | None
+    certified_tasks: int
+    missing: int
+
+
+def shifts(
+    plain: Sequence[Row],
+    others: Mapping[str, Sequence[Row]],
+    broken: Mapping[str, Collection[str]],
+    seed: int = 0,
+) -> list[Shift]:
+    """Each entrant under each of several conditions against itself as frozen, as one family.
+
+    Args:
+        plain: Rows of the tasks as they were frozen.
+        others: By the conditions' label, rows of the same tasks under them.
+        broken: By the same, tasks that are no longer what was certified.
+        seed: Of the draws.
+
+    Raises:
+        NoCounterpart: An agent is on one side alone.
+        NothingShared: Both sides have no task in common.
+    """
+    results: dict[Entrant, list[Unit]] = {}
+    pairs: dict[tuple[Entrant, Entrant], str] = {}
+    base = by_entrant(settled(plain))
+    results |= {entrant: units_of(present(rows)) for entrant, rows in base.items()}
+    missing = {entrant: _missing(rows) for entrant, rows in base.items()}
+    for label, rows in others.items():
+        found = by_entrant(settled(rows))
+        results |= {entrant: units_of(present(some)) for entrant, some in found.items()}
+        missing |= {entrant: _missing(some) for entrant, some in found.items()}
+        mine = {entrant: _counterpart(entrant, label, base) for entrant in found}
+        pairs |= {(it, other): label for it, other in mine.items() if other is not None}
+        if label not in pairs.values():
+            raise NoCounterpart(label)
+    compared = family(results, pairs, seed)
+    return [
+        _shift(label, pair, results, broken.get(label, ()), missing)
+        for pair, label in zip(compared, pairs.values(), strict=True)
+    ]
+
+
+def _counterpart(entrant: Entrant, label: str, base: Mapping[Entrant, object]) -> Entrant | None:
+    plain = Entrant(entrant.agent, entrant.arm.removesuffix(f", {label}"))
+    return plain if plain in base and plain != entrant else None
+
+
+def _shift(
+    label: str,
+    pair: Pair,
+    results: Results,
+    broken: Collection[str],
+    missing: Mapping[Entrant, int],
+) -> Shift:
+    first, second = _shared(results[pair.first], results[pair.second])
+    held = [
+        Unit(one.task, one.kind, (one.mean - other.mean,))
+        for one, other in zip(first, second, strict=True)
+        if one.task not in broken
+    ]
+    return Shift(
+        conditions=label,
+        pair=pair,
+        plain=macro(strata_of(second)),
+        other=macro(strata_of(first)),
+        certified=macro(strata_of(held)) if held else None,
+        certified_tasks=len(held),
+        missing=missing[pair.first] + missing[pair.second],
+    )
+
+
+def _shared(ones: Sequence[Unit], others: Sequence[Unit]) -> tuple[list[Unit], list[Unit]]:
+    """Units of the tasks that both have, in the same order."""
+    theirs = {unit.task: unit for unit in others}
+    shared = [unit for unit in ones if unit.task in theirs]
+    return shared, [theirs[unit.task] for unit in shared]
+
+
+def _missing(rows: Sequence[Row]) -> int:
+    return sum(row.missing for row in rows)

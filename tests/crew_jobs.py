@@ -1,0 +1,61 @@
+"""Jobs for worker processes, which have to be able to import them."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from probe.errors import ProbeError
+from probe.runs.plan import Job
+from probe.runs.work import Workplace
+
+
+@dataclass(frozen=True)
+class Bench:
+    """A workplace whose jobs are words: what to do, and with which file.
+
+    Attributes:
+        notes: Folder in which each begun job leaves a file with its process's id.
+        unfit: It can't be set up.
+        stillborn: It dies while it is set up.
+    """
+
+    notes: Path
+    unfit: bool = False
+    stillborn: bool = False
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[str], bytes]]:
+        if self.unfit:
+            raise ProbeError("no tools here")
+        if self.stillborn:
+            os.kill(os.getpid(), signal.SIGKILL)
+        yield self.do
+        (self.notes / f"closed-{os.getpid()}").touch()
+
+    def do(self, job: str) -> bytes:
+        """Note that the job was begun, then do it."""
+        begun = self.notes / f"begun-{job}"
+        earlier = begun.read_text().split() if begun.exists() else []
+        begun.write_text(" ".join([*earlier, str(os.getpid())]))
+        if job == "deadly" or (job == "unlucky" and not earlier):
+            os.kill(os.getpid(), signal.SIGKILL)
+        if job == "leaving":
+            os._exit(3)
+        if job == "long":
+            time.sleep(60)
+        return f"{job} done".encode()
+
+
+@dataclass(frozen=True)
+class Deadly(Workplace):
+    """A workplace where every episode kills the worker."""
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[Job], bytes]]:
+        yield lambda job: os.kill(os.getpid(), signal.SIGKILL) or b""

@@ -1,0 +1,78 @@
+from dataclasses import replace
+
+import pytest
+
+from probe.episodes.conditions import Conditions
+from probe.episodes.files import read_records, write_records
+from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.luck import NOISES
+from probe.episodes.record import EpisodeRecord, Table
+from probe.episodes.turns import Question
+from probe.errors import BadData
+from probe.runs.merge import merge_folders
+from probe.scene.scene import Scene
+from probe.tasks.suite_file import demo_suite, read_suite, write_suite
+
+DEMO = demo_suite()
+TABLE = Table(Scene(0, "oak", ()), (0.0,) * 6)
+
+
+def record(task: int, **changes) -> EpisodeRecord:
+    asked = Question("What?", ())
+    made = EpisodeRecord(DEMO.tasks[task].id, "a", 0, asked, TABLE, (), None, "stopped")
+    return replace(made, **changes)
+
+
+@pytest.fixture
+def folders(tmp_path):
+    """A function that makes a folder of each list of records."""
+
+    def make(*parts, suites=(DEMO, DEMO)):
+        paths = [tmp_path / str(number) for number in range(len(parts))]
+        for path, records, suite in zip(paths, parts, suites, strict=True):
+            write_suite(path / SUITE, suite)
+            write_records(path / RECORDS, records)
+        return paths
+
+    return make
+
+
+def test_records_come_in_the_order_of_tasks(folders, tmp_path):
+    fault = record(0, end="fault", fault="gone")
+    parts = folders([record(2), fault, record(0, run=1)], [record(3), record(1)])
+    assert merge_folders(parts, tmp_path / "out") == 5
+    kept = read_records(tmp_path / "out" / RECORDS)
+    assert kept == [fault, record(0, run=1), record(1), record(2), record(3)]
+    assert read_suite(tmp_path / "out" / SUITE) == DEMO
+
+
+def test_a_fault_gives_way_to_its_repetition(folders, tmp_path):
+    parts = folders([record(0, end="fault", fault="gone"), record(0)], [record(1)])
+    assert merge_folders(parts, tmp_path / "out") == 2
+    assert read_records(tmp_path / "out" / RECORDS) == [record(0), record(1)]
+
+
+@pytest.mark.parametrize(
+    ("other", "words"),
+    [
+        (record(0), "a, run 0 is in .*/0 too"),
+        (record(1, noise=NOISES["paper"]), "run under other conditions"),
+        (record(1, conditions=Conditions(lighting="hdri")), "run under other conditions"),
+    ],
+)
+def test_what_does_not_go_together_is_refused(folders, tmp_path, other, words):
+    with pytest.raises(BadData, match=words):
+        merge_folders(folders([record(0)], [other]), tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_other_suites_are_refused(folders, tmp_path):
+    parts = folders([record(0)], [record(1)], suites=(DEMO, replace(DEMO, name="other")))
+    with pytest.raises(BadData, match="is another suite"):
+        merge_folders(parts, tmp_path / "out")
+
+
+def test_only_a_new_folder_will_do(folders):
+    parts = folders([record(0)], [record(1)])
+    with pytest.raises(BadData, match="holds a run"):
+        merge_folders(parts, parts[0])

@@ -1,0 +1,59 @@
+"""Episodes that fail on our side: tried three times, then missing in words."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+import pytest
+
+from crew_jobs import Deadly
+from probe.episodes.conditions import Conditions
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS
+from probe.episodes.grading import question_of
+from probe.runs.plan import Job, Order
+from probe.runs.run import work
+from probe.runs.work import Workplace
+from probe.station.ur5 import Ur5
+from probe.tasks.suite_file import demo_suite
+
+TASK = demo_suite().tasks[0]
+ORDER = Order("anna", conditions=Conditions(ideal="grasp"))
+NOWHERE = cast(Any, None)
+
+
+class Broken:
+    """Agents that can't be made; counts how often somebody asked for one."""
+
+    def __init__(self) -> None:
+        self.asked: list[tuple[str, str, int]] = []
+
+    def agent(self, name, task, run):
+        self.asked.append((name, task.id, run))
+        raise ValueError("no such agent")
+
+
+def test_an_episode_that_fails_is_tried_three_times(tmp_path):
+    broken = Broken()
+    place = Workplace(ORDER, NOWHERE, broken.agent)
+    (tmp_path / RECORDS).write_bytes(place._line(NOWHERE, NOWHERE, Job(TASK, 2)))
+    assert broken.asked == [("anna", TASK.id, 2)] * 3
+    (record,) = read_records(tmp_path / RECORDS)
+    assert (record.end, record.fault) == ("fault", "ValueError: no such agent")
+    assert (record.task, record.agent, record.run) == (TASK.id, "anna", 2)
+    assert (record.conditions, record.question) == (ORDER.conditions, question_of(TASK))
+    assert record.start.scene == TASK.scene
+    assert record.start.joints == tuple(Ur5().parked)
+
+
+@pytest.mark.slow
+def test_an_episode_that_kills_its_workers_is_recorded_as_missing(tmp_path):
+    jobs = [Job(TASK, 0), Job(TASK, 1)]
+    found = list(work(tmp_path, jobs, Deadly(ORDER, NOWHERE, NOWHERE), 2))
+    words = "A worker process was killed by signal 9 (SIGKILL) at it, 3 times in all"
+    assert sorted((job.run, fault) for job, fault in found) == [(0, words), (1, words)]
+    records = read_records(tmp_path / RECORDS)
+    assert {(record.run, record.end, record.fault) for record in records} == {
+        (0, "fault", words),
+        (1, "fault", words),
+    }

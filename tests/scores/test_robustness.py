@@ -1,0 +1,45 @@
+import pytest
+
+from probe.scores.robustness import NoCounterpart, shifts
+from score_rows import faulty, row
+
+PLAIN = [row("find-1"), row("find-2"), row("size-1"), row("size-2", False)]
+LABEL = "camera tilted"
+ARM = f"agentic, {LABEL}"
+
+
+def tilted(*rights: object):
+    tasks = ("find-1", "find-2", "size-1", "size-2")
+    return [row(task, right, arm=ARM) for task, right in zip(tasks, rights, strict=True)]
+
+
+def test_an_agent_is_compared_with_itself():
+    (shift,) = shifts(PLAIN, {LABEL: tilted(1, 0, 0, 0)}, {LABEL: ["size-1"]})
+    assert (shift.conditions, shift.pair.tasks, shift.missing) == (LABEL, 4, 0)
+    assert (shift.plain, shift.other) == (0.75, 0.25)
+    assert shift.pair.difference == pytest.approx(-0.5)
+    # Without size-1: find -1/2, size 0.
+    assert (shift.certified, shift.certified_tasks) == (-0.25, 3)
+
+
+def test_several_conditions_are_one_family():
+    others = {
+        LABEL: tilted(0, 0, 0, 0),
+        "table other": [row("find-1", 0, arm="agentic, table other")],
+    }
+    one, other = shifts(PLAIN, others, {})
+    assert (one.conditions, other.conditions) == (LABEL, "table other")
+    assert one.pair.adjusted >= one.pair.p
+    assert (other.pair.tasks, other.pair.left_out) == (1, 3)
+
+
+def test_what_is_missing_is_counted():
+    rows = [faulty("find-1", arm=ARM), *tilted(1, 1, 1, 1)[1:]]
+    (shift,) = shifts(PLAIN, {LABEL: rows}, {})
+    assert (shift.missing, shift.pair.tasks) == (1, 3)
+
+
+def test_somebody_else_is_no_comparison():
+    rows = [row("find-1", agent="bob", arm=ARM)]
+    with pytest.raises(NoCounterpart, match="Run the same agent on both"):
+        shifts(PLAIN, {LABEL: rows}, {})
