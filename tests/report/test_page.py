@@ -3,12 +3,12 @@
 import re
 
 import pytest
+from probe.report.episode_view import EpisodeView
+from probe.report.tally import rates
 
 from probe.episodes.record import End, EpisodeRecord, Step, Table
 from probe.episodes.turns import Call, Question
-from probe.report.episode_view import EpisodeView
 from probe.report.page import write_report
-from probe.report.tally import rates
 from probe.scene.scene import Scene
 from probe.tasks.grading import Score
 from probe.toolshed.result import Answer

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from probe.cli.run import run_suite, write_run_report
+from probe.cli.report import write_run_report
+from probe.cli.run import run_suite
 from probe.episodes.luck import NO_NOISE
 from probe.tasks.suite_file import demo_suite
 
@@ -16,4 +17,4 @@ def demo(out: Path = Path("outputs/demo")) -> None:
         out: Folder for the records, pictures and the page.
     """
     run_suite(demo_suite(), "scripted", out, runs=1, noise=NO_NOISE)
-    print(f"Open {write_run_report(out)} in a browser.")
+    print(f"Open {write_run_report([out])} in a browser.")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from pathlib import Path
 from typing import Annotated
 
@@ -17,6 +16,7 @@ from probe.certify.result import Rejection
 from probe.cli.surroundings import Pool, assets_folder, library
 from probe.files import write_text
 from probe.render.renderer import Renderer
+from probe.report.build_log import count_candidates
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import KINDS, QuestionKind
 
@@ -97,14 +97,9 @@ def _line(kind: QuestionKind, attempt: Attempt) -> str:
 
 def _print_yield(lines: list[str]) -> None:
     """Candidates by type, and by the check that rejected them."""
-    rows = [line.split("\t") for line in lines]
     table = Table("type", "candidates", "kept", "first scripted attempt, unselected", "rejected by")
-    for kind in sorted({row[0] for row in rows}):
-        mine = [row for row in rows if row[0] == kind]
-        counts = Counter(row[2] for row in mine)
-        kept = counts.pop("kept", 0)
-        tried = [row for row in mine if row[3] != "-"]
-        solved = sum(row[3] == "True" for row in tried)
-        causes = ", ".join(f"{check} {count}" for check, count in counts.most_common())
-        table.add_row(kind, str(len(mine)), str(kept), f"{solved} of {len(tried)}", causes)
+    for it in count_candidates(lines):
+        solved = f"{it.solved} of {it.tried}"
+        causes = ", ".join(f"{check} {count}" for check, count in it.rejected)
+        table.add_row(it.kind, str(it.candidates), str(it.kept), solved, causes)
     Console().print(table)

@@ -1,0 +1,49 @@
+"""Records of run folders, with their tasks and what they are worth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from rich.progress import track
+
+from probe.cli.surroundings import assets_folder, everything
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.record import EpisodeRecord
+from probe.errors import BadData
+from probe.report.darkroom import Darkroom
+from probe.tasks.grading import Score
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import read_suite
+from probe.tasks.task import Task
+
+Graded = tuple[Task, EpisodeRecord, Score]
+
+
+def graded(out: Path) -> Iterator[Graded]:
+    """Every record of a folder with its task and what it is worth, in the order of the file.
+
+    Raises:
+        BadData: The suite or a record can't be read, or a record is about something else.
+        OtherTask: A task has changed since.
+    """
+    suite = read_suite(out / SUITE)
+    with darkroom_of(suite) as darkroom:
+        yield from grade_folder(out, suite, darkroom)
+
+
+def darkroom_of(suite: Suite) -> Darkroom:
+    """A place to draw a suite's tables in, with all objects that suites are made of."""
+    return Darkroom(suite, everything, assets_folder())
+
+
+def grade_folder(out: Path, suite: Suite, darkroom: Darkroom) -> Iterator[Graded]:
+    """As `graded`, of a suite that has been read."""
+    tasks = {task.id: task for task in suite.tasks}
+    for record in track(read_records(out / RECORDS), f"Grading {out.name}"):
+        if record.task not in tasks:
+            remedy = "Move one of them elsewhere"
+            raise BadData(out / RECORDS, f"{record.task} is not in {SUITE}", remedy)
+        task = tasks[record.task]
+        yield task, record, darkroom.score(task, record)
