@@ -65,7 +65,7 @@ def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
 def headline_line(card: Scorecard) -> str:
     """One entrant's headline in a line."""
     _, tasks, runs, right, interval, chance = _cells(card.macro)
-    sizes = f"n = {tasks} tasks, {runs} runs"
+    sizes = f"n = {tasks} tasks, {runs} of {card.macro.headline.rows} runs"
     return f"{_name(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}"
 
 
