@@ -11,7 +11,7 @@ from PIL import Image
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
-from probe.episodes.record import EpisodeRecord, Seconds, Step, Table
+from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
 from probe.episodes.turns import Call
 from probe.files import encode, write_bytes
 from probe.report.page import PICTURES
@@ -38,19 +38,19 @@ def episode(
     fault: str | None = None,
 ) -> EpisodeRecord:
     """A record of four steps in which nothing moves; Find is pointed at nowhere."""
-    start = Table(task.scene, (0.0,) * 6)
+    start, letter = Table(task.scene, (0.0,) * 6), task.answer if right else wrong_letter(task)
+    find = Call.of("find_object", {"description": words}, words)
+    grasp = Call.of("grasp_and_remove", {"object_id": words})
     steps = (
-        Step(
-            Call.of("find_object", {"description": words}, words), "done", words, (512, 256), start
-        ),
-        Step(Call.of("grasp_and_remove", {"object_id": words}), "failed", words, (512, 256), start),
+        Step(find, "done", words, (512, 256), start),
+        Step(grasp, "failed", words, (512, 256), start),
         Step(Call("push", words), "malformed", words, None, start),
     )
-    letter = task.answer if right else wrong_letter(task)
+    end: End = "fault" if fault else "answered"
+    seconds = Seconds((1.0,) * 3, (2.0,) * 3)
     record = EpisodeRecord(
-        task.id, agent, run, question_of(task), start, steps, None, "fault" if fault else "answered",
-        fault, Seconds((1.0,) * 3, (2.0,) * 3),
-    )  # fmt: skip
+        task.id, agent, run, question_of(task), start, steps, None, end, fault, seconds
+    )
     if fault:
         return record
     last = Step(Call.of("answer_question", {"choice": letter}), "done", "Recorded.", None, start)

@@ -57,9 +57,8 @@ def test_files_of_episodes_are_named_by_nobody(tmp_path):
     for path in files:
         text = path.read_text()
         assert not set("<>&\u2028") & set(text)
-        key, detail = json.loads(
-            f"[{text.removeprefix('probeEpisode(').removesuffix(');' + chr(10))}]"
-        )
+        arguments = text.removeprefix("probeEpisode(").removesuffix(");\n")
+        key, detail = json.loads(f"[{arguments}]")
         assert key == path.stem
         assert detail["steps"][0]["words"] == EVIL
         assert detail["steps"][2]["arguments"] == EVIL

@@ -96,7 +96,7 @@ def gather(
     if single and len(entries) > LARGEST_SINGLE:
         raise TooManyEpisodes(len(entries))
     order = {task.id: number for number, task in enumerate(suite.tasks)}
-    entries.sort(key=lambda it: (order[it.task.id], it.row.entrant, it.row.run))
+    entries.sort(key=lambda it: order[it.task.id])
     _draw(entries, suite, darkroom, out / PICTURES, [run / PICTURES for run in runs])
     counting = {id(row) for row in settled(entry.row for entry in entries)}
     return tuple(

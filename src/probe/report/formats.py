@@ -39,11 +39,17 @@ def chance(p: float) -> str:
     return "< 0.001" if p < 0.001 else f"{p:.3f}"
 
 
-def number(value: float | None) -> str:
-    """A number to three digits; thousands are grouped."""
+def number(value: float | None, beside: float | None = None) -> str:
+    """A number, rounded as one of this size needs; thousands are grouped.
+
+    Args:
+        value: The number.
+        beside: Another one, whose size is what counts: numbers of a row are rounded alike.
+    """
     if value is None:
         return UNKNOWN
-    digits = 0 if abs(value) >= 100 or value == int(value) else 1 if abs(value) >= 10 else 2
+    size = abs(value if beside is None else beside)
+    digits = 0 if size >= 100 else 1 if size >= 1 else 2
     return f"{value:,.{digits}f}".replace("-", _MINUS)
 
 

@@ -65,5 +65,5 @@ def _shots(played: Played) -> tuple[Shot, ...]:
     return (
         Shot(played.pictures[0], "What the agent was shown"),
         Shot(played.pictures[found + 1], "What it asked for, found"),
-        Shot(played.pictures[last + 1], f"The same table, once that was {moved}"),
+        Shot(played.pictures[last + 1], f"After it was {moved}"),
     )

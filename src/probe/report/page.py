@@ -72,6 +72,7 @@ def write_report(path: Path, report: Report, *, single: bool = False) -> None:
     """
     if single and len(report.played) > LARGEST_SINGLE:
         raise TooManyEpisodes(len(report.played))
+    report = _in_order(report)
     if single:
         played = tuple(_inlined(each, path.parent) for each in report.played)
         report = replace(report, played=played)
@@ -82,6 +83,16 @@ def write_report(path: Path, report: Report, *, single: bool = False) -> None:
             write_text(path.parent / EPISODES / f"{key}.js", script)
     values = _values(report) | {"details": script_json(details if single else {})}
     write_page(path, "report/index.html", values | _policy(single=single), FILTERS)
+
+
+def _in_order(report: Report) -> Report:
+    """Episodes by task, then by entrant, best first, then by run."""
+    places = {task.id: place for place, task in enumerate(report.suite.tasks)}
+    ranks = {card.entrant: rank for rank, card in enumerate(report.scores.cards)}
+    played = sorted(
+        report.played, key=lambda it: (places[it.task.id], ranks[it.row.entrant], it.row.run)
+    )
+    return replace(report, played=tuple(played))
 
 
 def _policy(*, single: bool) -> dict[str, object]:

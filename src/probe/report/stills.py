@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +25,7 @@ from probe.toolshed.pictures import outlined
 from probe.types import Array, Frame
 
 PICTURE_PX = 512
-_EDITION = 2
+_EDITION = 3
 """To be raised when the same table is drawn differently."""
 
 _QUALITY = 85
@@ -96,14 +96,18 @@ def develop(still: Still, task: Task, path: Path, darkroom: Darkroom, kept: Iter
 
 
 def _pixels(still: Still, frame: Frame) -> Array:
-    """Small; the outline is drawn afterwards, so that it is as easy to see as in a large one."""
+    """Small; marks and outline are drawn afterwards, to be as easy to see as in a large one."""
     assert frame.rgb is not None and frame.labels is not None
-    large = Image.fromarray(drawn(frame.rgb, still.marks))
-    small = np.asarray(large.resize((PICTURE_PX, PICTURE_PX), Image.Resampling.BOX))
+    size = (PICTURE_PX, PICTURE_PX)
+    small = np.asarray(Image.fromarray(frame.rgb).resize(size, Image.Resampling.BOX))
     if still.outline is None:
-        return small
+        return drawn(small, [_shrunk(mark, frame.rgb.shape[0]) for mark in still.marks])
     u, v = still.outline
     mask = (frame.labels == frame.labels[v, u]) & (frame.labels[v, u] > 0)
-    resized = Image.fromarray(mask).resize((PICTURE_PX, PICTURE_PX), Image.Resampling.NEAREST)
-    mask = np.asarray(resized)
+    mask = np.asarray(Image.fromarray(mask).resize(size, Image.Resampling.NEAREST))
     return outlined(small, Thing.of(mask, _UNNAMED)) if mask.any() else small
+
+
+def _shrunk(mark: Mark, width: int) -> Mark:
+    u, v = (PICTURE_PX * place // width for place in mark.point)
+    return replace(mark, point=(u, v))

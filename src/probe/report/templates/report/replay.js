@@ -48,7 +48,7 @@ function ask(episode) {
       const right = letter === task.truth;
       const by = panels.filter((panel) => panel.episode.answer === letter);
       const notes = [right ? "truth" : "", ...by.map((panel) => (panels.length > 1 ? nameOf(panel.episode) : "answered"))];
-      const words = notes.filter(Boolean).join(", ");
+      const words = notes.filter(Boolean).join(" · ");
       return make("li", { class: `${right ? "truth" : ""} ${by.length ? "chosen" : ""}` }, make("b", {}, letter), said(text),
         words ? make("small", {}, ` ${right ? "✓" : "✗"} ${words}`) : null);
     }),
