@@ -2,7 +2,7 @@
 // What the page was given. Words of models are only ever set as text, never as HTML.
 
 const index = JSON.parse(document.getElementById("index-data").textContent);
-const details = new Map(Object.entries(JSON.parse(document.getElementById("detail-data").textContent)));
+const inlined = Object.entries(JSON.parse(document.getElementById("detail-data").textContent));
 const MOVING = new Set(["grasp_and_remove", "push"]);
 const SIGNS = { right: "✓", wrong: "✗", missing: "–" };
 
@@ -25,23 +25,20 @@ function said(text) {
   return make("bdi", {}, String(text));
 }
 
-const waiting = new Map();
+const details = new Map(inlined.map(([key, detail]) => [key, Promise.resolve(detail)]));
+const arrivals = new Map();
 
 /** Called by the file of an episode. */
-globalThis.probeEpisode = (key, detail) => {
-  details.set(key, detail);
-  waiting.get(key)?.(detail);
-  waiting.delete(key);
-};
+globalThis.probeEpisode = (key, detail) => arrivals.get(key)?.(detail);
 
 /** What happened in an episode; a page from disk may load scripts, but no data. */
 function detailOf(key) {
-  if (details.has(key)) return Promise.resolve(details.get(key));
-  return new Promise((resolve, reject) => {
-    waiting.set(key, resolve);
+  if (!details.has(key)) details.set(key, new Promise((resolve, reject) => {
+    arrivals.set(key, resolve);
     const fail = () => reject(new Error(`episodes/${key}.js is missing. Write the report again.`));
     document.head.append(make("script", { src: `episodes/${key}.js`, error: fail }));
-  });
+  }));
+  return details.get(key);
 }
 
 function nameOf(episode) {

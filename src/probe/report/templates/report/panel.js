@@ -29,7 +29,7 @@ class Panel {
     this.count = make("output");
     this.picture = make("div", { class: "picture" });
     this.steps = make("ol", { class: "steps", "aria-label": "Steps" }, ...this.buttons());
-    this.call = make("div", { "aria-live": "polite" });
+    this.call = make("div");
     this.element = make("section", { class: "panel-of", "aria-label": nameOf(episode) },
       this.header(), this.alert(),
       make("div", {}, this.picture, make("div", { class: "slide" }, make("span", { class: "label" }, "Step"), this.slider, this.count)),

@@ -5,6 +5,7 @@ const stage = document.getElementById("stage");
 const beside = document.getElementById("beside");
 let current = null;
 let panels = [];
+let openings = 0;
 
 /** Other episodes at the same task; those of other entrants first. */
 function others(episode) {
@@ -25,8 +26,10 @@ async function openEpisode(key, other = "") {
   const episode = byKey.get(key);
   if (!episode) return;
   const second = byKey.get(other);
-  const made = await Promise.all([episode, second].filter(Boolean).map(panelOf));
+  const opening = ++openings;
   current = episode;
+  const made = await Promise.all([episode, second].filter(Boolean).map(panelOf));
+  if (opening !== openings) return;
   panels = made;
   stage.className = second ? "two" : "";
   stage.replaceChildren(...panels.map((panel) => panel.element));
@@ -34,9 +37,9 @@ async function openEpisode(key, other = "") {
   listOthers(episode, other);
   showPlace();
   if (!dialog.open) dialog.showModal();
+  panels[0].slider?.focus({ preventScroll: true });
   dialog.scrollTop = 0;
-  panels[0].slider?.focus();
-  location.replace(`#episode=${key}${second ? `+${other}` : ""}`);
+  history.replaceState(null, "", `#episode=${key}${second ? `+${other}` : ""}`);
 }
 
 function ask(episode) {
@@ -88,11 +91,14 @@ function panelInUse() {
 
 function openFromAddress() {
   const [key, other] = (location.hash.match(/^#episode=(.*)$/)?.[1] ?? "").split("+");
-  if (key && (!dialog.open || key !== current?.key || (other ?? "") !== beside.value)) openEpisode(key, other);
+  if (key) openEpisode(key, other);
 }
 
 beside.addEventListener("change", () => openEpisode(current.key, beside.value));
 document.getElementById("previous").addEventListener("click", () => go(-1));
 document.getElementById("next").addEventListener("click", () => go(1));
 document.getElementById("close").addEventListener("click", () => dialog.close());
-dialog.addEventListener("close", () => location.replace("#episodes"));
+dialog.addEventListener("close", () => {
+  openings += 1;
+  history.replaceState(null, "", "#");
+});
