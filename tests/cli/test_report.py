@@ -153,10 +153,10 @@ def test_a_single_file_of_many_episodes_is_refused_before_anything_is_drawn(tmp_
 
 def test_the_log_of_the_building_becomes_a_table(tmp_path):
     log = tmp_path / "log.txt"
-    log.write_text("count\t0\tcover\t-\tnothing\ncount\t1\tkept\tTrue\t\n")
+    log.write_text("count\t0\tcover\t-\tnothing\t2.0\ncount\t1\tkept\tTrue\t\t18.0\n")
     out = write_run(tmp_path / "run", [episode(PLAIN[0])])
     page = Page(write_run_report([out], build_log=log).read_text())
-    assert "count 2 1 50 % 1 of 1 cover 1" in page.section("suite")
+    assert "count 2 1 50 % 20 1 of 1 cover 1" in page.section("suite")
 
 
 def test_a_suite_that_was_replaced_is_noticed(tmp_path):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import get_args
 
 from probe.agents.moves import Way
 from probe.agents.scripted import Scripted
 from probe.assets.library import Library
 from probe.assets.tables import TableMaterial
+from probe.episodes.luck import NOISES
 from probe.episodes.play import play, score
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -18,6 +19,9 @@ ATTEMPTS = 3
 """Attempts of each agent."""
 
 WAYS: tuple[Way, ...] = get_args(Way)
+
+FIRST_RUN = 1_000_000
+"""Number of the first attempt's run: no benchmark's run has its luck."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +42,7 @@ class Trial:
 def trials(
     task: Task, library: Library, table: TableMaterial, renderer: Renderer
 ) -> tuple[Trial, ...]:
-    """Attempts until one solves the task or all have been made.
+    """Attempts until one solves the task or all have been made, with a hand that errs.
 
     The very first attempt is always made: its share of successes over all candidates is what
     scripted agents achieve on tasks that were not selected by them.
@@ -53,8 +57,30 @@ def trials(
                 way,
                 form=task.form,
             )
-            record = play(task, agent, f"scripted-{way}", library, table, renderer, attempt)
+            record = play(
+                task,
+                agent,
+                f"scripted-{way}",
+                library,
+                table,
+                renderer,
+                FIRST_RUN + attempt,
+                NOISES["paper"],
+            )
             made.append(Trial(way, attempt, score(task, record, renderer).correct))
             if made[-1].solved:
                 return tuple(made)
     return tuple(made)
+
+
+def noted(task: Task, made: tuple[Trial, ...]) -> Task:
+    """A task whose certificate says which attempt solved it; as it is without one."""
+    last = next((trial for trial in made if trial.solved), None)
+    if last is None:
+        return task
+    notes = {
+        "solved_attempt": float(last.attempt),
+        "solved_by_pushing_first": float(last.way == "push"),
+    }
+    proof = task.certificate
+    return replace(task, certificate=replace(proof, measures={**proof.measures, **notes}))

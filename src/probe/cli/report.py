@@ -33,7 +33,7 @@ def report(
         runs: Folders that `probe run` wrote to; several of one suite are compared.
         out: Folder for the page; by default that of the run, for several outputs/report.
         arm: How the agents were allowed to answer; as in `probe rescore`.
-        build_log: The log.txt of the suite's building, for a table of what was rejected.
+        build_log: The log that `probe suite build` wrote beside the suite, for a table of its yield.
         single_file: Write one file, report.html, that holds everything; for up to 20 episodes.
     """
     page = write_run_report(runs, out, arm=arm, build_log=build_log, single=single_file)

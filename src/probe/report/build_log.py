@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from probe.certify.parts import KEPT, Line
 from probe.errors import BadData
 
-KEPT = "kept"
-_FIELDS = 5
-_REMEDY = "Take the log.txt that `probe suite build` wrote"
+_REMEDY = "Take the log that `probe suite build` wrote beside the suite"
 
 
 @dataclass(frozen=True)
@@ -20,6 +19,7 @@ class Candidates:
 
     Attributes:
         solved, tried: First scripted attempts that succeeded, of all, before any was selected.
+        seconds: Time that all of them took.
         rejected: Candidates by the check that they failed, most first.
     """
 
@@ -28,6 +28,7 @@ class Candidates:
     kept: int
     solved: int
     tried: int
+    seconds: float
     rejected: tuple[tuple[str, int], ...]
 
 
@@ -35,36 +36,40 @@ def read_build_log(path: Path) -> list[Candidates]:
     """Count a log's candidates, by type.
 
     Raises:
-        BadData: It can't be read, or a line isn't type, seed, check, solved and detail.
+        BadData: It can't be read, or a line is none of a log.
     """
     try:
-        lines = path.read_text("utf-8").splitlines()
+        texts = path.read_text("utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise BadData(path, str(error), _REMEDY) from error
-    for number, line in enumerate(lines, start=1):
-        if line.count("\t") < _FIELDS - 1:
-            raise BadData(f"{path}, line {number}", "has no five fields", _REMEDY)
-    return count_candidates(lines)
+    return count_candidates(_line(path, *each) for each in enumerate(texts, start=1))
 
 
-def count_candidates(lines: Iterable[str]) -> list[Candidates]:
-    """The same of lines that are in memory."""
-    kinds: dict[str, list[list[str]]] = {}
+def _line(path: Path, number: int, text: str) -> Line:
+    try:
+        return Line.parse(text)
+    except ValueError as error:
+        raise BadData(f"{path}, line {number}", str(error), _REMEDY) from error
+
+
+def count_candidates(lines: Iterable[Line]) -> list[Candidates]:
+    """The same of lines that have been read."""
+    kinds: dict[str, list[Line]] = {}
     for line in lines:
-        fields = line.split("\t", _FIELDS - 1)
-        kinds.setdefault(fields[0], []).append(fields)
+        kinds.setdefault(line.kind, []).append(line)
     return [_count(kind, kinds[kind]) for kind in sorted(kinds)]
 
 
-def _count(kind: str, rows: list[list[str]]) -> Candidates:
-    checks = Counter(row[2] for row in rows)
+def _count(kind: str, lines: Sequence[Line]) -> Candidates:
+    checks = Counter(line.check for line in lines)
     kept = checks.pop(KEPT, 0)
-    solved = [row[3] for row in rows]
+    tried = [line.solved for line in lines if line.solved is not None]
     return Candidates(
         kind=kind,
-        candidates=len(rows),
+        candidates=len(lines),
         kept=kept,
-        solved=solved.count("True"),
-        tried=len(rows) - solved.count("-"),
+        solved=sum(tried),
+        tried=len(tried),
+        seconds=sum(line.seconds for line in lines),
         rejected=tuple(checks.most_common()),
     )
