@@ -6,12 +6,14 @@ from dataclasses import replace
 import pytest
 
 from pages import Page
-from probe.cli.gathering import NoRuns, OtherSuite, one_suite, short_names
+from probe.assets.library import open_library
+from probe.cli.gathering import NoRuns, OtherSuite, gather, one_suite, short_names
 from probe.cli.report import write_run_report
 from probe.cli.rescore import rescore
 from probe.episodes.folder import RECORDS
 from probe.errors import BadData
-from probe.report.page import LARGEST_SINGLE, TooManyEpisodes
+from probe.report.darkroom import Darkroom
+from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes
 from probe.tasks.suite_file import write_suite
 from run_folders import DEMO, episode, write_run
 
@@ -157,6 +159,25 @@ def test_the_log_of_the_building_becomes_a_table(tmp_path):
     out = write_run(tmp_path / "run", [episode(PLAIN[0])])
     page = Page(write_run_report([out], build_log=log).read_text())
     assert "count 2 1 50 % 20 1 of 1 cover 1" in page.section("suite")
+
+
+def test_names_with_brackets_are_printed_as_they_are(tmp_path, capsys):
+    write_run_report([write_run(tmp_path / "run", [episode(PLAIN[0], agent="[/b] anna [x]")])])
+    assert "[/b] anna [x] (agentic): incomplete" in capsys.readouterr().out
+
+
+@pytest.mark.slow
+def test_a_report_that_was_stopped_draws_what_is_lacking_and_nothing_else(tmp_path, cache):
+    run = write_run(tmp_path / "run", [episode(PLAIN[0]), episode(PLAIN[1])])
+    lacking, *others = sorted((run / PICTURES).iterdir())
+    before = {path: path.read_bytes() for path in others}
+    plain = lacking.read_bytes()
+    lacking.unlink()
+    with Darkroom(DEMO, lambda: open_library("procedural", None, cache), None) as room:
+        played = gather([run], DEMO, room, run)
+    assert {path: path.read_bytes() for path in others} == before
+    assert lacking.read_bytes() != plain
+    assert all((run / name).is_file() for each in played for name in each.pictures)
 
 
 def test_a_suite_that_was_replaced_is_noticed(tmp_path):

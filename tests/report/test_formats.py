@@ -10,6 +10,7 @@ from probe.report.formats import (
     percent,
     plural,
     points,
+    resemblance,
 )
 from probe.scores.intervals import Interval
 
@@ -39,6 +40,8 @@ from probe.scores.intervals import Interval
         (number(3, beside=2.5), "3.0"),
         (measure(4.1635e-05), "4.16e−05"),
         (measure(1.0), "1"),
+        (resemblance(-0.286), "−0.29"),
+        (resemblance(None), "unknown"),
         (gap(None), "unknown"),
         (gap(0.094), "9 points"),
         (gap(1.2), "none, with so few tasks"),

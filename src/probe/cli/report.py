@@ -33,7 +33,7 @@ def report(
         runs: Folders that `probe run` wrote to; several of one suite are compared.
         out: Folder for the page; by default that of the run, for several outputs/report.
         arm: How the agents were allowed to answer; as in `probe rescore`.
-        build_log: The log that `probe suite build` wrote beside the suite, for a table of its yield.
+        build_log: The log that `probe suite build` wrote beside the suite, for its yield.
         single_file: Write one file, report.html, that holds everything; for up to 20 episodes.
     """
     page = write_run_report(runs, out, arm=arm, build_log=build_log, single=single_file)
@@ -66,6 +66,7 @@ def write_run_report(
     page = folder / ("report.html" if single else "index.html")
     files = (ROWS_CSV, ROWS_JSON, SCORES)
     write_report(page, Report(suite, scores, played, tuple(candidates), files), single=single)
+    console = Console(markup=False, highlight=False, soft_wrap=True)
     for card in scores.cards:
-        Console().print(headline_line(card), highlight=False, soft_wrap=True)
+        console.print(headline_line(card))
     return page

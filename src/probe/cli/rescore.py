@@ -37,7 +37,7 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
     rows = [marked(suite.name, each, arm) for each in graded(out)]
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(out, rows, scores)
-    console = Console()
+    console = Console(markup=False)
     for card in scores.cards:
         console.print(_table(card))
     for line in _lines(scores):

@@ -58,6 +58,11 @@ def measure(value: float) -> str:
     return f"{value:.3g}".replace("-", _MINUS)
 
 
+def resemblance(icc: float | None) -> str:
+    """An intraclass correlation."""
+    return "unknown" if icc is None else _signed(icc, 2)
+
+
 def gap(detectable: float | None) -> str:
     """A detectable difference; over 100 points there is none."""
     if detectable is None:
@@ -89,6 +94,7 @@ FILTERS = {
     "between_points": between_points,
     "chance": chance,
     "number": number,
+    "resemblance": resemblance,
     "gap": gap,
     "measure": measure,
     "entrant": entrant,

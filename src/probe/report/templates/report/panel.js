@@ -11,6 +11,10 @@ function callText(step) {
   return `(${Object.entries(values).map(([name, value]) => `${name}=${JSON.stringify(value)}`).join(", ")})`;
 }
 
+function counted(count, noun) {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}
+
 function ring(point, kind = "") {
   const dot = make("span", { class: `ring ${kind}` });
   dot.style.left = `${(100 * point[0]) / index.picture_px}%`;
@@ -40,7 +44,7 @@ class Panel {
   header() {
     const { episode, detail } = this;
     const seconds = detail.seconds.filter((value) => value !== null).reduce((a, b) => a + b, 0);
-    const facts = `answer ${episode.answer ?? "none"}; ${episode.turns} turns, ${episode.manipulations} manipulations, ${Math.round(seconds)} s`;
+    const facts = `answer ${episode.answer ?? "none"}; ${counted(episode.turns, "turn")}, ${counted(episode.manipulations, "manipulation")}, ${Math.round(seconds)} s`;
     return make("header", {}, make("h3", {}, said(nameOf(episode))),
       make("span", { class: `verdict ${episode.verdict}` }, `${SIGNS[episode.verdict]} ${episode.outcome}`),
       make("span", {}, facts), episode.counts ? null : make("span", {}, "run again later; doesn't count"));
