@@ -87,7 +87,9 @@ def copy(task: Task, record: EpisodeRecord, number: int) -> tuple[Task, EpisodeR
 
     name = f"{task.kind}-{number:08x}"
     steps = tuple(replace(step, after=reseeded(step.after)) for step in record.steps)
-    again = replace(record, task=name, start=reseeded(record.start), steps=steps)
+    again = replace(
+        record, task=name, agent="copy", run=0, start=reseeded(record.start), steps=steps
+    )
     return replace(task, id=name, scene=again.start.scene), again
 
 
@@ -97,7 +99,7 @@ def opened(page: Path) -> tuple[float, float]:
         seconds = browser.open(page.as_uri())
         browser.wait("document.querySelectorAll('.card').length > 0")
         begun = time.perf_counter()
-        browser.run("document.querySelector('.card .run').click()")
+        browser.run("document.querySelector('.card button.run').click()")
         browser.wait("(document.querySelector('#stage img') ?? {}).naturalWidth > 0")
         return seconds, time.perf_counter() - begun
 
