@@ -20,6 +20,8 @@ ATTEMPTS = 3
 
 WAYS: tuple[Way, ...] = get_args(Way)
 
+_ATTEMPT, _BY_PUSHING = "solved_attempt", "solved_by_pushing_first"
+
 FIRST_RUN = 1_000_000
 """Number of the first attempt's run: no benchmark's run has its luck."""
 
@@ -50,27 +52,38 @@ def trials(
     made: list[Trial] = []
     for attempt in range(ATTEMPTS):
         for way in WAYS:
-            agent = Scripted(
-                task.kind,
-                task.subject,
-                generator(task.seed, "solve", way, attempt),
-                way,
-                form=task.form,
-            )
-            record = play(
-                task,
-                agent,
-                f"scripted-{way}",
-                library,
-                table,
-                renderer,
-                FIRST_RUN + attempt,
-                NOISES["paper"],
-            )
-            made.append(Trial(way, attempt, score(task, record, renderer).correct))
-            if made[-1].solved:
+            solved = _solves(task, way, attempt, library, table, renderer)
+            made.append(Trial(way, attempt, solved))
+            if solved:
                 return tuple(made)
     return tuple(made)
+
+
+def _solves(
+    task: Task,
+    way: Way,
+    attempt: int,
+    library: Library,
+    table: TableMaterial,
+    renderer: Renderer,
+) -> bool:
+    rng = generator(task.seed, "solve", way, attempt)
+    agent = Scripted(task.kind, task.subject, rng, way, form=task.form)
+    name, run, noise = f"scripted-{way}", FIRST_RUN + attempt, NOISES["paper"]
+    record = play(task, agent, name, library, table, renderer, run, noise)
+    return score(task, record, renderer).correct
+
+
+def solves_as_noted(task: Task, library: Library, table: TableMaterial, renderer: Renderer) -> bool:
+    """Whether the attempt that the certificate notes solves the task again.
+
+    On another kind of machine it may not, and another attempt may.
+    """
+    notes = task.certificate.measures
+    if _ATTEMPT not in notes:
+        return False
+    way: Way = "push" if notes[_BY_PUSHING] else "grasp"
+    return _solves(task, way, int(notes[_ATTEMPT]), library, table, renderer)
 
 
 def noted(task: Task, made: tuple[Trial, ...]) -> Task:
@@ -79,8 +92,8 @@ def noted(task: Task, made: tuple[Trial, ...]) -> Task:
     if last is None:
         return task
     notes = {
-        "solved_attempt": float(last.attempt),
-        "solved_by_pushing_first": float(last.way == "push"),
+        _ATTEMPT: float(last.attempt),
+        _BY_PUSHING: float(last.way == "push"),
     }
     proof = task.certificate
     return replace(task, certificate=replace(proof, measures={**proof.measures, **notes}))

@@ -12,19 +12,20 @@ from rich.progress import MofNCompleteColumn, Progress, TimeElapsedColumn
 from rich.table import Table
 
 from probe.assets.library import Library
-from probe.assets.tables import table_ids
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
 from probe.certify.parts import Line, Parts, Place
 from probe.cli.shards import parse_shard
-from probe.cli.surroundings import Pool, assets_folder, library
+from probe.cli.suite_verify import verify
+from probe.cli.surroundings import Pool, library, tables_for
 from probe.errors import BadData
 from probe.files import write_text
 from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
-from probe.tasks.suite_file import read_suite
+from probe.tasks.suite_file import find_suite
 from probe.tasks.task import KINDS, QuestionKind
 
 app = tyro.extras.SubcommandApp()
+app.command(verify)
 
 _NONE = dict.fromkeys(KINDS, 0)
 _UNSOLVED_MOST = 50
@@ -60,7 +61,7 @@ def build(
         raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
     number, count = parse_shard(shard)
     with Renderer() as renderer:
-        workshop = Workshop(things, table_ids(assets_folder()), renderer, unchecked)
+        workshop = Workshop(things, tables_for(pool), renderer, unchecked)
         _fill(places[number::count], parts, workshop)
     if waiting := [place for place in places if not parts.task_path(place).exists()]:
         print(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
@@ -69,14 +70,14 @@ def build(
 
 
 @app.command
-def show(suite: Annotated[Path, tyro.conf.Positional]) -> None:
+def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     """List a suite's questions. Answers are shown: don't paste this to a model.
 
     Args:
-        suite: A file that `probe suite build` wrote.
+        suite: A file that `probe suite build` wrote, or "v1", "demo".
     """
     table = Table("task", "type", "question", "options", "answer")
-    for task in read_suite(suite).tasks:
+    for task in find_suite(suite).tasks:
         options = "\n".join(f"{option.letter} {option.text}" for option in task.options)
         table.add_row(task.id, task.kind, task.question, options, task.answer)
     Console().print(table)
