@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 from rich.progress import track
@@ -21,7 +20,7 @@ from probe.tasks.task import Task
 Graded = tuple[Task, EpisodeRecord, Score]
 
 
-def graded(out: Path) -> Iterator[Graded]:
+def graded(out: Path) -> list[Graded]:
     """Every record of a folder with its task and what it is worth, in the order of the file.
 
     Raises:
@@ -30,7 +29,7 @@ def graded(out: Path) -> Iterator[Graded]:
     """
     suite = read_suite(out / SUITE)
     with darkroom_of(suite) as darkroom:
-        yield from grade_folder(out, suite, darkroom)
+        return grade_folder(out, suite, darkroom)
 
 
 def darkroom_of(suite: Suite) -> Darkroom:
@@ -38,12 +37,16 @@ def darkroom_of(suite: Suite) -> Darkroom:
     return Darkroom(suite, everything, assets_folder())
 
 
-def grade_folder(out: Path, suite: Suite, darkroom: Darkroom) -> Iterator[Graded]:
-    """As `graded`, of a suite that has been read."""
-    tasks = {task.id: task for task in suite.tasks}
-    for record in track(read_records(out / RECORDS), f"Grading {out.name}"):
+def grade_folder(out: Path, suite: Suite, darkroom: Darkroom) -> list[Graded]:
+    """As `graded`, of a suite that has been read; each task's objects are loaded but once."""
+    tasks, records = {task.id: task for task in suite.tasks}, read_records(out / RECORDS)
+    for record in records:
         if record.task not in tasks:
             remedy = "Move one of them elsewhere"
             raise BadData(out / RECORDS, f"{record.task} is not in {SUITE}", remedy)
-        task = tasks[record.task]
-        yield task, record, darkroom.score(task, record)
+    places = sorted(range(len(records)), key=lambda place: records[place].task)
+    scores = {
+        place: darkroom.score(tasks[records[place].task], records[place])
+        for place in track(places, f"Grading {out.name}")
+    }
+    return [(tasks[it.task], it, scores[place]) for place, it in enumerate(records)]
