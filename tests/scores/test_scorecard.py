@@ -137,7 +137,7 @@ def test_a_suite_without_find_has_no_letter():
 
 def test_a_type_lacks_a_run_that_only_other_types_have():
     rows = [row("find-0"), row("size-0"), row("size-0", run=1)]
-    card = scorecard(rows, roster_of(rows), seed=0)
+    card = scorecard(rows, roster("find-0", "size-0"), seed=0)
     find, size = card.kinds
     assert (find.headline.value, find.headline.missing, find.headline.rows) == (None, 1, 2)
     assert (find.headline.worst, find.headline.best) == (0.5, 1.0)
