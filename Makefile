@@ -3,7 +3,7 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 BIN := .venv/bin
 WORKERS ?= 2
 
-.PHONY: help demo test test-slow check bench mutants format driver
+.PHONY: help demo test test-slow check bench mutants format driver browser
 .DELETE_ON_ERROR:
 
 help:
@@ -15,7 +15,7 @@ demo: .venv/.ready driver
 test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS)
 
-test-slow: .venv/.ready driver .venv/.blender .venv/.torch
+test-slow: .venv/.ready driver browser .venv/.blender .venv/.torch
 	$(BIN)/pytest -m "slow and not gpu"
 
 check: .venv/.ready
@@ -49,3 +49,6 @@ format: .venv/.ready
 
 driver: .venv/.ready
 	@PYTHON="$(BIN)/python" scripts/ensure-driver
+
+browser:
+	@scripts/ensure-browser

@@ -49,10 +49,10 @@ def write_picture(path: Path, pixels: Array) -> None:
     write_bytes(path, encode(Image.fromarray(pixels), "PNG"))
 
 
-def encode(image: Image.Image, layout: str) -> bytes:
-    """An image as the bytes of a file in that format ("PNG", "JPEG")."""
+def encode(image: Image.Image, layout: str, *, quality: int = 75) -> bytes:
+    """An image as the bytes of a file in that format ("PNG", "JPEG"); PNG knows no quality."""
     buffer = io.BytesIO()
-    image.save(buffer, layout)
+    image.save(buffer, layout, quality=quality)
     return buffer.getvalue()
 
 

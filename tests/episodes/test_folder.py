@@ -4,7 +4,7 @@ from pathlib import Path
 import pytest
 
 from probe.episodes.files import read_records
-from probe.episodes.folder import add_run, in_order, start_folder
+from probe.episodes.folder import add_run, in_order, standing, start_folder
 from probe.errors import BadData, OutputFailed
 from probe.tasks.suite_file import demo_suite
 
@@ -50,8 +50,9 @@ def test_a_fault_gives_way_to_its_repetition(play):
     suite = demo_suite()
     good = replace(play(), task=suite.tasks[0].id)
     one, other = (replace(good, end="fault", fault=words) for words in ("early", "late"))
-    assert in_order([one, good, other], suite) == [good]
-    assert in_order([one, other], suite) == [other]
+    assert in_order([one, good, other], suite) == [one, other, good]
+    assert standing(in_order([one, good, other], suite)) == [good]
+    assert standing([one, other]) == [other]
 
 
 def test_a_folder_that_cannot_be_made_is_named():

@@ -1,71 +1,161 @@
-"""The report: rates with intervals, and a page that nothing can inject into."""
+"""The page: nothing can be injected, nothing is loaded from elsewhere, every number has its n."""
 
+import json
 import re
+from dataclasses import replace
 
 import pytest
 
-from probe.episodes.record import End, EpisodeRecord, Step, Table
-from probe.episodes.turns import Call, Question
-from probe.report.episode_view import EpisodeView
-from probe.report.page import write_report
-from probe.report.tally import rates
-from probe.scene.scene import Scene
-from probe.tasks.grading import Score
-from probe.toolshed.result import Answer
+from pages import Page
+from played_examples import played, report_of, write_page
+from probe.report.page import LARGEST_SINGLE, TooManyEpisodes, write_report
+from probe.report.rendering import digest
+from probe.tasks.task import Option
+from run_folders import DEMO, episode
 
-EMPTY = Table(Scene(0, "oak", ()), (0.0,) * 6)
-EVIL = "<script>alert(1)</script>"
+EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\"'`--><!--\u2028&lt;"
+OUTSIDE = re.compile(r"^(https?:|//|ftp:|ws)")
 
 
-def view(
-    kind: str, *, right: bool, words: str = "", end: End = "answered", options: int = 5
-) -> EpisodeView:
-    letters = "ABCDE"[:options]
-    question = Question(
-        f"What {words}?", tuple((letter, f"{words} {letter}") for letter in letters)
+def hostile(folder):
+    """A page in which whatever others wrote is hostile."""
+    episodes = []
+    for number, task in enumerate(DEMO.tasks):
+        options = tuple(Option(it.letter, EVIL) for it in task.options)
+        evil = replace(task, question=EVIL, options=options)
+        fault = EVIL if number == 5 else None
+        each = played(episode(task, agent=EVIL, words=EVIL, fault=fault, right=number % 2 == 0))
+        episodes.append(replace(each, task=evil))
+    return write_page(folder, episodes)
+
+
+def test_words_of_models_and_catalogues_add_no_element(tmp_path):
+    page, kind = Page(hostile(tmp_path)), Page(write_page(tmp_path / "kind", []))
+    assert len(page.all("script")) == len(kind.all("script")) == 3
+    assert {e.tag for e in page.elements} >= {"bdi", "table", "svg"}
+    assert not [e for e in page.elements if any(name.startswith("on") for name in e.attributes)]
+    assert not [e for e in page.all("img") if e.attributes["src"] == "x"]
+    assert "alert(1)" in page.section("missing")
+    assert "alert(1)" in page.section("scores")
+
+
+def test_data_of_the_script_holds_the_words_as_they_were(tmp_path):
+    page = Page(hostile(tmp_path))
+    (index,) = page.all("script", id="index-data")
+    found = json.loads(index.text)
+    assert {task["question"] for task in found["tasks"]} == {EVIL}
+    assert {text for task in found["tasks"] for _, text in task["options"]} == {EVIL}
+    assert found["entrants"] == [f"{EVIL} (agentic)"]
+    assert not set("<>&\u2028") & set(index.text)
+
+
+def test_files_of_episodes_are_named_by_nobody(tmp_path):
+    hostile(tmp_path)
+    files = list((tmp_path / "episodes").iterdir())
+    assert len(files) == 6
+    assert all(re.fullmatch(r"[0-9a-f]{12}\.js", path.name) for path in files)
+    for path in files:
+        text = path.read_text()
+        assert not set("<>&\u2028") & set(text)
+        arguments = text.removeprefix("probeEpisode(").removesuffix(");\n")
+        key, detail = json.loads(f"[{arguments}]")
+        assert key == path.stem
+        assert detail["steps"][0]["words"] == EVIL
+        assert detail["steps"][2]["arguments"] == EVIL
+
+
+@pytest.mark.parametrize("single", [False, True])
+def test_the_policy_allows_no_network_and_exactly_these_scripts(tmp_path, single):
+    report = report_of([played(episode(DEMO.tasks[0]))])
+    if single:
+        (tmp_path / "pictures").mkdir()
+        for number in range(5):
+            (tmp_path / "pictures" / f"{number}.jpg").write_bytes(b"picture")
+    write_report(tmp_path / "page.html", report, single=single)
+    text = (tmp_path / "page.html").read_text()
+    page = Page(text)
+    (meta,) = [e for e in page.all("meta") if "http-equiv" in e.attributes]
+    policy = dict(rule.split(" ", 1) for rule in str(meta.attributes["content"]).split("; "))
+    own = [] if single else ["'self'", "file:"]
+    scripts = re.findall(r"<script>(.*?)</script>", text, re.DOTALL)
+    styles = re.findall(r"<style>(.*?)</style>", text, re.DOTALL)
+    assert policy == {
+        "default-src": "'none'",
+        "script-src": " ".join([*own, *(f"'{digest(it)}'" for it in scripts)]),
+        "style-src": " ".join(f"'{digest(it)}'" for it in styles),
+        "img-src": " ".join([*own, "data:"]),
+        "base-uri": "'none'",
+        "form-action": "'none'",
+    }
+    assert (len(scripts), len(styles)) == (1, 1)
+    assert not [e for e in page.elements if "style" in e.attributes]
+    assert not [address for address in page.addresses() if OUTSIDE.match(address)]
+
+
+def test_a_complete_run_has_a_headline_with_all_that_belongs_to_it(tmp_path):
+    episodes = [played(episode(task, run=run)) for task in DEMO.tasks for run in range(2)]
+    page = Page(write_page(tmp_path, episodes))
+    (row,) = [e.text for e in page.all("tr") if e.text.startswith("anna agentic 100.0 %")]
+    # All six right: Wilson's lower limits for 2 of 2, 34.2 %, in each of three types.
+    assert row == "anna agentic 100.0 % 62 to 100 % 20 % 100.0 % 6 12 unknown unknown"
+    assert "n = 2" in page.section("scores")
+    assert "find, letter alone" in page.section("scores")
+    assert page.section("missing") == "Missing Nothing. Every run of every task has a result."
+    assert "one entrant, so nothing to compare" in page.section("differences")
+
+
+def test_an_incomplete_run_has_none(tmp_path):
+    page = Page(write_page(tmp_path, [played(episode(DEMO.tasks[0]))]))
+    (row,) = [e.text for e in page.all("tr") if e.text.startswith("anna agentic incomplete worst")]
+    # One right of two in one of three types, the rest unknown.
+    assert "worst 16.7 %, best 100.0 %" in row
+    assert "1 of 6" in row
+    assert not page.all("td", class_="big")
+
+
+def test_pairs_have_a_verdict_and_ties_are_groups(tmp_path):
+    episodes = [played(episode(task, agent=who)) for task in DEMO.tasks for who in ("anna", "bert")]
+    section = Page(write_page(tmp_path, episodes)).section("differences")
+    assert "anna (agentic) less bert (agentic) 0.0" in section
+    assert "1.000 1.000 tie 6" in section
+    assert "Tie groups anna (agentic) · bert (agentic)" in section
+
+
+def test_arms_of_an_agent_are_a_family_of_their_own(tmp_path):
+    episodes = [
+        played(episode(task, right=arm == "agentic"), arm=arm)
+        for task in DEMO.tasks
+        for arm in ("agentic", "direct")
+    ]
+    section = Page(write_page(tmp_path, episodes)).section("differences")
+    assert "Agentic against direct" in section
+    assert "Over 1 agent and 6 tasks, agentic against direct: p = " in section
+
+
+def test_the_figure_has_numbers_and_words(tmp_path):
+    episodes = [played(episode(task, right=task.kind != "count")) for task in DEMO.tasks]
+    page = Page(write_page(tmp_path, episodes))
+    (figure,) = [e for e in page.all("svg") if e.attributes.get("class") == "bars"]
+    assert figure.attributes["aria-label"] == (
+        "beneath: 2 manipulated, right of 2. count: 2 manipulated, wrong of 2. "
+        "find: 2 manipulated, right of 2. "
     )
-    step = Step(
-        Call("push", f'{{"object_id": "{words}"}}', words), "failed", words, (512, 256), EMPTY
-    )
-    record = EpisodeRecord(
-        f"{kind}-1", "scripted", 0, question, EMPTY, (step,), Answer("A"), end,
-        words if end == "fault" else None,
-    )  # fmt: skip
-    score = Score(right, right, "right" if right else "wrong")
-    return EpisodeView(kind, record, score, "A", ("pictures/0.jpg", "pictures/1.jpg"))
+    numbers = [e.text for e in page.all("text")]
+    assert numbers == ["beneath", "2", "2", "count", "2", "2", "find", "2", "2"]
 
 
-def test_rates_count_faults_and_never_leave_the_denominator():
-    views = [view("find", right=True)] * 7 + [view("find", right=False)] * 2
-    views += [view("find", right=False, end="fault"), view("size", right=True, options=2)]
-    find, size, total = rates(views)
-    assert (find.name, find.right, find.n, find.faults) == ("find", 7, 10, 1)
-    # Wilson's interval for 7 of 10, as in Brown, Cai and DasGupta (2001).
-    assert (round(find.low, 3), round(find.high, 3)) == (0.397, 0.892)
-    assert (find.chance, size.chance) == pytest.approx((0.2, 0.5))
-    assert (total.name, total.right, total.n) == ("all", 8, 11)
+def test_every_field_has_a_name(tmp_path):
+    page = Page(write_page(tmp_path, [played(episode(DEMO.tasks[0]))]))
+    labels = " ".join(e.text for e in page.all("label"))
+    for name in ("Type", "Agent", "Result", "Outcome", "Search", "Beside"):
+        assert name in labels
+    assert all(e.attributes.get("alt") for e in page.all("img"))
+    assert all(e.attributes.get("aria-label") for e in page.all("svg", role="img"))
+    assert page.elements[0].attributes["lang"] == "en"
 
 
-def test_words_of_models_and_catalogues_are_text(tmp_path):
-    page = tmp_path / "index.html"
-    write_report(page, EVIL, [view("find", right=False, words=EVIL, end="fault")])
-    text = page.read_text()
-    assert "<script" not in text
-    assert "&lt;script&gt;" in text
-
-
-def test_the_page_loads_nothing_from_elsewhere_and_pictures_late(tmp_path):
-    page = tmp_path / "index.html"
-    write_report(page, "A suite", [view("find", right=True, words="red mug")])
-    text = page.read_text()
-    assert not re.search(r"(src|href)=\"(https?:)?//", text)
-    assert re.findall(r'src="([^"]+)"', text) == ["pictures/0.jpg", "pictures/1.jpg"]
-    assert text.count('loading="lazy"') == 2
-    assert "7 of" not in text
-    assert "red mug A" in text and "(answered)" in text
-
-
-def test_where_the_call_was_aimed_is_marked(tmp_path):
-    page = tmp_path / "index.html"
-    write_report(page, "A suite", [view("find", right=True)])
-    assert "left:50.0%;top:25.0%" in page.read_text()
+def test_too_many_for_a_single_file(tmp_path):
+    many = [played(episode(DEMO.tasks[0], run=run)) for run in range(LARGEST_SINGLE + 1)]
+    with pytest.raises(TooManyEpisodes, match="Leave out --single-file"):
+        write_report(tmp_path / "page.html", report_of(many), single=True)
+    assert list(tmp_path.iterdir()) == []

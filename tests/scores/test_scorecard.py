@@ -133,3 +133,12 @@ def test_two_entrants_have_no_card():
 def test_a_suite_without_find_has_no_letter():
     card = scorecard([row("size-1", options=2)], roster("size-1", options=2), seed=0)
     assert card.parts == ()
+
+
+def test_a_type_lacks_a_run_that_only_other_types_have():
+    rows = [row("find-0"), row("size-0"), row("size-0", run=1)]
+    card = scorecard(rows, roster("find-0", "size-0"), seed=0)
+    find, size = card.kinds
+    assert (find.headline.value, find.headline.missing, find.headline.rows) == (None, 1, 2)
+    assert (find.headline.worst, find.headline.best) == (0.5, 1.0)
+    assert size.headline.value == 1.0

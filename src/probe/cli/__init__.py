@@ -9,9 +9,10 @@ import tyro
 from probe.cli.assets import app as assets_app
 from probe.cli.demo import demo
 from probe.cli.merge import merge
+from probe.cli.report import report
 from probe.cli.rescore import rescore
 from probe.cli.robustness import robustness
-from probe.cli.run import report, run
+from probe.cli.run import run
 from probe.cli.scene import scene
 from probe.cli.serve import serve
 from probe.cli.suite import app as suite_app

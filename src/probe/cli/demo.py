@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from probe.cli.run import make_agent, write_run_report
+from probe.cli.report import write_run_report
+from probe.cli.run import make_agent
 from probe.cli.running import run_order
 from probe.cli.surroundings import everything
 from probe.runs.plan import Order
@@ -18,4 +19,4 @@ def demo(out: Path = Path("outputs/demo")) -> None:
         out: Folder for the records, pictures and the page.
     """
     run_order(demo_suite(), Order("scripted"), make_agent, everything(), out)
-    print(f"Open {write_run_report(out)} in a browser.")
+    print(f"Open {write_run_report([out])} in a browser.")

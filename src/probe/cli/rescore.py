@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -10,10 +10,10 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
-from probe.cli.run import graded
+from probe.cli.grading import Graded, graded
 from probe.episodes.folder import SUITE
 from probe.scores.marking import roster_of_tasks, row_of
-from probe.scores.row import Entrant
+from probe.scores.row import Entrant, Row
 from probe.scores.row_files import write_csv, write_json_lines
 from probe.scores.scorecard import Figure, Scorecard
 from probe.scores.summary import AGENTIC, DIRECT, Scores, summarise, write_scores
@@ -34,21 +34,10 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
             random agent have arms of their own.
     """
     suite = read_suite(out / SUITE)
-    rows = [
-        row_of(
-            task,
-            record,
-            score,
-            suite=suite.name,
-            arm=arm or arm_of(record.agent),
-        )
-        for task, record, score in graded(out)
-    ]
+    rows = [marked(suite.name, each, arm) for each in graded(out)]
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
-    write_csv(out / ROWS_CSV, rows)
-    write_json_lines(out / ROWS_JSON, rows)
-    write_scores(out / SCORES, scores)
-    console = Console()
+    write_beside(out, rows, scores)
+    console = Console(markup=False)
     for card in scores.cards:
         console.print(_table(card))
     for line in _lines(scores):
@@ -59,6 +48,30 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
 def arm_of(agent: str) -> str:
     """How an agent answers, if nobody says otherwise."""
     return _ARMS.get(agent, AGENTIC)
+
+
+def marked(suite: str, graded: Graded, arm: str | None = None) -> Row:
+    """The row of a graded record; without a given arm, it is the one that its agent is usual in."""
+    task, record, score = graded
+    return row_of(task, record, score, suite=suite, arm=arm or arm_of(record.agent))
+
+
+def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
+    """Write rows.csv, rows.jsonl and scores.json.
+
+    Raises:
+        OutputFailed: They can't be written.
+    """
+    write_csv(folder / ROWS_CSV, rows)
+    write_json_lines(folder / ROWS_JSON, rows)
+    write_scores(folder / SCORES, scores)
+
+
+def headline_line(card: Scorecard) -> str:
+    """One entrant's headline in a line."""
+    _, tasks, runs, right, interval, chance = _cells(card.macro)
+    sizes = f"n = {tasks} tasks, {runs} of {card.macro.headline.rows} runs"
+    return f"{_name(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}"
 
 
 def _table(card: Scorecard) -> Table:

@@ -11,13 +11,12 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
-from probe.cli.rescore import arm_of
-from probe.cli.run import graded
+from probe.cli.grading import graded
+from probe.cli.rescore import marked
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import write_text
 from probe.runs.variation import read_variation
-from probe.scores.marking import row_of
 from probe.scores.robustness import Shift, shifts
 from probe.scores.row import Row
 from probe.tasks.suite_file import read_suite
@@ -62,9 +61,10 @@ def _graded(folder: Path) -> tuple[str, list[Row]]:
     """The conditions of a folder's records, in words, and its rows."""
     name = read_suite(folder / SUITE).name
     labels, rows = set[str](), list[Row]()
-    for task, record, score in graded(folder):
+    for each in graded(folder):
+        _, record, _ = each
         labels.add(record.conditions.label)
-        rows.append(row_of(task, record, score, suite=name, arm=arm_of(record.agent)))
+        rows.append(marked(name, each))
     if len(labels) != 1:
         raise BadData(folder, f"holds runs under {len(labels)} conditions", "Name another folder")
     return labels.pop(), rows

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated
@@ -14,13 +13,14 @@ from rich.table import Table
 
 from probe.assets.library import Library
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
-from probe.certify.parts import KEPT, Line, Parts, Place
+from probe.certify.parts import Line, Parts, Place
 from probe.cli.shards import parse_shard
 from probe.cli.suite_verify import verify
 from probe.cli.surroundings import Pool, library, tables_for
 from probe.errors import BadData
 from probe.files import write_text
 from probe.render.renderer import Renderer
+from probe.report.build_log import count_candidates
 from probe.tasks.suite_file import find_suite
 from probe.tasks.task import KINDS, QuestionKind
 
@@ -110,19 +110,13 @@ def _finish(
 def _print_yield(lines: Iterable[Line]) -> None:
     """Candidates by type, and by the check that rejected them."""
     table = Table("type", "candidates", "kept", "seconds a kept one", "first attempt", "rejected")
-    by_kind: dict[str, list[Line]] = {}
-    for line in lines:
-        by_kind.setdefault(line.kind, []).append(line)
-    for kind, mine in sorted(by_kind.items()):
-        checks = Counter(line.check for line in mine)
-        kept = checks.pop(KEPT, 0)
-        tried = [line.solved for line in mine if line.solved is not None]
+    for it in count_candidates(lines):
         table.add_row(
-            kind,
-            str(len(mine)),
-            f"{kept} ({kept / len(mine):.0%})",
-            f"{sum(line.seconds for line in mine) / max(1, kept):.0f}",
-            f"{sum(tried)} of {len(tried)}" if tried else "",
-            ", ".join(f"{check} {count}" for check, count in checks.most_common()),
+            it.kind,
+            str(it.candidates),
+            f"{it.kept} ({it.kept / it.candidates:.0%})",
+            f"{it.seconds / max(1, it.kept):.0f}",
+            f"{it.solved} of {it.tried}" if it.tried else "",
+            ", ".join(f"{check} {count}" for check, count in it.rejected),
         )
     Console().print(table)

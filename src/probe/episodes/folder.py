@@ -7,7 +7,6 @@ import os
 from collections.abc import Generator, Iterable
 from contextlib import contextmanager
 from dataclasses import replace
-from itertools import groupby
 from pathlib import Path
 
 from probe.episodes.files import append_line, append_record, read_records
@@ -45,22 +44,20 @@ def add_line(out: Path, line: bytes) -> None:
 
 
 def in_order(records: Iterable[EpisodeRecord], suite: Suite) -> list[EpisodeRecord]:
-    """Records by task, agent and run, however they were written; none of faults made good since.
-
-    Of several faults of one episode the last is kept.
-    """
+    """Records by task, agent and run, however they were written; faults before their repetition."""
     places = {task.id: place for place, task in enumerate(suite.tasks)}
 
-    def place(record: EpisodeRecord) -> tuple[int, str, int]:
-        return places.get(record.task, len(places)), record.agent, record.run
+    def place(record: EpisodeRecord) -> tuple[int, str, str, int, bool]:
+        known = places.get(record.task, len(places))
+        return known, record.task, record.agent, record.run, record.end != "fault"
 
-    kept = list[EpisodeRecord]()
-    for key, some in groupby(sorted(records, key=place), key=place):
-        of_one = list(some)
-        whole = [record for record in of_one if record.end != "fault"]
-        # Tasks that aren't in the suite share a place; they are for others to refuse.
-        kept += of_one if key[0] == len(places) else whole or of_one[-1:]
-    return kept
+    return sorted(records, key=place)
+
+
+def standing(records: Iterable[EpisodeRecord]) -> list[EpisodeRecord]:
+    """Of records in order the last of each run: no faults that were made good since."""
+    last = {(record.task, record.agent, record.run): record for record in records}
+    return list(last.values())
 
 
 @contextmanager

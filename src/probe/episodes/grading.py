@@ -5,7 +5,7 @@ from __future__ import annotations
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Question
 from probe.errors import ProbeError
-from probe.tasks.grading import Answer, LastView, Score, grade
+from probe.tasks.grading import Answer, LastView, Score, grade, looks_at_end
 from probe.tasks.marks import drawn
 from probe.tasks.task import LETTERS, Letter, Task
 from probe.types import Array
@@ -42,10 +42,17 @@ def grade_episode(task: Task, record: EpisodeRecord, labels: Array) -> Score:
     """
     if record.task != task.id or record.question != question_of(task):
         raise OtherTask(record.task, task.id)
-    answer = Answer(None)
-    if record.answer is not None:
-        answer = Answer(_letter(record.answer.choice), record.answer.point_px)
-    return grade(task, answer, LastView(labels, record.scenes[-1]))
+    return grade(task, _answer(record), LastView(labels, record.scenes[-1]))
+
+
+def needs_labels(task: Task, record: EpisodeRecord) -> bool:
+    """Whether labels must be drawn to grade an episode; otherwise any will do, empty ones too."""
+    return looks_at_end(task, _answer(record))
+
+
+def _answer(record: EpisodeRecord) -> Answer:
+    said = record.answer
+    return Answer(_letter(said.choice), said.point_px) if said else Answer(None)
 
 
 def _letter(choice: str) -> Letter | None:

@@ -1,19 +1,155 @@
-"""The report: one page that opens from disk, with a table of rates and every episode."""
+"""The report: a folder that opens from disk, or one file. Scores, the suite, every episode."""
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from probe.report.episode_view import EpisodeView
-from probe.report.rendering import write_page
-from probe.report.tally import rates
+from probe.errors import BadData, ProbeError
+from probe.files import write_text
+from probe.report.build_log import Candidates
+from probe.report.formats import FILTERS
+from probe.report.highlight import highlight_of
+from probe.report.outcome_figure import CLASSES, WIDTH, panels
+from probe.report.played import Played, detail_of, index_of, keys_of
+from probe.report.rendering import digest, joined, script_json, write_page
+from probe.report.suite_facts import suite_facts
+from probe.report.summary_tables import effort_table, missing_table, type_table, unknown_measures
+from probe.scores.summary import Scores
+from probe.tasks.suite import Suite
+
+LARGEST_SINGLE = 20
+"""Episodes that a single file may hold; each brings some half a megabyte of pictures."""
+
+PICTURES, EPISODES = "pictures", "episodes"
+_STYLES = ("base.css", "tables.css", "figure.css", "episodes.css", "replay.css", "print.css")
+_SCRIPTS = ("data.js", "cards.js", "filters.js", "panel.js", "replay.js", "keys.js")
 
 
-def write_report(path: Path, title: str, views: Sequence[EpisodeView]) -> None:
-    """Write the page, with a table of rates for each agent."""
-    agents = sorted({view.record.agent for view in views})
-    tables = {
-        agent: rates([view for view in views if view.record.agent == agent]) for agent in agents
+class TooManyEpisodes(ProbeError):
+    """A single file was asked for that no browser would like."""
+
+    def __init__(self, episodes: int) -> None:
+        super().__init__(
+            f"A single file holds at most {LARGEST_SINGLE} episodes, and these are {episodes}. "
+            "Leave out --single-file: the folder can be zipped."
+        )
+
+
+@dataclass(frozen=True)
+class Report:
+    """All that a report shows.
+
+    Attributes:
+        suite: What was asked.
+        scores: Of everyone who answered.
+        played: Every episode, those that count for nothing included; pictures lie in the report's
+            folder of pictures.
+        candidates: Of the suite's building, by type; empty if its log isn't known.
+        files: Names of the tables that lie beside the page.
+    """
+
+    suite: Suite
+    scores: Scores
+    played: tuple[Played, ...]
+    candidates: tuple[Candidates, ...] = ()
+    files: tuple[str, ...] = ()
+
+
+def write_report(path: Path, report: Report, *, single: bool = False) -> None:
+    """Write the page, and beside it a file for each episode unless it is to be a single file.
+
+    Args:
+        path: The page.
+        report: What it shows.
+        single: Everything goes into the page, pictures too.
+
+    Raises:
+        TooManyEpisodes: For a single file.
+        OutputFailed: The disk is full, or the folder can't be written.
+    """
+    if single and len(report.played) > LARGEST_SINGLE:
+        raise TooManyEpisodes(len(report.played))
+    report = _in_order(report)
+    if single:
+        played = tuple(_inlined(each, path.parent) for each in report.played)
+        report = replace(report, played=played)
+    details = dict(zip(keys_of(report.played), map(detail_of, report.played), strict=True))
+    if not single:
+        for key, detail in details.items():
+            script = f"probeEpisode({script_json(key)}, {script_json(detail)});\n"
+            write_text(path.parent / EPISODES / f"{key}.js", script)
+    values = _values(report) | {"details": script_json(details if single else {})}
+    write_page(path, "report/index.html", values | _policy(single=single), FILTERS)
+
+
+def _in_order(report: Report) -> Report:
+    """Episodes by task, then by entrant, best first, then by run."""
+    places = {task.id: place for place, task in enumerate(report.suite.tasks)}
+    ranks = {card.entrant: rank for rank, card in enumerate(report.scores.cards)}
+    played = sorted(
+        report.played, key=lambda it: (places[it.task.id], ranks[it.row.entrant], it.row.run)
+    )
+    return replace(report, played=tuple(played))
+
+
+def _policy(*, single: bool) -> dict[str, object]:
+    """Styles and scripts, and the policy that lets the page load these and its own files alone."""
+    style, script = joined("report", _STYLES), joined("report", _SCRIPTS)
+    own = "" if single else "'self' file: "
+    rules = (
+        "default-src 'none'",
+        f"style-src '{digest(style)}'",
+        f"script-src {own}'{digest(script)}'",
+        f"img-src {own}data:",
+        "base-uri 'none'",
+        "form-action 'none'",
+    )
+    return {"style": style, "script": script, "policy": "; ".join(rules), "single": single}
+
+
+def _values(report: Report) -> dict[str, object]:
+    cards = report.scores.cards
+    entrants = [card.entrant for card in cards]
+    highlight = highlight_of(report.played)
+    gaps = {card.entrant: card.gaps for card in cards}
+    played = report.played
+    return {
+        "suite": report.suite,
+        "scores": report.scores,
+        "cards": cards,
+        "types": type_table(cards),
+        "effort": effort_table(cards),
+        "unknown": unknown_measures(cards),
+        "missing": missing_table(cards),
+        "repeated": [each for each in played if not each.counts],
+        "panels": panels(cards),
+        "classes": CLASSES,
+        "bar_width": WIDTH,
+        "highlight": highlight,
+        "highlight_key": highlight and keys_of(played)[played.index(highlight.played)],
+        "facts": suite_facts(report.suite.tasks),
+        "candidates": report.candidates,
+        "files": report.files,
+        "played": played,
+        "index": script_json(index_of(played, entrants, gaps)),
     }
-    write_page(path, "report.html", {"title": title, "tables": tables, "views": views})
+
+
+def _inlined(played: Played, folder: Path) -> Played:
+    return replace(played, pictures=tuple(_data(folder / name) for name in played.pictures))
+
+
+def _data(path: Path) -> str:
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise BadData(path, error.strerror or str(error), "Write the report again") from error
+    return "data:image/jpeg;base64," + base64.b64encode(content).decode()
+
+
+def addresses(names: Sequence[str]) -> tuple[str, ...]:
+    """Of files in the folder of pictures, relative to the page."""
+    return tuple(f"{PICTURES}/{name}" for name in names)

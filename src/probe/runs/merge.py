@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from probe.episodes.files import read_records, write_records
-from probe.episodes.folder import RECORDS, SUITE, in_order
+from probe.episodes.folder import RECORDS, SUITE, in_order, standing
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.runs.variation import read_variation, write_variation
@@ -30,7 +30,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
     kept = list[EpisodeRecord]()
     for part in parts:
         _check_suite(part, suite)
-        records = in_order(read_records(part / RECORDS), suite)
+        records = standing(in_order(read_records(part / RECORDS), suite))
         for record in records:
             first = first or record
             _check(part, record, first, found)

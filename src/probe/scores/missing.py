@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from probe.scores.estimates import macro
@@ -56,8 +56,13 @@ def settled(rows: Iterable[Row]) -> list[Row]:
     return list(kept.values())
 
 
-def gaps_of(rows: Sequence[Row], roster: Roster) -> list[Gap]:
+def gaps_of(rows: Sequence[Row], roster: Roster, runs: Collection[int] = ()) -> list[Gap]:
     """What one entrant lacks: each task of the roster should have each run that any task has.
+
+    Args:
+        rows: Of the entrant.
+        roster: Tasks.
+        runs: Further runs that there should be, since tasks elsewhere have them.
 
     Raises:
         ContraryRows: A row's task isn't on the roster, or is another one there.
@@ -66,10 +71,10 @@ def gaps_of(rows: Sequence[Row], roster: Roster) -> list[Gap]:
         if roster.get(row.task) != Listed(row.kind, row.stratum, row.options):
             raise ContraryRows(row, "the task isn't of this suite")
     there = {(row.task, row.run): row for row in rows}
-    runs = sorted({row.run for row in rows}) or [0]
+    wanted = sorted({row.run for row in rows} | set(runs)) or [0]
     found = list[Gap]()
     for task, listed in roster.items():
-        for run in runs:
+        for run in wanted:
             row = there.get((task, run))
             if row is None or row.fault is not None:
                 reason = "never run" if row is None else str(row.fault)
@@ -94,13 +99,21 @@ def filled(
     return [Unit(task, kind, tuple(values)) for (task, kind), values in runs.items()]
 
 
-def headline(rows: Sequence[Row], roster: Roster, worth: Worth = is_correct) -> Headline:
+def headline(
+    rows: Sequence[Row], roster: Roster, worth: Worth = is_correct, runs: Collection[int] = ()
+) -> Headline:
     """One entrant's macro average; refused while anything of it is missing.
+
+    Args:
+        rows: Of the entrant.
+        roster: Tasks.
+        worth: What counts as right.
+        runs: As in gaps_of.
 
     Raises:
         ContraryRows: A run is there twice, or a task isn't on the roster.
     """
-    gaps = gaps_of(rows, roster)
+    gaps = gaps_of(rows, roster, runs)
     worst, best = (macro(strata_of(filled(rows, gaps, value, worth))) for value in (0.0, 1.0))
     whole = len(present(rows)) + len(gaps)
     return Headline(None if gaps else worst, worst, best, whole, len(gaps))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from probe.scores.breakdown import Effort, Execution, Outcomes, effort, execution, outcomes
@@ -128,13 +128,19 @@ def _part(
     worth: Worth = is_correct,
 ) -> Figure:
     some = {task: listed for task, listed in roster.items() if keep(listed)}
-    return _figure(name, [row for row in rows if row.task in some], some, seed, worth)
+    runs = {row.run for row in rows}
+    return _figure(name, [row for row in rows if row.task in some], some, seed, worth, runs)
 
 
 def _figure(
-    name: str, rows: Sequence[Row], roster: Roster, seed: int, worth: Worth = is_correct
+    name: str,
+    rows: Sequence[Row],
+    roster: Roster,
+    seed: int,
+    worth: Worth = is_correct,
+    runs: Collection[int] = (),
 ) -> Figure:
-    top = headline(rows, roster, worth)
+    top = headline(rows, roster, worth, runs)
     chance = macro_chance(chance_by_kind(roster))
     known = top.value is not None
     units = units_of(rows, worth) if known else []

@@ -79,10 +79,15 @@ def grade(task: Task, answer: Answer, last: LastView) -> Score:
         return Score(False, False, "unanswered")
     if answer.letter != task.answer:
         return Score(False, False, "wrong")
-    if task.kind != "find" or task.answer == "E":
+    if not looks_at_end(task, answer):
         return Score(True, True, "right")
     outcome = _grade_point(task.targets[0], answer.point, last)
     return Score(outcome == "right", True, outcome)
+
+
+def looks_at_end(task: Task, answer: Answer) -> bool:
+    """Whether an answer's worth depends on the last view: a letter that has to be pointed at."""
+    return task.kind == "find" and answer.letter == task.answer and task.answer != "E"
 
 
 def whereabouts(pose: Pose) -> Whereabouts:

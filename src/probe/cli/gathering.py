@@ -1,0 +1,170 @@
+"""Run folders of one suite together: told apart, graded, drawn."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rich.progress import track
+
+from probe.cli.grading import grade_folder
+from probe.cli.rescore import marked
+from probe.episodes.folder import SUITE
+from probe.episodes.record import EpisodeRecord
+from probe.errors import ProbeError
+from probe.report.darkroom import Darkroom
+from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes, addresses
+from probe.report.played import Played
+from probe.report.stills import Still, develop, file_of, stills_of
+from probe.scores.missing import settled
+from probe.scores.row import Row
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import read_suite
+from probe.tasks.task import Task
+
+
+class OtherSuite(ProbeError):
+    """Runs can't be compared."""
+
+    def __init__(self, first: Path, other: Path, reason: str) -> None:
+        super().__init__(
+            f"{other} is about another suite than {first}: {reason}. "
+            "Compare runs of one suite, or write a report of each."
+        )
+
+
+class NoRuns(ProbeError):
+    """No folder, or no record in any, or a folder twice."""
+
+
+@dataclass(frozen=True)
+class _Entry:
+    task: Task
+    record: EpisodeRecord
+    row: Row
+    stills: tuple[Still, ...]
+
+
+def one_suite(runs: Sequence[Path]) -> Suite:
+    """The suite that all folders are about.
+
+    Raises:
+        NoRuns: There is no folder, or one is there twice.
+        OtherSuite: They are about several.
+        BadData: A suite can't be read.
+    """
+    if not runs:
+        raise NoRuns("No folder to report on. Name one that `probe run` wrote to.")
+    if len({run.resolve() for run in runs}) < len(runs):
+        raise NoRuns("A folder is named twice. Name each once.")
+    suites = [read_suite(run / SUITE) for run in runs]
+    for run, suite in zip(runs, suites, strict=True):
+        if suite != suites[0]:
+            raise OtherSuite(runs[0], run, _difference(suites[0], suite))
+    return suites[0]
+
+
+def gather(
+    runs: Sequence[Path],
+    suite: Suite,
+    darkroom: Darkroom,
+    out: Path,
+    *,
+    arm: str | None = None,
+    single: bool = False,
+) -> tuple[Played, ...]:
+    """Every episode of the folders, in the order of the suite, its pictures in the report's folder.
+
+    Args:
+        runs: Folders.
+        suite: What all of them are about.
+        darkroom: Where to draw.
+        out: Folder of the report.
+        arm: Of all agents; None for what is usual.
+        single: Stop before drawing if a single file can't hold them.
+
+    Raises:
+        NoRuns: No folder holds a record.
+        TooManyEpisodes: For a single file.
+    """
+    folders = [_entries(run, suite, darkroom, arm) for run in runs]
+    entries = [entry for some in _told_apart(runs, folders) for entry in some]
+    if not entries:
+        raise NoRuns(f"There is no record in {runs[0]}. Let an agent work on the suite first.")
+    if single and len(entries) > LARGEST_SINGLE:
+        raise TooManyEpisodes(len(entries))
+    order = {task.id: number for number, task in enumerate(suite.tasks)}
+    entries.sort(key=lambda it: order[it.task.id])
+    _draw(entries, suite, darkroom, out / PICTURES, [run / PICTURES for run in runs])
+    counting = {id(row) for row in settled(entry.row for entry in entries)}
+    return tuple(
+        Played(
+            entry.task,
+            entry.record,
+            entry.row,
+            id(entry.row) in counting,
+            addresses([file_of(still, suite.objects) for still in entry.stills]),
+        )
+        for entry in entries
+    )
+
+
+def _entries(run: Path, suite: Suite, darkroom: Darkroom, arm: str | None) -> list[_Entry]:
+    return [
+        _Entry(task, record, marked(suite.name, graded, arm), stills_of(task, record))
+        for graded in grade_folder(run, suite, darkroom)
+        for task, record, _ in [graded]
+    ]
+
+
+def _told_apart(runs: Sequence[Path], folders: Sequence[list[_Entry]]) -> list[list[_Entry]]:
+    """Agents that appear in the same arm in two folders get their folder's name added."""
+    entrants = Counter(who for some in folders for who in {entry.row.entrant for entry in some})
+    shared = {who.agent for who, times in entrants.items() if times > 1}
+    return [
+        [_called(entry, name) if entry.row.agent in shared else entry for entry in some]
+        for name, some in zip(short_names(runs), folders, strict=True)
+    ]
+
+
+def _called(entry: _Entry, folder: str) -> _Entry:
+    agent = f"{entry.row.agent} [{folder}]"
+    return replace(entry, row=entry.row.model_copy(update={"agent": agent}))
+
+
+def short_names(folders: Sequence[Path]) -> list[str]:
+    """The last parts of each path, as many as it takes to tell them apart."""
+    parts = [folder.resolve().parts for folder in folders]
+    for length in range(1, max(map(len, parts)) + 1):
+        names = ["/".join(each[-length:]) for each in parts]
+        if len(set(names)) == len(names):
+            return names
+    return [str(folder) for folder in folders]
+
+
+def _draw(
+    entries: Sequence[_Entry], suite: Suite, darkroom: Darkroom, out: Path, kept: Sequence[Path]
+) -> None:
+    """Draw what isn't there yet; pictures of a folder that is reported on are taken over."""
+    wanted = {
+        out / file_of(still, suite.objects): (still, entry.task)
+        for entry in entries
+        for still in entry.stills
+    }
+    missing = [(path, *said) for path, said in wanted.items() if not path.exists()]
+    others = [folder for folder in kept if folder != out]
+    for path, still, task in track(missing, "Drawing", disable=not missing):
+        develop(still, task, path, darkroom, others)
+
+
+def _difference(first: Suite, other: Suite) -> str:
+    mine, theirs = ({task.id: task for task in suite.tasks} for suite in (first, other))
+    if mine.keys() != theirs.keys():
+        alone = len(mine.keys() ^ theirs.keys())
+        return f"{first.name} and {other.name} differ in {alone} tasks"
+    changed = [name for name, task in mine.items() if task != theirs[name]]
+    if changed:
+        return f"their tasks {changed[0]} differ"
+    return f"one is called {first.name}, the other {other.name}, or their objects differ"

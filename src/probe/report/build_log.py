@@ -1,0 +1,75 @@
+"""The log of a suite's building: candidates, what was kept, and which check rejected the rest."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from probe.certify.parts import KEPT, Line
+from probe.errors import BadData
+
+_REMEDY = "Take the log that `probe suite build` wrote beside the suite"
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """What became of the candidates of one question type.
+
+    Attributes:
+        solved, tried: First scripted attempts that succeeded, of all, before any was selected.
+        seconds: Time that all of them took.
+        rejected: Candidates by the check that they failed, most first.
+    """
+
+    kind: str
+    candidates: int
+    kept: int
+    solved: int
+    tried: int
+    seconds: float
+    rejected: tuple[tuple[str, int], ...]
+
+
+def read_build_log(path: Path) -> list[Candidates]:
+    """Count a log's candidates, by type.
+
+    Raises:
+        BadData: It can't be read, or a line is none of a log.
+    """
+    try:
+        texts = path.read_text("utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadData(path, str(error), _REMEDY) from error
+    return count_candidates(_line(path, *each) for each in enumerate(texts, start=1))
+
+
+def _line(path: Path, number: int, text: str) -> Line:
+    try:
+        return Line.parse(text)
+    except ValueError as error:
+        raise BadData(f"{path}, line {number}", str(error), _REMEDY) from error
+
+
+def count_candidates(lines: Iterable[Line]) -> list[Candidates]:
+    """The same of lines that have been read."""
+    kinds: dict[str, list[Line]] = {}
+    for line in lines:
+        kinds.setdefault(line.kind, []).append(line)
+    return [_count(kind, kinds[kind]) for kind in sorted(kinds)]
+
+
+def _count(kind: str, lines: Sequence[Line]) -> Candidates:
+    checks = Counter(line.check for line in lines)
+    kept = checks.pop(KEPT, 0)
+    tried = [line.solved for line in lines if line.solved is not None]
+    return Candidates(
+        kind=kind,
+        candidates=len(lines),
+        kept=kept,
+        solved=sum(tried),
+        tried=len(tried),
+        seconds=sum(line.seconds for line in lines),
+        rejected=tuple(checks.most_common()),
+    )

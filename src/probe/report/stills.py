@@ -1,0 +1,119 @@
+"""The pictures of a replay, each a file named by what it shows: drawn once, never again."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from probe.assets.fingerprint import Fingerprint
+from probe.episodes.record import EpisodeRecord, Step
+from probe.errors import BadData
+from probe.files import encode, write_bytes
+from probe.perception.things import Thing, Words
+from probe.report.darkroom import Darkroom
+from probe.scene.document import SceneDocument
+from probe.scene.scene import Scene
+from probe.scene.sight import Sight
+from probe.tasks.marks import drawn
+from probe.tasks.task import Mark, Task
+from probe.toolshed.pictures import outlined
+from probe.types import Array, Frame
+
+PICTURE_PX = 512
+_EDITION = 3
+"""To be raised when the same table is drawn differently."""
+
+_QUALITY = 85
+_UNNAMED = Words(None, "", (), "")
+
+
+@dataclass(frozen=True)
+class Still:
+    """A picture of a table, as an agent was given it.
+
+    Attributes:
+        scene: The table.
+        sight: From where and in which light.
+        marks: Drawn on it.
+        outline: Pixel (u, v) of a thing that is outlined; None for no outline.
+    """
+
+    scene: Scene
+    sight: Sight = field(default_factory=Sight)
+    marks: tuple[Mark, ...] = ()
+    outline: tuple[int, int] | None = None
+
+
+def stills_of(task: Task, record: EpisodeRecord) -> tuple[Still, ...]:
+    """What to show of an episode: the start, with its marks, and the table after each step."""
+    start = Still(record.start.scene, record.sight, marks=task.marks)
+    return start, *(
+        Still(step.after.scene, record.sight, outline=_found(step)) for step in record.steps
+    )
+
+
+def _found(step: Step) -> tuple[int, int] | None:
+    return step.point_px if (step.call.name, step.status) == ("find_object", "done") else None
+
+
+def file_of(still: Still, objects: Mapping[str, Fingerprint]) -> str:
+    """The name of its file, which depends on all that it shows and on nothing else.
+
+    Args:
+        still: The picture.
+        objects: Fingerprints by object id: what the objects look like is part of the picture.
+    """
+    shown = {placed.object_id for placed in still.scene.objects}
+    said = [
+        _EDITION,
+        SceneDocument.of(still.scene).model_dump(),
+        repr(still.sight),
+        [(mark.letter, mark.point) for mark in still.marks],
+        still.outline,
+        {id: objects[id] for id in sorted(shown)},
+    ]
+    return hashlib.sha256(json.dumps(said).encode()).hexdigest()[:20] + ".jpg"
+
+
+def develop(still: Still, task: Task, path: Path, darkroom: Darkroom, kept: Iterable[Path]) -> None:
+    """Write a picture, or take over the file of another folder if one has it.
+
+    Raises:
+        OutputFailed: It can't be written; nothing half-written is left.
+        BadData: A file of another folder can't be read.
+    """
+    for folder in kept:
+        try:
+            write_bytes(path, (folder / path.name).read_bytes())
+            return
+        except FileNotFoundError:
+            continue
+        except OSError as error:
+            reason = error.strerror or str(error)
+            raise BadData(folder / path.name, reason, "Delete it; it is drawn again") from error
+    shown = _pixels(still, darkroom.frame(task, still.scene, still.sight))
+    write_bytes(path, encode(Image.fromarray(shown), "JPEG", quality=_QUALITY))
+
+
+def _pixels(still: Still, frame: Frame) -> Array:
+    """Small; marks and outline are drawn afterwards, to be as easy to see as in a large one."""
+    assert frame.rgb is not None and frame.labels is not None
+    size = (PICTURE_PX, PICTURE_PX)
+    small = np.asarray(Image.fromarray(frame.rgb).resize(size, Image.Resampling.BOX))
+    if still.outline is None:
+        return drawn(small, [_shrunk(mark, frame.rgb.shape[0]) for mark in still.marks])
+    u, v = still.outline
+    mask = (frame.labels == frame.labels[v, u]) & (frame.labels[v, u] > 0)
+    mask = np.asarray(Image.fromarray(mask).resize(size, Image.Resampling.NEAREST))
+    return outlined(small, Thing.of(mask, _UNNAMED)) if mask.any() else small
+
+
+def _shrunk(mark: Mark, width: int) -> Mark:
+    u, v = (PICTURE_PX * place // width for place in mark.point)
+    return replace(mark, point=(u, v))

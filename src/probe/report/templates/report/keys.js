@@ -1,0 +1,32 @@
+// The keyboard, and the beginning.
+
+function typing(target) {
+  return target.matches("input:not([type=range]), select, textarea");
+}
+
+function stepKey(key) {
+  const panel = panelInUse();
+  const to = { ArrowLeft: panel.at - 1, ArrowRight: panel.at + 1, Home: 0, End: Infinity }[key];
+  if (to !== undefined) panel.show(to);
+  return to !== undefined;
+}
+
+function replayKey(key) {
+  if (key === "j") go(1);
+  else if (key === "k") go(-1);
+  else if (key === "c") compareNext();
+  else return stepKey(key);
+  return true;
+}
+
+document.addEventListener("keydown", (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+  if (dialog.open ? replayKey(event.key) : event.key === "/") {
+    event.preventDefault();
+    if (!dialog.open) filters.elements.text.focus();
+  }
+});
+
+filter();
+openFromAddress();
+addEventListener("hashchange", openFromAddress);

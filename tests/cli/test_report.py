@@ -1,0 +1,187 @@
+"""`probe report` on folders made by hand, whose pictures are there: nothing is drawn."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from pages import Page
+from probe.assets.library import open_library
+from probe.cli.gathering import NoRuns, OtherSuite, gather, one_suite, short_names
+from probe.cli.report import write_run_report
+from probe.cli.rescore import rescore
+from probe.episodes.folder import RECORDS
+from probe.errors import BadData
+from probe.report.darkroom import Darkroom
+from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes
+from probe.tasks.suite_file import write_suite
+from run_folders import DEMO, episode, write_run
+
+TABLES = ("rows.csv", "rows.jsonl", "scores.json")
+PLAIN = [task for task in DEMO.tasks if task.kind != "find"]
+"""Tasks that are graded without a look at the table."""
+
+
+def data_of(page: Page, id: str = "index-data"):
+    (script,) = page.all("script", id=id)
+    return json.loads(script.text)
+
+
+def test_a_run_becomes_a_folder_that_holds_all_it_needs(tmp_path):
+    out = write_run(tmp_path / "run", [episode(task, right=True) for task in PLAIN])
+    before = {path: path.stat().st_mtime_ns for path in (out / "pictures").iterdir()}
+    page = Page(write_run_report([out]).read_text())
+    assert {path: path.stat().st_mtime_ns for path in (out / "pictures").iterdir()} == before
+    index = data_of(page)
+    assert [each["verdict"] for each in index["episodes"]] == ["right"] * 4
+    assert len(list((out / "episodes").glob("*.js"))) == 4
+    for each in index["episodes"]:
+        text = (out / "episodes" / f"{each['key']}.js").read_text()
+        assert text.startswith(f'probeEpisode("{each["key"]}", ')
+        detail = json.loads(text.removesuffix(");\n").split(", ", 1)[1])
+        for address in [detail["start"], *(step["picture"] for step in detail["steps"])]:
+            assert (out / address).is_file()
+    assert all((out / task["picture"]).is_file() for task in index["tasks"])
+
+
+def test_tables_beside_the_page_are_those_of_rescore(tmp_path):
+    records = [episode(task, right=n % 2 == 0) for n, task in enumerate(PLAIN)]
+    one, other = (write_run(tmp_path / name, records) for name in ("one", "other"))
+    write_run_report([one])
+    rescore(other)
+    for name in TABLES:
+        assert (one / name).read_bytes() == (other / name).read_bytes()
+
+
+def test_what_was_never_run_and_what_failed_is_named(tmp_path):
+    records = [episode(PLAIN[0]), episode(PLAIN[1], fault="RenderFailed: gone")]
+    page = Page(write_run_report([write_run(tmp_path / "run", records)]).read_text())
+    missing = page.section("missing")
+    assert "anna (agentic) : 5 of 6 rows" in missing
+    assert "RenderFailed: gone" in missing
+    for task in DEMO.tasks[2:]:
+        assert f"{task.id} run 0" in missing
+    assert "incomplete" in page.section("scores")
+    # One of six tasks right, in one of three types; five could be either.
+    assert "worst 16.7 %, best 100.0 %" in page.section("scores")
+    # A task that nobody was given has no card, but its line under "Missing".
+    assert [each["verdict"] for each in data_of(page)["episodes"]] == ["right", "missing"]
+
+
+def test_a_failure_that_was_run_again_is_shown_and_does_not_count(tmp_path):
+    first, again = episode(PLAIN[0], fault="RenderFailed: gone"), episode(PLAIN[0])
+    page = Page(write_run_report([write_run(tmp_path / "run", [first, again])]).read_text())
+    shown = [(each["verdict"], each["counts"]) for each in data_of(page)["episodes"]]
+    assert shown == [("missing", False), ("right", True)]
+    assert len({each["key"] for each in data_of(page)["episodes"]}) == 2
+    assert "run again" in page.section("missing")
+
+
+def test_runs_of_one_suite_are_compared(tmp_path):
+    one = write_run(tmp_path / "one", [episode(task) for task in PLAIN])
+    other = write_run(tmp_path / "other", [episode(t, right=False, agent="bert") for t in PLAIN])
+    out = tmp_path / "both"
+    page = Page(write_run_report([one, other], out).read_text())
+    assert data_of(page)["entrants"] == ["anna (agentic)", "bert (agentic)"]
+    assert "+100.0" in page.section("differences")
+    # Pictures are taken over from the runs; nothing could be drawn here.
+    assert {path.name for path in (out / "pictures").iterdir()} == {
+        path.name for run in (one, other) for path in (run / "pictures").iterdir()
+    }
+
+
+def test_an_agent_of_two_folders_is_told_apart_by_their_names(tmp_path):
+    folders = [write_run(tmp_path / n, [episode(t) for t in PLAIN]) for n in ("v1", "v2")]
+    page = Page(write_run_report(folders, tmp_path / "both").read_text())
+    assert data_of(page)["entrants"] == ["anna [v1] (agentic)", "anna [v2] (agentic)"]
+    assert len(data_of(page)["episodes"]) == 8
+
+
+def test_folders_are_called_by_as_much_of_their_path_as_it_takes(tmp_path):
+    assert short_names([tmp_path / "x" / "run", tmp_path / "y" / "run"]) == ["x/run", "y/run"]
+    assert short_names([tmp_path / "x", tmp_path / "y"]) == ["x", "y"]
+
+
+def test_other_suites_are_refused(tmp_path):
+    less = replace(DEMO, tasks=DEMO.tasks[:4])
+    one = write_run(tmp_path / "one", [episode(PLAIN[0])])
+    other = write_run(tmp_path / "other", [episode(PLAIN[0])], less)
+    with pytest.raises(OtherSuite, match="demo and demo differ in 2 tasks. Compare runs of one"):
+        write_run_report([one, other], tmp_path / "both")
+    assert not (tmp_path / "both").exists()
+    named = write_run(tmp_path / "named", [], replace(DEMO, name="v1"))
+    with pytest.raises(OtherSuite, match="one is called demo, the other v1"):
+        one_suite([one, named])
+    task = replace(DEMO.tasks[0], question="What else?")
+    changed = write_run(tmp_path / "changed", [], replace(DEMO, tasks=(task, *DEMO.tasks[1:])))
+    with pytest.raises(OtherSuite, match=f"{task.id} differ"):
+        one_suite([one, changed])
+
+
+def test_no_folder_and_no_record_and_the_same_folder_twice_are_refused(tmp_path):
+    with pytest.raises(NoRuns, match="No folder"):
+        one_suite([])
+    run = write_run(tmp_path / "run", [])
+    with pytest.raises(NoRuns, match="named twice"):
+        one_suite([run, tmp_path / "run" / ".." / "run"])
+    with pytest.raises(NoRuns, match="no record in"):
+        write_run_report([run])
+    (run / RECORDS).unlink()
+    with pytest.raises(BadData, match=RECORDS):
+        write_run_report([run])
+
+
+def test_a_single_file_needs_no_other(tmp_path):
+    out = write_run(tmp_path / "run", [episode(task) for task in PLAIN])
+    path = write_run_report([out], single=True)
+    page = Page(path.read_text())
+    assert path.name == "report.html"
+    assert not (out / "episodes").exists()
+    details = data_of(page, "detail-data")
+    assert set(details) == {each["key"] for each in data_of(page)["episodes"]}
+    pictures = [detail["start"] for detail in details.values()]
+    assert all(picture.startswith("data:image/jpeg;base64,") for picture in pictures)
+    outside = [it for it in page.addresses() if not it.startswith(("data:", "#", *TABLES))]
+    assert outside == []
+
+
+def test_a_single_file_of_many_episodes_is_refused_before_anything_is_drawn(tmp_path):
+    many = [episode(PLAIN[0], run=run) for run in range(LARGEST_SINGLE + 1)]
+    out = write_run(tmp_path / "run", many, pictures=False)
+    with pytest.raises(TooManyEpisodes, match="at most 20 episodes, and these are 21"):
+        write_run_report([out], single=True)
+    assert sorted(path.name for path in out.iterdir()) == ["records.jsonl", "suite.json"]
+
+
+def test_the_log_of_the_building_becomes_a_table(tmp_path):
+    log = tmp_path / "log.txt"
+    log.write_text("count\t0\tcover\t-\tnothing\t2.0\ncount\t1\tkept\tTrue\t\t18.0\n")
+    out = write_run(tmp_path / "run", [episode(PLAIN[0])])
+    page = Page(write_run_report([out], build_log=log).read_text())
+    assert "count 2 1 50 % 20 1 of 1 cover 1" in page.section("suite")
+
+
+def test_names_with_brackets_are_printed_as_they_are(tmp_path, capsys):
+    write_run_report([write_run(tmp_path / "run", [episode(PLAIN[0], agent="[/b] anna [x]")])])
+    assert "[/b] anna [x] (agentic): incomplete" in capsys.readouterr().out
+
+
+@pytest.mark.slow
+def test_a_report_that_was_stopped_draws_what_is_lacking_and_nothing_else(tmp_path, cache):
+    run = write_run(tmp_path / "run", [episode(PLAIN[0]), episode(PLAIN[1])])
+    lacking, *others = sorted((run / PICTURES).iterdir())
+    before = {path: path.read_bytes() for path in others}
+    plain = lacking.read_bytes()
+    lacking.unlink()
+    with Darkroom(DEMO, lambda: open_library("procedural", None, cache), None) as room:
+        played = gather([run], DEMO, room, run)
+    assert {path: path.read_bytes() for path in others} == before
+    assert lacking.read_bytes() != plain
+    assert all((run / name).is_file() for each in played for name in each.pictures)
+
+
+def test_a_suite_that_was_replaced_is_noticed(tmp_path):
+    out = write_run(tmp_path / "run", [episode(PLAIN[0])])
+    write_suite(out / "suite.json", replace(DEMO, tasks=DEMO.tasks[1:]))
+    with pytest.raises(BadData, match="is not in suite.json"):
+        write_run_report([out])

@@ -1,0 +1,31 @@
+import pytest
+
+from probe.report.outcome_figure import CLASSES, WIDTH, panels
+from probe.scores.breakdown import Outcomes
+from probe.scores.roster import roster_of
+from probe.scores.scorecard import scorecard
+from score_rows import faulty, row
+
+
+def test_bars_are_shares_of_a_types_episodes():
+    rows = [
+        row("size-0"),
+        row("size-1"),
+        row("size-2", False, manipulated=False, manipulations=0),
+        faulty("size-3"),
+        row("count-0", False),
+    ]
+    (panel,) = panels([scorecard(rows, roster_of(rows), seed=0)])
+    count, size = panel.bars
+    assert (size.kind, size.episodes) == ("size", 4)
+    assert [(s.name, s.count, s.x, s.width) for s in size.segments] == [
+        ("used_right", 2, 0, pytest.approx(WIDTH / 2)),
+        ("unused_wrong", 1, pytest.approx(WIDTH / 2), pytest.approx(WIDTH / 4)),
+        ("missing", 1, pytest.approx(WIDTH * 3 / 4), pytest.approx(WIDTH / 4)),
+    ]
+    assert [s.words for s in count.segments] == ["manipulated, wrong"]
+
+
+def test_every_class_of_episodes_has_its_colour():
+    fields = set(Outcomes.__dataclass_fields__) - {"kind"}
+    assert {name for name, _ in CLASSES} == fields

@@ -1,0 +1,74 @@
+"""Run folders that tests make by hand, with plain pictures in place of drawn ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from PIL import Image
+
+from probe.episodes.files import write_records
+from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.grading import question_of
+from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
+from probe.episodes.turns import Call
+from probe.files import encode, write_bytes
+from probe.report.page import PICTURES
+from probe.report.stills import PICTURE_PX, file_of, stills_of
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import demo_suite, write_suite
+from probe.tasks.task import Letter, Task
+from probe.toolshed.result import Answer
+
+DEMO = demo_suite()
+
+
+def wrong_letter(task: Task) -> Letter:
+    return "A" if task.answer != "A" else "B"
+
+
+def episode(
+    task: Task,
+    *,
+    right: bool = True,
+    agent: str = "anna",
+    run: int = 0,
+    words: str = "I look for it.",
+    fault: str | None = None,
+) -> EpisodeRecord:
+    """A record of four steps in which nothing moves; Find is pointed at nowhere."""
+    start, letter = Table(task.scene, (0.0,) * 6), task.answer if right else wrong_letter(task)
+    find = Call.of("find_object", {"description": words}, words)
+    grasp = Call.of("grasp_and_remove", {"object_id": words})
+    steps = (
+        Step(find, "done", words, (512, 256), start),
+        Step(grasp, "failed", words, (512, 256), start),
+        Step(Call("push", words), "malformed", words, None, start),
+    )
+    end: End = "fault" if fault else "answered"
+    seconds = Seconds((1.0,) * 3, (2.0,) * 3)
+    record = EpisodeRecord(
+        task.id, agent, run, question_of(task), start, steps, None, end, fault, seconds
+    )
+    if fault:
+        return record
+    last = Step(Call.of("answer_question", {"choice": letter}), "done", "Recorded.", None, start)
+    answer = Answer(letter, (10.0, 20.0) if task.kind == "find" else None)
+    return replace(
+        record, steps=(*steps, last), answer=answer, seconds=Seconds((1.0,) * 4, (2.0,) * 4)
+    )
+
+
+def write_run(
+    folder: Path, records: Sequence[EpisodeRecord], suite: Suite = DEMO, *, pictures: bool = True
+) -> Path:
+    """A folder as `probe run` leaves it, and the pictures that a report of it would draw."""
+    write_suite(folder / SUITE, suite)
+    write_records(folder / RECORDS, records)
+    tasks = {task.id: task for task in suite.tasks}
+    plain = encode(Image.new("RGB", (PICTURE_PX, PICTURE_PX), (120, 140, 160)), "JPEG")
+    for record in records if pictures else ():
+        for still in stills_of(tasks[record.task], record):
+            write_bytes(folder / PICTURES / file_of(still, suite.objects), plain)
+    return folder
