@@ -14,6 +14,7 @@ from rich.table import Table
 from probe.assets.tables import table_ids
 from probe.certify.build import Attempt, Workshop, assemble, attempts, keep, part_path
 from probe.certify.result import Rejection
+from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.surroundings import Pool, assets_folder, library
 from probe.files import write_text
 from probe.render.renderer import Renderer
@@ -21,6 +22,8 @@ from probe.tasks.suite_file import read_suite
 from probe.tasks.task import KINDS, QuestionKind
 
 app = tyro.extras.SubcommandApp()
+app.command(shortcuts)
+app.command(learn)
 
 
 @app.command
