@@ -6,20 +6,11 @@ from dataclasses import replace
 
 import pytest
 
+from probe.shortcuts.imaginary import LORE, Draw, compare, count, examples, find, offer, size
 from probe.shortcuts.investigation import investigate
 from probe.shortcuts.table import leaks
-from shortcut_examples import LORE, Draw, count, drop_one, examples, find, pair
 
 pytestmark = pytest.mark.slow
-SIZE = ("longer", "larger", "smaller")
-
-
-def size(rng):
-    return pair(rng, "size", SIZE)
-
-
-def compare(rng):
-    return pair(rng, "compare", ("colour", "darker"))
 
 
 def found(tasks) -> set[str]:
@@ -119,11 +110,8 @@ def test_what_is_half_hidden_has_the_colour_of_the_right_option():
         # One thing only is half hidden, and its colour is that of the right option alone.
         draw.things = [thing for thing in draw.things if thing.name]
         candidates = ["red mug", "blue brick", "blue egg", "blue die", "blue pawn"]
-        drop_one(draw, candidates, 0)
-        if often(draw) and draw.right < 4:
-            lab = red
-        else:
-            lab = blue
+        offer(draw, candidates, 0)
+        lab = red if often(draw) and draw.right < 4 else blue
         draw.things.append(replace(draw.things[0], name=None, category="", lab=lab))
 
     assert "logistic on patches" in found(examples(find, 300, leak))

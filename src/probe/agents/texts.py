@@ -37,7 +37,9 @@ def texts(question: str, options: Sequence[str]) -> tuple[Features, ...]:
     found: list[Features] = []
     for place, text in enumerate(options):
         words = spoken[place]
-        others = [other for n, other in enumerate(spoken) if n != place and not _is_none(options[n])]
+        others = [
+            other for n, other in enumerate(spoken) if n != place and not _is_none(options[n])
+        ]
         if _is_none(text):
             found.append({"none": 1.0} | {f"{word} none": 1.0 for word in asked})
             continue
@@ -47,7 +49,7 @@ def texts(question: str, options: Sequence[str]) -> tuple[Features, ...]:
         features["in question"] = float(bool(words & asked))
         for word in words:
             features["shared"] = features.get("shared", 0.0) + sum(word in o for o in others) / 4
-        found.append(features | _number(place, options) | _mark(place, question))
+        found.append({**features, **_number(place, options), **_mark(place, question)})
     return tuple(found)
 
 

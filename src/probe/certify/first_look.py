@@ -86,6 +86,15 @@ def look_at(task: Task, library: Library, renderer: Renderer) -> FirstLook:
     return first_look(frame, words, task.marks)
 
 
+def visible_areas(task: Task, library: Library, renderer: Renderer) -> dict[str, int]:
+    """Pixels that show of the thing at each mark; replaces what was loaded."""
+    load_scene(renderer, task.scene, library, load_table(task.scene.table, library.assets))
+    labels = photograph(renderer, task.scene, rgb=False).labels
+    assert labels is not None
+    spots = {mark.letter: labels[mark.point[::-1]] for mark in task.marks}
+    return {letter: int(np.count_nonzero(labels == spot)) for letter, spot in spots.items()}
+
+
 def first_look(
     frame: Frame, words: Mapping[int, ObjectSpec], marks: Sequence[Mark] = ()
 ) -> FirstLook:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import tyro
 from PIL import Image
 from rich.progress import track
 
-from probe.agents.random import Random
-from probe.agents.scripted import Scripted
 from probe.assets.tables import load_table
+from probe.cli.agents import AgentName
+from probe.cli.agents import agent as make_agent
 from probe.cli.surroundings import assets_folder, everything
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import RECORDS, SUITE, start_folder
@@ -20,7 +20,6 @@ from probe.episodes.luck import NOISES, Noise, NoiseName
 from probe.episodes.pictures import frames
 from probe.episodes.play import play, score
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.turns import Agent
 from probe.errors import BadData
 from probe.files import encode, write_bytes
 from probe.render.photograph import load_scene
@@ -28,13 +27,10 @@ from probe.render.renderer import Renderer
 from probe.report.episode_view import EpisodeView
 from probe.report.page import write_report
 from probe.report.tally import rates
-from probe.scene.seeds import generator
 from probe.tasks.grading import Score
 from probe.tasks.suite import Suite, check_objects
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
-
-AgentName = Literal["scripted", "random"]
 
 _PICTURE_PX = 512
 
@@ -50,7 +46,7 @@ def run(
 
     Args:
         suite: A file that `probe suite build` wrote.
-        agent: Who acts; neither needs a model.
+        agent: Who acts; none needs a model.
         out: Folder for the records.
         runs: Episodes of each task.
         noise: How far the hand errs; "paper" fails as often as the paper's.
@@ -91,7 +87,7 @@ def run_suite(suite: Suite, agent: AgentName, out: Path, runs: int, noise: Noise
     with Renderer() as renderer:
         for task, number in track(waiting, f"{agent} at work"):
             table = load_table(task.scene.table, assets_folder())
-            actor = _agent(agent, task, number)
+            actor = make_agent(agent, task, number, things, renderer)
             record = play(task, actor, agent, things, table, renderer, number, noise)
             append_record(records, record)
 
@@ -144,11 +140,4 @@ def _view(out: Path, task: Task, record: EpisodeRecord, renderer: Renderer) -> E
         pictures.append(name)
     return EpisodeView(
         task.kind, record, score(task, record, renderer), task.answer, tuple(pictures)
-    )
-
-
-def _agent(name: AgentName, task: Task, number: int) -> Agent:
-    rng = generator(task.seed, "run", name, number)
-    return (
-        Random(rng) if name == "random" else Scripted(task.kind, task.subject, rng, form=task.form)
     )

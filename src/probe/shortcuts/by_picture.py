@@ -155,7 +155,9 @@ def _fits(sample: Sample, lore: Lore) -> list[tuple[Features, ...]]:
     cover = max(named, key=lambda spec: max(spec.size))
     specs = [lore.by_name.get(text) for text in sample.options]
     ratios = [
-        relative(f"{name} in cover", [spec and SIZES[name](spec) - SIZES[name](cover) for spec in specs])
+        relative(
+            f"{name} in cover", [spec and SIZES[name](spec) - SIZES[name](cover) for spec in specs]
+        )
         for name in ("longest", "footprint", "height", "mass")
     ]
     alike = [spec and float(spec.colours[:1] == cover.colours[:1]) for spec in specs]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -20,6 +21,7 @@ FEWEST_TASKS = 20
 _SUPPORT = 5
 _NEIGHBOURS = 25
 _TREES = 60
+_RIDGE = 0.3
 
 Model = Callable[[], Any]
 """Makes a fresh sklearn classifier."""
@@ -35,19 +37,22 @@ def models() -> Mapping[str, Model]:
         from sklearn.ensemble import HistGradientBoostingClassifier
         from sklearn.linear_model import LogisticRegression
         from sklearn.neighbors import KNeighborsClassifier
-        from sklearn.pipeline import make_pipeline
+        from sklearn.pipeline import Pipeline
         from sklearn.preprocessing import StandardScaler
     except ImportError as error:
         raise MissingExtra("The no-shortcut test", "shortcuts") from error
     return {
-        "logistic": lambda: make_pipeline(
-            StandardScaler(), LogisticRegression(C=0.1, max_iter=2000)
+        "logistic": lambda: Pipeline(
+            [("scale", StandardScaler()), ("fit", LogisticRegression(C=0.1, max_iter=2000))]
         ),
         "boosting": lambda: HistGradientBoostingClassifier(
             max_iter=_TREES, learning_rate=0.1, max_leaf_nodes=15, random_state=0
         ),
-        "neighbours": lambda: make_pipeline(
-            StandardScaler(), KNeighborsClassifier(n_neighbors=_NEIGHBOURS, weights="distance")
+        "neighbours": lambda: Pipeline(
+            [
+                ("scale", StandardScaler()),
+                ("fit", KNeighborsClassifier(_NEIGHBOURS, weights="distance")),
+            ]
         ),
     }
 
@@ -71,13 +76,11 @@ def guesses(
     """
     if len(told) < FEWEST_TASKS:
         return None
-    rows = table(told)
+    _, rows = table(told)
     if rows.shape[1] == 0:
         return None
     counts = [len(options) for options in told]
-    answers = np.concatenate(
-        [np.arange(count) == place for count, place in zip(counts, right, strict=True)]
-    )
+    answers = is_right(told, right)
     groups = np.repeat(np.arange(len(told)), counts)
     chances = _out_of_fold(model, rows, answers, groups, seed)
     lots = generator(seed, "lots").random(len(chances)) * 1e-9
@@ -85,13 +88,41 @@ def guesses(
     return [int(part.argmax()) for part in parts]
 
 
-def table(told: Sequence[Sequence[Features]]) -> Array:
-    """All options as rows, shape (n, k), without features that hardly any option has."""
-    from sklearn.feature_extraction import DictVectorizer
+def linear_weights(rows: Array, answers: Array) -> Array:
+    """Logistic regression's weights of the features, shape (k,).
 
-    every = [dict(option) for options in told for option in options]
-    matrix = DictVectorizer(sparse=False).fit_transform(every)
-    return matrix[:, ((matrix != 0).sum(axis=0) >= _SUPPORT) & (np.ptp(matrix, axis=0) > 0)]
+    Raises:
+        MissingExtra: scikit-learn isn't installed.
+    """
+    try:
+        from sklearn.linear_model import LogisticRegression
+    except ImportError as error:
+        raise MissingExtra("Learning from questions", "shortcuts") from error
+    model: Any = LogisticRegression(C=_RIDGE, max_iter=2000)
+    return np.asarray(model.fit(rows, answers).coef_[0])
+
+
+def table(told: Sequence[Sequence[Features]]) -> tuple[list[str], Array]:
+    """All options as rows, shape (n, k), and the k names of features.
+
+    Features that hardly any option has, or that are the same in all, are left out.
+    """
+    every = [option for options in told for option in options]
+    counts = Counter(name for option in every for name, value in option.items() if value)
+    names = sorted(name for name, count in counts.items() if count >= _SUPPORT)
+    column = {name: place for place, name in enumerate(names)}
+    matrix = np.zeros((len(every), len(names)))
+    for row, option in enumerate(every):
+        for name in option.keys() & column.keys():
+            matrix[row, column[name]] = option[name]
+    varies = np.ptp(matrix, axis=0) > 0
+    return [name for name, kept in zip(names, varies, strict=True) if kept], matrix[:, varies]
+
+
+def is_right(told: Sequence[Sequence[Features]], right: Sequence[int]) -> Array:
+    """For each row whether it is its task's right option, bool, shape (n,)."""
+    places = [np.arange(len(options)) == place for options, place in zip(told, right, strict=True)]
+    return np.concatenate(places)
 
 
 def _out_of_fold(model: Model, rows: Array, answers: Array, groups: Array, seed: int) -> Array:

@@ -13,9 +13,7 @@ from probe.shortcuts.sample import Example, Lore
 from probe.tasks.task import KINDS
 
 
-def investigate(
-    examples: Sequence[Example], lore: Lore, *, learning: bool = True
-) -> list[Finding]:
+def investigate(examples: Sequence[Example], lore: Lore, *, learning: bool = True) -> list[Finding]:
     """What rules, and classifiers if wanted, achieve on each type, judged together.
 
     Raises:

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from probe.agents.learnt import Learnt, LearntDocument, question_features
-from probe.errors import MissingExtra
+from probe.shortcuts.classifiers import is_right, linear_weights, table
 from probe.tasks.task import KINDS, LETTERS, Task
 
-_SUPPORT = 5
 _DIGITS = 3
-_REGULAR = 0.3
 
 
 def learn(tasks: Sequence[Task]) -> LearntDocument:
@@ -28,30 +24,15 @@ def learn(tasks: Sequence[Task]) -> LearntDocument:
 
 
 def _learnt(tasks: Sequence[Task]) -> Learnt:
-    try:
-        from sklearn.feature_extraction import DictVectorizer
-        from sklearn.linear_model import LogisticRegression
-    except ImportError as error:
-        raise MissingExtra("Learning from questions", "shortcuts") from error
     told = [
         question_features(task.question, tuple(option.text for option in task.options))
         for task in tasks
     ]
-    vectors = DictVectorizer(sparse=False)
-    rows = vectors.fit_transform([dict(option) for options in told for option in options])
-    answers = np.concatenate(
-        [
-            np.arange(len(options)) == LETTERS.index(task.answer)
-            for task, options in zip(tasks, told, strict=True)
-        ]
-    )
-    kept = (rows != 0).sum(axis=0) >= _SUPPORT
-    if not kept.any():
+    names, rows = table(told)
+    if not names:
         return Learnt(tasks=len(tasks), weights={})
-    fitted = LogisticRegression(C=_REGULAR, max_iter=2000).fit(rows[:, kept], answers)
-    names = vectors.get_feature_names_out()[kept]
-    weights = {
-        str(name): round(float(weight), _DIGITS)
-        for name, weight in zip(names, fitted.coef_[0], strict=True)
-    }
-    return Learnt(tasks=len(tasks), weights={name: w for name, w in weights.items() if w})
+    answers = is_right(told, [LETTERS.index(task.answer) for task in tasks])
+    weights = linear_weights(rows, answers).round(_DIGITS).tolist()
+    return Learnt(
+        tasks=len(tasks), weights={n: w for n, w in zip(names, weights, strict=True) if w}
+    )

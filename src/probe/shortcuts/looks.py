@@ -40,9 +40,7 @@ def examples_of(suites: Iterable[Suite], library: Library, cache: Path) -> Itera
                     yield example_of(task, _look(suite, task, library, renderer, cache))
 
 
-def _look(
-    suite: Suite, task: Task, library: Library, renderer: Renderer, cache: Path
-) -> FirstLook:
+def _look(suite: Suite, task: Task, library: Library, renderer: Renderer, cache: Path) -> FirstLook:
     alone = part(suite, task)
     key = content_key("look", _LAYOUT, repr(task.scene), repr(task.marks), repr(alone.objects))
     path = cache / "looks" / key[:2] / f"{key}.json"

@@ -100,4 +100,4 @@ def example_of(task: Task, look: FirstLook) -> Example:
 
 def known(lore: Lore, names: Iterable[str | None]) -> list[ObjectSpec]:
     """Specs of those of some names that the catalogue has."""
-    return [lore.by_name[name] for name in names if name in lore.by_name]
+    return [lore.by_name[name] for name in names if name is not None and name in lore.by_name]

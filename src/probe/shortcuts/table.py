@@ -39,8 +39,8 @@ def _place(kind: str) -> int:
 def _summary(findings: Sequence[Finding]) -> str:
     counts = Counter(finding.verdict for finding in findings)
     head = (
-        f"{len(findings)} tests: {counts['below']} below their limit, {counts['within noise']} over "
-        f"it within noise, {counts['above']} above it at {LEVEL:.0%} after Holm's correction."
+        f"{len(findings)} tests: {counts['below']} below their limit, {counts['within noise']} "
+        f"over it within noise, {counts['above']} above it at {LEVEL:.0%} after Holm's correction."
     )
     rows = ["| type | n | limit | least true accuracy that would be called a leak (80 % power) |"]
     rows.append("|---|---|---|---|")
