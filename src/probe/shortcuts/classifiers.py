@@ -1,10 +1,18 @@
-"""Simple classifiers, always judged on tasks that they weren't trained on. The home of sklearn."""
+"""Simple classifiers, always judged on tasks that they weren't trained on. The home of sklearn.
+
+Each task is predicted by a classifier that was trained on tasks before it alone, in an order that
+is drawn (prequential evaluation: Dawid, J. R. Stat. Soc. A 147(2), 1984). If features tell
+nothing, each prediction is right with the chance of a guess whatever came before, so that the
+number of right ones is binomial. In cross-validation it isn't: what is common in one fold by luck
+is predicted in the others, and their errors go together.
+"""
 
 from __future__ import annotations
 
 import warnings
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,9 +22,11 @@ from probe.errors import MissingExtra
 from probe.scene.seeds import generator
 from probe.types import Array
 
-FOLDS = 5
-FEWEST_TASKS = 20
+FEWEST_TASKS = 70
 """With fewer tasks there is nothing to learn from."""
+
+WARM_UP, ROUNDS = 0.2, 8
+"""Share of the tasks that are only trained on, and how often a classifier is trained anew."""
 
 _SUPPORT = 5
 _NEIGHBOURS = 25
@@ -59,8 +69,8 @@ def models() -> Mapping[str, Model]:
 
 def guesses(
     model: Model, told: Sequence[Sequence[Features]], right: Sequence[int], seed: int = 0
-) -> list[int] | None:
-    """The option that a classifier chooses in each task, trained on other tasks alone.
+) -> dict[int, int]:
+    """The option that a classifier chooses, by the place of the task; see this file's docstring.
 
     Each option is a row: is it the right one? The likeliest option of a task is chosen, by lot
     among several.
@@ -69,23 +79,39 @@ def guesses(
         model: Makes the classifier.
         told: Features of each option, by task.
         right: Place of each task's right option.
-        seed: Of the folds and lots.
+        seed: Of the order and the lots.
 
     Returns:
-        None where too few tasks, or no features that several tasks have, leave nothing to learn.
+        Nothing where too few tasks, or no features that several tasks have, leave nothing to
+        learn; else all tasks but those of the warm-up.
     """
-    if len(told) < FEWEST_TASKS:
-        return None
-    _, rows = table(told)
-    if rows.shape[1] == 0:
-        return None
-    counts = [len(options) for options in told]
+    names, rows = table(told)
+    if len(told) < FEWEST_TASKS or not names:
+        return {}
+    task = np.repeat(np.arange(len(told)), [len(options) for options in told])
     answers = is_right(told, right)
-    groups = np.repeat(np.arange(len(told)), counts)
-    chances = _out_of_fold(model, rows, answers, groups, seed)
-    lots = generator(seed, "lots").random(len(chances)) * 1e-9
-    parts = np.split(chances + lots, np.cumsum(counts)[:-1])
-    return [int(part.argmax()) for part in parts]
+    rng = generator(seed, "order")
+    turn = np.empty(len(told), dtype=int)
+    turn[rng.permutation(len(told))] = np.arange(len(told))
+    chosen: dict[int, int] = {}
+    for start, end in pairwise(np.linspace(WARM_UP, 1, ROUNDS + 1) * len(told)):
+        known, new = (
+            turn[task] < round(start),
+            (turn[task] >= round(start)) & (turn[task] < round(end)),
+        )
+        chances = _trained(model, rows[known], answers[known], rows[new])
+        chances = chances + rng.random(len(chances)) * 1e-9
+        for one in np.unique(task[new]):
+            chosen[int(one)] = int(chances[task[new] == one].argmax())
+    return chosen
+
+
+def _trained(model: Model, rows: Array, answers: Array, new: Array) -> Array:
+    """Chance that each new row is right, shape (n,)."""
+    with warnings.catch_warnings():
+        # A feature may be the same in all rows that are known so far.
+        warnings.simplefilter("ignore")
+        return model().fit(rows, answers).predict_proba(new)[:, 1]
 
 
 def linear_weights(rows: Array, answers: Array) -> Array:
@@ -123,18 +149,3 @@ def is_right(told: Sequence[Sequence[Features]], right: Sequence[int]) -> Array:
     """For each row whether it is its task's right option, bool, shape (n,)."""
     places = [np.arange(len(options)) == place for options, place in zip(told, right, strict=True)]
     return np.concatenate(places)
-
-
-def _out_of_fold(model: Model, rows: Array, answers: Array, groups: Array, seed: int) -> Array:
-    """Chance of each row to be right by a classifier that saw no row of its task."""
-    from sklearn.model_selection import GroupKFold
-
-    chances = np.zeros(len(rows))
-    folds = GroupKFold(n_splits=FOLDS, shuffle=True, random_state=seed)
-    for train, test in folds.split(rows, answers, groups):
-        with warnings.catch_warnings():
-            # A feature may be constant in one fold.
-            warnings.simplefilter("ignore")
-            fitted = model().fit(rows[train], answers[train])
-            chances[test] = fitted.predict_proba(rows[test])[:, 1]
-    return chances

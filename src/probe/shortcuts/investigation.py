@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from probe.scene.seeds import generator
 from probe.shortcuts.classifiers import guesses, models
@@ -31,7 +31,7 @@ def investigate(examples: Sequence[Example], lore: Lore, *, learning: bool = Tru
 
 def _by_rules(examples: Sequence[Example], lore: Lore) -> Iterator[Tally]:
     for name, rule in rules_for(examples[0].sample).items():
-        said = [_one_of(rule(e.sample, lore), e.task) for e in examples]
+        said = {n: _one_of(rule(e.sample, lore), e.task) for n, e in enumerate(examples)}
         yield from _tallies(examples, name, said, letters_alone=name.startswith("always"))
 
 
@@ -46,18 +46,20 @@ def _by_classifiers(examples: Sequence[Example], lore: Lore) -> Iterator[Tally]:
         told = [features(family, example.sample, lore) for example in examples]
         for name, model in models().items():
             said = guesses(model, told, right)
-            if said is not None:
+            if said:
                 alone = family in LETTERS_ALONE
                 yield from _tallies(examples, f"{name} on {family}", said, letters_alone=alone)
 
 
 def _tallies(
-    examples: Sequence[Example], by: str, said: Sequence[int], *, letters_alone: bool
+    examples: Sequence[Example], by: str, said: Mapping[int, int], *, letters_alone: bool
 ) -> Iterator[Tally]:
-    """Of the type, and of each of its parts."""
+    """Of the type, and of each of its parts; `said` has places of options by those of examples."""
     kind = examples[0].sample.kind
     ceiling, allowance = allowed(kind, letters_alone=letters_alone)
     for part in ("", *sorted({example.part for example in examples} - {""})):
-        hits = [e.right == s for e, s in zip(examples, said, strict=True) if part in ("", e.part)]
+        mine = [n for n in said if part in ("", examples[n].part)]
+        hits = sum(examples[n].right == said[n] for n in mine)
         name = f"{kind}, {part}" if part else kind
-        yield Tally(name, by, sum(hits), len(hits), ceiling, allowance)
+        if mine:
+            yield Tally(name, by, hits, len(mine), ceiling, allowance)
