@@ -1,87 +1,127 @@
-"""Builds a suite: candidates, their checks, the solvable check; one file a kept task, resumable."""
+"""Builds a suite: candidates, their checks, the solvable check; place by place, resumable."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
+from time import monotonic
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table
 from probe.certify.generate import generate
+from probe.certify.parts import KEPT, UNSOLVED, Line, Parts, Place
 from probe.certify.plan import ATTEMPTS
 from probe.certify.result import Candidate, Rejection
-from probe.certify.solve import Trial, trials
+from probe.certify.solve import Trial, noted, trials
 from probe.errors import Unsatisfiable
 from probe.render.renderer import Renderer
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionKind, Task
 
-UNSOLVED = "solvable"
-"""Name of the check that scripted agents make."""
-
-
-@dataclass(frozen=True)
-class Attempt:
-    """One candidate seed and what became of it.
-
-    Attributes:
-        result: The task, or the check that it failed.
-        trials: What scripted agents made of it; empty if it failed an earlier check.
-    """
-
-    seed: int
-    result: Candidate | Rejection
-    trials: tuple[Trial, ...] = ()
-
 
 @dataclass(frozen=True)
 class Workshop:
-    """What tasks are made with."""
+    """What tasks are made with.
+
+    Attributes:
+        unchecked: Leave out the scripted agents' check: for tests of the generator alone.
+    """
 
     library: Library
     tables: Sequence[str]
     renderer: Renderer
+    unchecked: bool = False
 
 
-def attempts(kind: QuestionKind, episode: int, workshop: Workshop) -> Iterator[Attempt]:
-    """Candidates for one place in a suite, ending with the first that is kept.
+def places_of(counts: Mapping[QuestionKind, int], first: int) -> list[Place]:
+    """The places of a suite with so many tasks a type, numbered from `first` in each."""
+    return [
+        Place(kind, first + number) for kind, count in counts.items() for number in range(count)
+    ]
+
+
+def fill(place: Place, parts: Parts, workshop: Workshop) -> Iterator[Line]:
+    """Make candidates for a place until one is kept; goes on where an earlier run stopped.
+
+    Yields:
+        A line for each candidate, once its result is on disk.
 
     Raises:
         Unsatisfiable: None of ATTEMPTS seeds gave a task.
     """
-    for seed in range(episode * ATTEMPTS, (episode + 1) * ATTEMPTS):
-        result = generate(kind, seed, workshop.library, workshop.renderer, workshop.tables)
+    log = parts.log(place)
+    if log and log[-1].check == KEPT and parts.task_path(place).exists():
+        return
+    tried = sum(line.check != KEPT for line in log)
+    for seed in range(place.episode * ATTEMPTS + tried, (place.episode + 1) * ATTEMPTS):
+        start = monotonic()
+        result, made = _attempt(place.kind, seed, workshop)
+        solved = made[0].solved if made else None
         if isinstance(result, Rejection):
-            yield Attempt(seed, result)
-            continue
-        table = load_table(result.task.scene.table, workshop.library.assets)
-        made = trials(result.task, workshop.library, table, workshop.renderer)
-        if any(trial.solved for trial in made):
-            yield Attempt(seed, result, made)
+            line = Line(place.kind, seed, result.check, solved, result.detail, monotonic() - start)
+        elif not workshop.unchecked and not any(trial.solved for trial in made):
+            parts.keep_unsolved(result.task, workshop.library)
+            detail = f"none of {len(made)} attempts"
+            line = Line(place.kind, seed, UNSOLVED, solved, detail, monotonic() - start)
+        else:
+            parts.keep(place, noted(result.task, made), workshop.library)
+            line = Line(place.kind, seed, KEPT, solved, "", monotonic() - start)
+        parts.add(place, line)
+        yield line
+        if line.check == KEPT:
             return
-        yield Attempt(seed, Rejection(UNSOLVED, f"none of {len(made)} attempts"), made)
     raise Unsatisfiable(
-        f"No {kind} task in {ATTEMPTS} candidates for place {episode}. "
+        f"No {place.kind} task in {ATTEMPTS} candidates for place {place.episode}. "
         "Use a library with more objects that hide and are hidden."
     )
 
 
-def part_path(parts: Path, kind: QuestionKind, episode: int) -> Path:
-    """Where one kept task lies until the suite is whole."""
-    return parts / f"{kind}-{episode}.json"
+def assemble(path: Path, parts: Parts, places: Sequence[Place], library: Library) -> None:
+    """Join the parts of a suite in the order of its places, with the whole log beside it.
+
+    Raises:
+        BadData: A part is missing or isn't whole.
+    """
+    tasks = [task for place in places for task in read_suite(parts.task_path(place)).tasks]
+    write_suite(path, freeze(path.stem, tuple(tasks), library))
 
 
-def keep(parts: Path, kind: QuestionKind, episode: int, task: Task, library: Library) -> None:
-    """Write one kept task."""
-    write_suite(part_path(parts, kind, episode), freeze(f"{kind}-{episode}", (task,), library))
+def assemble_unsolved(
+    path: Path, parts: Parts, places: Sequence[Place], library: Library, most: int
+) -> int:
+    """Join candidates that failed only the scripted agents' check, evenly over the places.
+
+    Args:
+        path: File for them, a suite.
+        parts: Where they lie.
+        places: Of which suite.
+        library: Has their objects.
+        most: How many to take.
+
+    Returns:
+        How many there were in all.
+    """
+    found = list(parts.unsolved(places))
+    step = max(1.0, len(found) / most)
+    chosen = [found[int(number * step)] for number in range(min(most, len(found)))]
+    write_suite(path, freeze(path.stem, tuple(chosen), library))
+    return len(found)
 
 
-def assemble(
-    path: Path, parts: Path, wanted: Sequence[tuple[QuestionKind, int]], library: Library
-) -> None:
-    """Join the parts of a suite in the order of the types and episodes wanted."""
-    files = [part_path(parts, kind, episode) for kind, episode in wanted]
-    tasks = tuple(task for file in files for task in read_suite(file).tasks)
-    write_suite(path, freeze(path.stem, tasks, library))
+def _attempt(
+    kind: QuestionKind, seed: int, workshop: Workshop
+) -> tuple[Candidate | Rejection, tuple[Trial, ...]]:
+    result = generate(kind, seed, workshop.library, workshop.renderer, workshop.tables)
+    if isinstance(result, Rejection) or workshop.unchecked:
+        return result, ()
+    table = load_table(result.task.scene.table, workshop.library.assets)
+    return result, trials(result.task, workshop.library, table, workshop.renderer)
+
+
+def without_notes(task: Task) -> Task:
+    """A task as it was generated, before scripted agents tried it."""
+    proof = task.certificate
+    kept = {name: value for name, value in proof.measures.items() if not name.startswith("solved")}
+    return replace(task, certificate=replace(proof, measures=kept))

@@ -12,7 +12,7 @@ from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.certify.alike import TWIN_TOLERANCE
 from probe.certify.cast import Cast, draw_cast
-from probe.certify.covers import draw_slab, draw_topping
+from probe.certify.covers import Cover, draw_slab, draw_topping
 from probe.certify.frame import frame_of
 from probe.certify.ghosts import Ghosts, Look
 from probe.certify.hiding import Lay, Twin, draw_post, draw_twins, right_above
@@ -42,11 +42,10 @@ MOST_REVEALED = PARTLY[1]
 """Visible share that the hidden thing may reach when only one of several is gone."""
 
 _HIDING = 2
-_QUADRANTS = np.array([[1, 1], [-1, -1], [1, -1], [-1, 1]])
+_SAILS = np.array([[1, 1], [-1, -1], [1, -1], [-1, 1]])
 _BEYOND = 0.015
-"""Metres by which a slab's corner reaches past what it hides."""
+"""Metres by which a corner of the first slabs reaches past what they hide."""
 
-_SPREAD = 0.06
 _KEEP_OFF, _KEEP_OFF_MANY = 1.2, 1.7
 _MANY = 3
 _FEWEST, _MOST = 12, 15
@@ -99,30 +98,43 @@ def _draw_cast(library: Library, removals: int, count: int, rng: np.random.Gener
     """One slab that hides any of the candidates, or several, with the last of many on top."""
     if removals == 1:
         return draw_cast(library, draw_slab, LARGEST, TWIN_TOLERANCE, rng, count)
-    more = ([draw_slab] * (len(_QUADRANTS) - 1) + [draw_topping])[: removals - 1]
+    more = ([draw_slab] * (len(_SAILS) - 1) + [draw_topping])[: removals - 1]
     return draw_cast(library, draw_slab, LARGEST_BENEATH_MORE, TWIN_TOLERANCE, rng, count, more)
 
 
 def _fanned(cast: Cast) -> Lay:
-    """Lays a corner of each slab over the same place, and the rest near it.
+    """Lays slabs around a place like the sails of a windmill, and a topping on the last slab.
 
-    So two of them hide what is beneath it, whichever third is gone, and each shows mostly.
+    The first two lie with a corner over the place, so that either hides what is there without the
+    other; the next two lean against its sides, crosswise, and leave most of the first in view.
     """
 
     def lay(hidden: ObjectSpec, rng: np.random.Generator) -> list[Layer]:
         turn = float(rng.uniform(0, 2 * math.pi))
         cos, sin = math.cos(turn), math.sin(turn)
+        radius = max(hidden.size[:2]) / 2
+        off: Array = np.zeros(2)
         layers: list[Layer] = []
         for place, (number, cover) in enumerate(zip(cast.covering, cast.covers, strict=True)):
-            half = np.array(cover.extent[:2]) / 2
-            off: Array = rng.uniform(-_SPREAD, _SPREAD, size=2)
-            if place < len(_QUADRANTS):
-                corner = np.maximum(half - max(hidden.size[:2]) / 2 - _BEYOND, 0.0)
-                off = corner * _QUADRANTS[place]
-            layers.append(Layer(number, cover, np.array([[cos, -sin], [sin, cos]]) @ off, turn))
+            spin = 0.0
+            if place < len(_SAILS):
+                crosswise = place >= _HIDING
+                spin = _quarter(cover, crosswise=crosswise)
+                half = np.sort(cover.extent[:2])[:: 1 if crosswise else -1] / 2
+                reach = half + radius if crosswise else half - radius - _BEYOND
+                off = np.maximum(reach, 0.0) * _SAILS[place]
+            layers.append(
+                Layer(number, cover, np.array([[cos, -sin], [sin, cos]]) @ off, turn + spin)
+            )
         return layers
 
     return lay
+
+
+def _quarter(cover: Cover, *, crosswise: bool) -> float:
+    """The turn that lays a cover's long side along x, or crosswise along y."""
+    x, y, _ = cover.extent
+    return math.pi / 2 if (x < y) != crosswise else 0.0
 
 
 @dataclass(frozen=True, eq=False)

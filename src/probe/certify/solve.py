@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import get_args
 
 from probe.agents.moves import Way
 from probe.agents.scripted import Scripted
 from probe.assets.library import Library
 from probe.assets.tables import TableMaterial
+from probe.episodes.luck import NOISES
 from probe.episodes.play import play, score
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -18,6 +19,11 @@ ATTEMPTS = 3
 """Attempts of each agent."""
 
 WAYS: tuple[Way, ...] = get_args(Way)
+
+_ATTEMPT, _BY_PUSHING = "solved_attempt", "solved_by_pushing_first"
+
+FIRST_RUN = 1_000_000
+"""Number of the first attempt's run: no benchmark's run has its luck."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +44,7 @@ class Trial:
 def trials(
     task: Task, library: Library, table: TableMaterial, renderer: Renderer
 ) -> tuple[Trial, ...]:
-    """Attempts until one solves the task or all have been made.
+    """Attempts until one solves the task or all have been made, with a hand that errs.
 
     The very first attempt is always made: its share of successes over all candidates is what
     scripted agents achieve on tasks that were not selected by them.
@@ -46,15 +52,48 @@ def trials(
     made: list[Trial] = []
     for attempt in range(ATTEMPTS):
         for way in WAYS:
-            agent = Scripted(
-                task.kind,
-                task.subject,
-                generator(task.seed, "solve", way, attempt),
-                way,
-                form=task.form,
-            )
-            record = play(task, agent, f"scripted-{way}", library, table, renderer, attempt)
-            made.append(Trial(way, attempt, score(task, record, renderer).correct))
-            if made[-1].solved:
+            solved = _solves(task, way, attempt, library, table, renderer)
+            made.append(Trial(way, attempt, solved))
+            if solved:
                 return tuple(made)
     return tuple(made)
+
+
+def _solves(
+    task: Task,
+    way: Way,
+    attempt: int,
+    library: Library,
+    table: TableMaterial,
+    renderer: Renderer,
+) -> bool:
+    rng = generator(task.seed, "solve", way, attempt)
+    agent = Scripted(task.kind, task.subject, rng, way, form=task.form)
+    name, run, noise = f"scripted-{way}", FIRST_RUN + attempt, NOISES["paper"]
+    record = play(task, agent, name, library, table, renderer, run, noise)
+    return score(task, record, renderer).correct
+
+
+def solves_as_noted(task: Task, library: Library, table: TableMaterial, renderer: Renderer) -> bool:
+    """Whether the attempt that the certificate notes solves the task again.
+
+    On another kind of machine it may not, and another attempt may.
+    """
+    notes = task.certificate.measures
+    if _ATTEMPT not in notes:
+        return False
+    way: Way = "push" if notes[_BY_PUSHING] else "grasp"
+    return _solves(task, way, int(notes[_ATTEMPT]), library, table, renderer)
+
+
+def noted(task: Task, made: tuple[Trial, ...]) -> Task:
+    """A task whose certificate says which attempt solved it; as it is without one."""
+    last = next((trial for trial in made if trial.solved), None)
+    if last is None:
+        return task
+    notes = {
+        _ATTEMPT: float(last.attempt),
+        _BY_PUSHING: float(last.way == "push"),
+    }
+    proof = task.certificate
+    return replace(task, certificate=replace(proof, measures={**proof.measures, **notes}))

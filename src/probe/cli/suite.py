@@ -3,111 +3,129 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 from rich.console import Console
-from rich.progress import Progress
+from rich.progress import MofNCompleteColumn, Progress, TimeElapsedColumn
 from rich.table import Table
 
-from probe.assets.tables import table_ids
-from probe.certify.build import Attempt, Workshop, assemble, attempts, keep, part_path
-from probe.certify.result import Rejection
+from probe.assets.library import Library
+from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
+from probe.certify.parts import KEPT, Line, Parts, Place
+from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
-from probe.cli.surroundings import Pool, assets_folder, library
+from probe.cli.suite_verify import verify
+from probe.cli.surroundings import Pool, library, tables_for
+from probe.errors import BadData
 from probe.files import write_text
 from probe.render.renderer import Renderer
-from probe.tasks.suite_file import read_suite
+from probe.tasks.suite_file import find_suite
 from probe.tasks.task import KINDS, QuestionKind
 
 app = tyro.extras.SubcommandApp()
 app.command(shortcuts)
 app.command(learn)
+app.command(verify)
+
+_NONE = dict.fromkeys(KINDS, 0)
+_UNSOLVED_MOST = 50
 
 
 @app.command
 def build(
     out: Annotated[Path, tyro.conf.Positional],
-    each: int = 2,
+    counts: dict[QuestionKind, int] = _NONE,
     pool: Pool = "procedural",
-    kinds: tuple[QuestionKind, ...] = KINDS,
     first: int = 0,
+    shard: str = "0/1",
+    unchecked: bool = False,
+    unsolved: Path | None = None,
 ) -> None:
-    """Make, check and freeze tasks of each type; goes on where an earlier run stopped.
+    """Make, check and freeze tasks; goes on where an earlier run stopped.
 
-    Kept tasks wait in a folder beside the suite; a line for every candidate is added to its log.
+    Kept tasks and a log of every candidate wait in a folder beside the suite. Any number of
+    processes may share the work; the last to end writes the suite, and the whole log beside it.
 
     Args:
         out: File for the suite.
-        each: Tasks of each type.
+        counts: Tasks of each type: "--counts.find 28 --counts.compare 24".
         pool: Which objects appear; scans need PROBE_ASSETS.
-        kinds: Types of question.
-        first: Number of the first episode; other numbers give other tasks.
+        first: Number of the first episode of each type; other numbers give other tasks.
+        shard: "0/2" and "1/2" in two processes share the work.
+        unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
+        unsolved: File for up to 50 candidates that failed this check alone.
     """
-    parts = out.with_suffix(".parts")
-    things = library(pool)
-    places = range(first, first + each)
-    wanted: list[tuple[QuestionKind, int]] = [(kind, place) for kind in kinds for place in places]
-    log: list[str] = []
-    with Renderer() as renderer, Progress() as progress:
-        workshop = Workshop(things, table_ids(assets_folder()), renderer)
-        bar = progress.add_task("Building", total=len(wanted))
-        for kind, episode in wanted:
-            if not part_path(parts, kind, episode).exists():
-                log = _log(parts)
-                for attempt in attempts(kind, episode, workshop):
-                    log.append(_line(kind, attempt))
-                    write_text(parts / "log.txt", "\n".join(log) + "\n")
-                    progress.update(bar, description=f"{kind} {episode}: {_short(attempt)}")
-                    if not isinstance(attempt.result, Rejection):
-                        keep(parts, kind, episode, attempt.result.task, things)
-            progress.advance(bar)
-    assemble(out, parts, wanted, things)
-    _print_yield(_log(parts))
-    print(f"{len(wanted)} tasks are in {out}; every candidate is in {parts / 'log.txt'}")
+    parts, things = Parts(out.with_suffix(".parts")), library(pool)
+    places = places_of(counts, first)
+    if not places:
+        raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
+    number, count = parse_shard(shard)
+    with Renderer() as renderer:
+        workshop = Workshop(things, tables_for(pool), renderer, unchecked)
+        _fill(places[number::count], parts, workshop)
+    if waiting := [place for place in places if not parts.task_path(place).exists()]:
+        print(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
+        return
+    _finish(out, places, parts, things, unsolved)
 
 
 @app.command
-def show(suite: Annotated[Path, tyro.conf.Positional]) -> None:
+def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     """List a suite's questions. Answers are shown: don't paste this to a model.
 
     Args:
-        suite: A file that `probe suite build` wrote.
+        suite: A file that `probe suite build` wrote, or "v1", "demo".
     """
     table = Table("task", "type", "question", "options", "answer")
-    for task in read_suite(suite).tasks:
+    for task in find_suite(suite).tasks:
         options = "\n".join(f"{option.letter} {option.text}" for option in task.options)
         table.add_row(task.id, task.kind, task.question, options, task.answer)
     Console().print(table)
 
 
-def _log(parts: Path) -> list[str]:
-    file = parts / "log.txt"
-    return file.read_text().splitlines() if file.exists() else []
+def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
+    columns = (*Progress.get_default_columns(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns) as progress:
+        bar = progress.add_task("Building", total=len(places))
+        for place in places:
+            for line in fill(place, parts, workshop):
+                progress.update(bar, description=f"{place.kind} {place.episode}: {line.check}")
+            progress.advance(bar)
 
 
-def _short(attempt: Attempt) -> str:
-    return attempt.result.check if isinstance(attempt.result, Rejection) else "kept"
+def _finish(
+    out: Path, places: Sequence[Place], parts: Parts, things: Library, unsolved: Path | None
+) -> None:
+    assemble(out, parts, places, things)
+    lines = [line for place in places for line in parts.log(place)]
+    log = out.with_suffix(".log.tsv")
+    write_text(log, "".join(f"{line}\n" for line in lines))
+    _print_yield(lines)
+    if unsolved:
+        found = assemble_unsolved(unsolved, parts, places, things, _UNSOLVED_MOST)
+        print(f"{found} candidates failed the scripted agents' check alone; {unsolved} has some")
+    print(f"{len(places)} tasks are in {out}; every candidate is in {log}")
 
 
-def _line(kind: QuestionKind, attempt: Attempt) -> str:
-    """Type, seed, check, whether the very first scripted attempt succeeded, detail."""
-    detail = attempt.result.detail if isinstance(attempt.result, Rejection) else ""
-    solved = str(attempt.trials[0].solved) if attempt.trials else "-"
-    return "\t".join([kind, str(attempt.seed), _short(attempt), solved, detail])
-
-
-def _print_yield(lines: list[str]) -> None:
+def _print_yield(lines: Iterable[Line]) -> None:
     """Candidates by type, and by the check that rejected them."""
-    rows = [line.split("\t") for line in lines]
-    table = Table("type", "candidates", "kept", "first scripted attempt, unselected", "rejected by")
-    for kind in sorted({row[0] for row in rows}):
-        mine = [row for row in rows if row[0] == kind]
-        counts = Counter(row[2] for row in mine)
-        kept = counts.pop("kept", 0)
-        tried = [row for row in mine if row[3] != "-"]
-        solved = sum(row[3] == "True" for row in tried)
-        causes = ", ".join(f"{check} {count}" for check, count in counts.most_common())
-        table.add_row(kind, str(len(mine)), str(kept), f"{solved} of {len(tried)}", causes)
+    table = Table("type", "candidates", "kept", "seconds a kept one", "first attempt", "rejected")
+    by_kind: dict[str, list[Line]] = {}
+    for line in lines:
+        by_kind.setdefault(line.kind, []).append(line)
+    for kind, mine in sorted(by_kind.items()):
+        checks = Counter(line.check for line in mine)
+        kept = checks.pop(KEPT, 0)
+        tried = [line.solved for line in mine if line.solved is not None]
+        table.add_row(
+            kind,
+            str(len(mine)),
+            f"{kept} ({kept / len(mine):.0%})",
+            f"{sum(line.seconds for line in mine) / max(1, kept):.0f}",
+            f"{sum(tried)} of {len(tried)}" if tried else "",
+            ", ".join(f"{check} {count}" for check, count in checks.most_common()),
+        )
     Console().print(table)

@@ -6,8 +6,17 @@ import os
 from pathlib import Path
 
 from probe.assets.library import Library, Pool, open_library
+from probe.assets.tables import table_ids
 
-__all__ = ["Pool", "assets_folder", "cache_folder", "everything", "library", "library_folder"]
+__all__ = [
+    "Pool",
+    "assets_folder",
+    "cache_folder",
+    "everything",
+    "library",
+    "library_folder",
+    "tables_for",
+]
 
 
 def assets_folder() -> Path | None:
@@ -37,3 +46,8 @@ def everything() -> Library:
     """All objects that suites are made of: scans too where their folder is known."""
     pool = "all" if assets_folder() else "procedural"
     return open_library(pool, assets_folder(), cache_folder())
+
+
+def tables_for(pool: Pool) -> tuple[str, ...]:
+    """Tables for scenes of a pool; those of procedural objects need nothing from outside."""
+    return table_ids(None if pool == "procedural" else assets_folder())

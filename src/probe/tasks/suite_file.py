@@ -9,6 +9,7 @@ from typing import Literal
 
 import pydantic
 
+from probe.errors import UnknownName
 from probe.files import read_document, write_text
 from probe.scene.document import SceneDocument
 from probe.scene.visibility import Visibility
@@ -169,6 +170,11 @@ class SuiteDocument(pydantic.BaseModel, extra="forbid"):
         return self
 
 
+def digest_of(task: Task) -> str:
+    """Content hash of a task, as in a suite's manifest; 16 hex digits."""
+    return TaskDocument.of(task).digest()
+
+
 def write_suite(path: Path, suite: Suite) -> None:
     """Write a suite as JSON; floats keep every bit.
 
@@ -195,7 +201,36 @@ def read_suite(path: Path) -> Suite:
     return Suite(document.name, tuple(task.task() for task in document.tasks), document.objects)
 
 
-def demo_suite() -> Suite:
-    """The six tasks that come with the package."""
-    with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
+def packaged_suites() -> list[str]:
+    """Names of the suites that come with the package."""
+    files = (resources.files("probe.tasks") / "data").iterdir()
+    return sorted(Path(file.name).stem for file in files if file.name.endswith(".json"))
+
+
+def packaged_suite(name: str) -> Suite:
+    """A suite that comes with the package.
+
+    Raises:
+        UnknownName: There is none of this name.
+    """
+    if name not in packaged_suites():
+        raise UnknownName("suite", name, packaged_suites())
+    with resources.as_file(resources.files("probe.tasks") / f"data/{name}.json") as path:
         return read_suite(path)
+
+
+def demo_suite() -> Suite:
+    """The six tasks of the demo."""
+    return packaged_suite("demo")
+
+
+def find_suite(name: str) -> Suite:
+    """A suite by the name of one that comes with the package, or by its file.
+
+    Raises:
+        UnknownName: It is neither.
+        BadData: The file isn't a whole suite.
+    """
+    if name.endswith(".json") or Path(name).exists():
+        return read_suite(Path(name))
+    return packaged_suite(name)

@@ -1,0 +1,125 @@
+"""The folder in which a suite grows: a log and a file a place, so that any number may work on it.
+
+A place is one task to be made: a type and the number of its episode. Its log has a line for every
+candidate, written when that is settled; whoever comes back goes on after the last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from probe.assets.library import Library
+from probe.certify.plan import ATTEMPTS
+from probe.errors import BadData
+from probe.files import write_text
+from probe.tasks.suite import freeze
+from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.task import QuestionKind, Task
+
+KEPT, UNSOLVED = "kept", "solvable"
+"""Names of two results: a task, and a candidate that failed only the scripted agents' check."""
+
+_UNTRIED = "-"
+
+
+class Place(NamedTuple):
+    """One task to be made."""
+
+    kind: QuestionKind
+    episode: int
+
+
+@dataclass(frozen=True)
+class Line:
+    """What became of one candidate.
+
+    Attributes:
+        kind, seed: What it was made from.
+        check: KEPT, or the check that it failed.
+        solved: Whether the very first scripted attempt succeeded; None if none was made.
+        detail: What was measured, for people.
+        seconds: Time that it took.
+    """
+
+    kind: str
+    seed: int
+    check: str
+    solved: bool | None
+    detail: str
+    seconds: float
+
+    def __str__(self) -> str:
+        """Separated by tabs."""
+        solved = _UNTRIED if self.solved is None else str(self.solved)
+        detail = " ".join(self.detail.split())
+        cells = (self.kind, self.seed, self.check, solved, detail, f"{self.seconds:.1f}")
+        return "\t".join(str(cell) for cell in cells)
+
+    @staticmethod
+    def parse(text: str) -> Line:
+        """The line of a log.
+
+        Raises:
+            ValueError: It is none.
+        """
+        kind, seed, check, solved, detail, seconds = text.split("\t")
+        tried = None if solved == _UNTRIED else solved == "True"
+        return Line(kind, int(seed), check, tried, detail, float(seconds))
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The folder."""
+
+    folder: Path
+
+    def task_path(self, place: Place) -> Path:
+        """Where a place's task lies once it is made."""
+        return self._path(place, "json")
+
+    def log_path(self, place: Place) -> Path:
+        """Where a place's log lies."""
+        return self._path(place, "tsv")
+
+    def log(self, place: Place) -> list[Line]:
+        """What was tried for a place.
+
+        Raises:
+            BadData: The log can't be read.
+        """
+        file = self.log_path(place)
+        try:
+            lines = file.read_text().splitlines() if file.exists() else []
+            return [Line.parse(line) for line in lines]
+        except (OSError, ValueError) as error:
+            raise BadData(file, str(error), "Delete it; its place is then made anew") from error
+
+    def add(self, place: Place, line: Line) -> None:
+        """Add a line to a place's log; whole or not at all."""
+        lines = [*self.log(place), line]
+        write_text(self.log_path(place), "".join(f"{each}\n" for each in lines))
+
+    def keep(self, place: Place, task: Task, library: Library) -> None:
+        """Write a place's task."""
+        write_suite(
+            self.task_path(place), freeze(f"{place.kind}-{place.episode}", (task,), library)
+        )
+
+    def keep_unsolved(self, task: Task, library: Library) -> None:
+        """Write a candidate that failed only the scripted agents' check."""
+        suite = freeze(f"unsolved-{task.kind}-{task.seed}", (task,), library)
+        write_suite(self.folder / f"{suite.name}.json", suite)
+
+    def unsolved(self, places: Sequence[Place]) -> Iterator[Task]:
+        """The candidates of some places that failed only the scripted agents' check."""
+        for place in places:
+            for seed in range(place.episode * ATTEMPTS, (place.episode + 1) * ATTEMPTS):
+                path = self.folder / f"unsolved-{place.kind}-{seed}.json"
+                if path.exists():
+                    yield from read_suite(path).tasks
+
+    def _path(self, place: Place, suffix: str) -> Path:
+        return self.folder / f"{place.kind}-{place.episode}.{suffix}"

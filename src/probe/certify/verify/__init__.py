@@ -1,0 +1,1 @@
+"""Checks frozen tasks anew, from nothing but what a suite says of them."""

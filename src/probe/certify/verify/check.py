@@ -1,0 +1,94 @@
+"""All checks of one frozen task."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from probe.assets.library import Library
+from probe.assets.tables import load_table
+from probe.certify.build import without_notes
+from probe.certify.generate import generate
+from probe.certify.result import Candidate, Rejected
+from probe.certify.solve import solves_as_noted, trials
+from probe.certify.verify.anew import Anew
+from probe.certify.verify.hidden import hidden_problems
+from probe.certify.verify.histories import histories, history_problems, is_reachable
+from probe.certify.verify.truth import clarity_problems, truth_problems
+from probe.certify.verify.verdict import Verdict
+from probe.render.photograph import load_scene
+from probe.render.renderer import Renderer
+from probe.tasks.suite_file import digest_of
+from probe.tasks.task import Task
+
+_CREEP = 0.001
+"""Metres that anything may move while it is at rest."""
+
+
+@dataclass(frozen=True)
+class Depth:
+    """Which of the checks that take long are made.
+
+    Attributes:
+        solve: Whether a scripted agent solves it again.
+        history: Whether random histories are played.
+    """
+
+    solve: bool = True
+    history: bool = False
+
+
+def check(task: Task, library: Library, renderer: Renderer, depth: Depth) -> Verdict:
+    """Make the checks on one task; what was loaded in the renderer is replaced."""
+    anew = Anew(task.scene, library, renderer)
+    problems = {
+        "hidden": tuple(hidden_problems(task, anew)),
+        "unambiguous": tuple(clarity_problems(task, anew)),
+    }
+    untrue = list(truth_problems(task, anew))
+    problems["at rest"] = tuple(_unrest(anew))
+    table = load_table(task.scene.table, library.assets)
+    played = reachable = 0
+    if depth.history:
+        for record in histories(task, library, table, renderer):
+            load_scene(renderer, task.scene, library, table)
+            untrue += history_problems(task, record, renderer)
+            played += 1
+            reachable += is_reachable(task, record.scenes[-1])
+    problems["invariant"] = tuple(untrue)
+    if depth.solve and not solves_as_noted(task, library, table, renderer):
+        made = trials(task, library, table, renderer)
+        solved = any(trial.solved for trial in made)
+        problems["solvable"] = () if solved else (f"none of {len(made)} attempts",)
+    elif depth.solve:
+        problems["solvable"] = ()
+    return Verdict(
+        task=task.id,
+        kind=task.kind,
+        digest=digest_of(task),
+        problems=problems,
+        solved=depth.solve,
+        histories=played,
+        reachable=reachable,
+    )
+
+
+def rebuild_problem(
+    task: Task, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> str | None:
+    """What is different if a task is made from its seed again; None if nothing is."""
+    result = generate(task.kind, task.seed, library, renderer, tables)
+    if not isinstance(result, Candidate):
+        return f"its seed now fails {result.check}: {result.detail}"
+    frozen, made = digest_of(without_notes(task)), digest_of(result.task)
+    return None if frozen == made else f"its hash is {made}, not {frozen}"
+
+
+def _unrest(anew: Anew) -> Iterator[str]:
+    try:
+        creep = anew.creep()
+    except Rejected as failure:
+        yield str(failure)
+        return
+    if creep > _CREEP:
+        yield f"something moves by {1000 * creep:.1f} mm"

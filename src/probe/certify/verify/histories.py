@@ -1,0 +1,49 @@
+"""Random histories: whatever is done to a table, the truth about its start stays what it was."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import replace
+
+from probe.agents.random import Random
+from probe.assets.library import Library
+from probe.assets.tables import TableMaterial
+from probe.episodes.play import play, score
+from probe.episodes.record import EpisodeRecord
+from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
+from probe.scene.seeds import generator
+from probe.tasks.grading import whereabouts
+from probe.tasks.task import Task
+from probe.toolshed.result import Answer
+
+HISTORIES = 3
+
+
+def histories(
+    task: Task, library: Library, table: TableMaterial, renderer: Renderer
+) -> Iterator[EpisodeRecord]:
+    """Episodes of an agent that does anything."""
+    for number in range(HISTORIES):
+        rng = generator(task.seed, "history", number)
+        yield play(task, Random(rng), "random", library, table, renderer, number)
+
+
+def history_problems(task: Task, record: EpisodeRecord, renderer: Renderer) -> Iterator[str]:
+    """What a history changed that it mustn't; the renderer must have the task's objects."""
+    first, last = (Counter(o.object_id for o in s.objects) for s in (task.scene, record.scenes[-1]))
+    if first != last:
+        yield "things came or went"
+    places = Counter(whereabouts(o.pose) for o in record.scenes[-1].objects)
+    if sum(places.values()) != len(task.scene.objects):
+        yield "things are neither on the table, nor in the basket, nor off both"
+    for option in task.options:
+        answered = replace(record, answer=Answer(option.letter, None))
+        if score(task, answered, renderer).letter_correct != (option.letter == task.answer):
+            yield f"afterwards {option.letter} is graded otherwise"
+
+
+def is_reachable(task: Task, last: Scene) -> bool:
+    """Whether everything that decides is still on the table or in the basket."""
+    return all(whereabouts(last[number].pose) != "off the table" for number in task.targets)

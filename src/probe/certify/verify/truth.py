@@ -1,0 +1,96 @@
+"""Is the answer true, and the only one? From the starting scene and the library alone."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+
+from probe.assets.colour_difference import ciede2000
+from probe.certify.alike import told_apart
+from probe.certify.extents import extent_of
+from probe.certify.palettes import palette_of
+from probe.certify.verify.anew import Anew
+from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, Task
+from probe.tasks.truth import (
+    DIFFERENT,
+    how_many,
+    which_beneath,
+    which_darker,
+    which_like,
+    which_on_table,
+    which_size,
+)
+from probe.types import Array
+
+
+def truth_problems(task: Task, anew: Anew) -> Iterator[str]:
+    """What is wrong with the letter that is said to be right."""
+    texts = {option.letter: option.text for option in task.options}
+    try:
+        true = _true_text(task, anew)
+    except ValueError as error:
+        yield str(error)
+        return
+    if true in texts.values():
+        if texts[task.answer] != true:
+            yield f"{true} is right, not {task.answer}"
+    elif texts[task.answer] != NONE_OF_THE_ABOVE:
+        yield f"{true} is right and isn't offered, but the answer is {task.answer}"
+
+
+def _true_text(task: Task, anew: Anew) -> str:
+    """The option that is true, by the truth functions of the starting scene alone."""
+    scene, library, drawn = task.scene, anew.library, task.certificate.candidates
+    if task.kind == "count":
+        named = [o.object_id for o in scene.objects if library[o.object_id].name == task.subject]
+        return str(how_many(scene, named[0]) if named else 0)
+    if task.kind == "beneath":
+        assert task.cover is not None
+        known = [o.instance for o in scene.objects if o.object_id in drawn]
+        shapes = anew.view.silhouettes(scene, [*known, task.cover])
+        return library[which_beneath(scene, drawn, task.cover, shapes).object_id].name
+    if task.kind in ("find", "reduce"):
+        return library[which_on_table(scene, drawn).object_id].name
+    return f"Object {_pair(task, anew)}"
+
+
+def _pair(task: Task, anew: Anew) -> str:
+    ids = [task.scene[mark.instance].object_id for mark in task.marks]
+    if task.kind == "size":
+        return which_size(task.form, *(extent_of(anew.library, id) for id in ids))
+    a, b = (_colour(anew, id) for id in ids)
+    if task.form == "darker":
+        return which_darker(a, b)
+    if task.form == "like":
+        reference = next(spec.id for spec in anew.library.specs if spec.name == task.subject)
+        return which_like(a, b, _colour(anew, reference))
+    return PAIR[[anew.library[id].colours[0] for id in ids].index(task.subject)]
+
+
+def _colour(anew: Anew, object_id: str) -> Array:
+    return np.array(palette_of(anew.library, object_id)[0].lab)
+
+
+def clarity_problems(task: Task, anew: Anew) -> Iterator[str]:
+    """What could be understood in more than one way."""
+    texts = [option.text for option in task.options]
+    if len(set(texts)) < len(texts):
+        yield "two options are the same"
+    once = {o.object_id: o for o in task.scene.objects}
+    specs = [anew.library[object_id] for object_id in once]
+    if not told_apart(specs):
+        yield "two kinds of things share a name, or category and main colour"
+    copies = Counter(o.object_id for o in task.scene.objects)
+    several = {anew.library[id].name for id, count in copies.items() if count > 1}
+    if several - ({task.subject} if task.kind == "count" else set()):
+        yield f"there are several of {', '.join(sorted(several))}"
+    if task.kind in ("beneath", "find", "reduce"):
+        present = {spec.name for spec in specs} & set(texts)
+        if len(present) > 1:
+            yield f"several options are on the table: {', '.join(sorted(present))}"
+    if task.kind == "compare":
+        a, b = (_colour(anew, task.scene[mark.instance].object_id) for mark in task.marks)
+        if float(ciede2000(a, b)) < DIFFERENT:
+            yield "the two marked things are alike in colour"

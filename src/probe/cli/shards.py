@@ -1,0 +1,19 @@
+"""Shards on the command line: which part of the work a process does."""
+
+from __future__ import annotations
+
+import re
+
+from probe.errors import BadData
+
+
+def parse_shard(text: str) -> tuple[int, int]:
+    """Number and count of a shard as one writes it: "0/2" is the first half.
+
+    Raises:
+        BadData: It is none.
+    """
+    found = re.fullmatch(r"(\d+)/(\d+)", text)
+    if not found or int(found[1]) >= int(found[2]):
+        raise BadData("--shard", f"{text!r} is no part of the work", 'Say "0/2" or "1/2".')
+    return int(found[1]), int(found[2])

@@ -1,0 +1,158 @@
+"""`probe suite verify`: check every task of a frozen suite anew."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.console import Console
+from rich.progress import MofNCompleteColumn, Progress, TimeElapsedColumn
+from rich.table import Table
+
+from probe.assets.library import Library
+from probe.certify.verify.balance import balances
+from probe.certify.verify.check import Depth, check, rebuild_problem
+from probe.certify.verify.verdict import CHECKS, Verdict, read_verdict, write_verdict
+from probe.cli.shards import parse_shard
+from probe.cli.surroundings import Pool, everything, library, tables_for
+from probe.errors import ProbeError
+from probe.render.renderer import Renderer
+from probe.tasks.suite import Suite, check_objects
+from probe.tasks.suite_file import digest_of, find_suite
+from probe.tasks.task import Task
+
+
+class Unverified(ProbeError):
+    """Tasks of a suite failed checks."""
+
+    def __init__(self, suite: str, failed: int, out: Path) -> None:
+        super().__init__(
+            f"{failed} tasks of suite {suite} fail a check; {out} says which. Use the assets and "
+            "the release it was made with; if these are the same, report it."
+        )
+
+
+def verify(
+    suite: Annotated[str, tyro.conf.Positional],
+    out: Path | None = None,
+    solve: bool = True,
+    histories: int = 0,
+    rebuild: int = 0,
+    pool: Pool = "procedural",
+    shard: str = "0/1",
+) -> None:
+    """Check each task anew: at rest, hidden, true, unambiguous, solvable; may be interrupted.
+
+    Args:
+        suite: "v1", "demo" or a file that `probe suite build` wrote.
+        out: Folder for the verdicts, by default outputs/verify-NAME; those that are there stand.
+        solve: Whether scripted agents have to solve each task again.
+        histories: On how many tasks, evenly spaced, three random histories are played.
+        rebuild: How many tasks, evenly spaced, are made from their seeds again.
+        pool: Which objects the suite was made of, for that.
+        shard: "0/2" and "1/2" in two processes share the work; then run once more without.
+    """
+    frozen, things = find_suite(suite), everything()
+    check_objects(frozen, things)
+    folder = out or Path("outputs") / f"verify-{frozen.name}"
+    number, count = parse_shard(shard)
+    played = {task.id for task in spaced(frozen.tasks, histories)}
+    with Renderer() as renderer:
+        mine = frozen.tasks[number::count]
+        verdicts = _verdicts(mine, folder, things, renderer, solve=solve, played=played)
+        changed = _rebuilt(spaced(mine, rebuild), library(pool), renderer, tables_for(pool))
+    _print(frozen, verdicts, changed, rebuild)
+    if failed := sum(not verdict.holds for verdict in verdicts) + len(changed):
+        raise Unverified(frozen.name, failed, folder)
+
+
+def spaced(tasks: Sequence[Task], count: int) -> list[Task]:
+    """So many tasks, evenly spaced."""
+    count = min(count, len(tasks))
+    return [tasks[number * len(tasks) // count] for number in range(count)]
+
+
+def _verdicts(
+    tasks: Sequence[Task],
+    folder: Path,
+    things: Library,
+    renderer: Renderer,
+    *,
+    solve: bool,
+    played: set[str],
+) -> list[Verdict]:
+    columns = (*Progress.get_default_columns(), MofNCompleteColumn(), TimeElapsedColumn())
+    verdicts: list[Verdict] = []
+    with Progress(*columns) as progress:
+        for task in progress.track(tasks, description="Verifying"):
+            path = folder / f"{task.id}.json"
+            depth = Depth(solve=solve, history=task.id in played)
+            found = read_verdict(path) if path.exists() else None
+            if found is None or not _stands(found, task, depth):
+                found = check(task, things, renderer, depth)
+                write_verdict(path, found)
+            verdicts.append(found)
+    return verdicts
+
+
+def _stands(verdict: Verdict, task: Task, depth: Depth) -> bool:
+    enough = verdict.solved >= depth.solve and bool(verdict.histories) >= depth.history
+    return verdict.digest == digest_of(task) and enough
+
+
+def _rebuilt(
+    tasks: Sequence[Task], things: Library, renderer: Renderer, tables: Sequence[str]
+) -> dict[str, str]:
+    problems = {task.id: rebuild_problem(task, things, renderer, tables) for task in tasks}
+    return {id: problem for id, problem in problems.items() if problem}
+
+
+def _print(
+    suite: Suite, verdicts: Sequence[Verdict], changed: dict[str, str], rebuilt: int
+) -> None:
+    console = Console()
+    console.print(_table(suite.name, verdicts))
+    for line in (*_failures(verdicts), *_balance_lines(suite), *_history_lines(verdicts)):
+        console.print(line, highlight=False)
+    if rebuilt:
+        same = rebuilt - len(changed)
+        console.print(f"{same} of {rebuilt} that were rebuilt from their seeds are the same.")
+    for task, problem in changed.items():
+        console.print(f"{task}: rebuilt: {problem}")
+
+
+def _table(name: str, verdicts: Sequence[Verdict]) -> Table:
+    table = Table("type", "tasks", "hold", *CHECKS, title=f"Suite {name}")
+    for kind in sorted({verdict.kind for verdict in verdicts}):
+        mine = [verdict for verdict in verdicts if verdict.kind == kind]
+        cells = [_passed(check, mine) for check in CHECKS]
+        table.add_row(kind, str(len(mine)), str(sum(v.holds for v in mine)), *cells)
+    return table
+
+
+def _failures(verdicts: Sequence[Verdict]) -> Iterator[str]:
+    for verdict in verdicts:
+        for name, problems in verdict.problems.items():
+            for problem in problems:
+                yield f"{verdict.task}: {name}: {problem}"
+
+
+def _balance_lines(suite: Suite) -> Iterator[str]:
+    for balance in balances(suite.tasks):
+        counts = ", ".join(f"{count} {value}" for value, count in balance.counts.items())
+        odd = "" if balance.even else " (uneven)"
+        yield f"{balance.kind}, {balance.of}: {counts}{odd}"
+
+
+def _history_lines(verdicts: Sequence[Verdict]) -> Iterator[str]:
+    played = sum(verdict.histories for verdict in verdicts)
+    if played:
+        share = f"{sum(verdict.reachable for verdict in verdicts)} of {played}"
+        yield f"The evidence was within reach after {share} random histories."
+
+
+def _passed(check: str, verdicts: Sequence[Verdict]) -> str:
+    made = [verdict for verdict in verdicts if check in verdict.problems]
+    return f"{sum(not v.problems[check] for v in made)}/{len(made)}" if made else "-"

@@ -1,0 +1,100 @@
+"""Frozen tasks pass; the same tasks with something wrong don't, and the right check says so."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from probe.assets.library import Library
+from probe.certify.verify.check import Depth, check
+from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
+from probe.tasks.suite_file import demo_suite
+from probe.tasks.task import Option, Task
+from probe.types import Pose
+
+pytestmark = pytest.mark.slow
+LOOK_ONLY = Depth(solve=False)
+
+
+def demo(kind: str, *, cover: bool = False) -> Task:
+    """A demo task with a named answer."""
+    return next(t for t in demo_suite().tasks if t.kind == kind and (t.answer != "E" or cover))
+
+
+def moved(scene: Scene, instance: int, dx: float = 0.0, dz: float = 0.0) -> Scene:
+    """The scene with one thing elsewhere."""
+
+    def put(pose: Pose) -> Pose:
+        x, y, z = pose.position
+        return Pose((x + dx, y, z + dz), pose.wxyz)
+
+    return replace(
+        scene,
+        objects=tuple(
+            replace(o, pose=put(o.pose)) if o.instance == instance else o for o in scene.objects
+        ),
+    )
+
+
+def failed(task: Task, library: Library, renderer: Renderer) -> set[str]:
+    verdict = check(task, library, renderer, LOOK_ONLY)
+    return {name for name, problems in verdict.problems.items() if problems}
+
+
+@pytest.mark.parametrize("task", demo_suite().tasks, ids=lambda task: task.id)
+def test_frozen_tasks_pass(library, renderer, task):
+    assert failed(task, library, renderer) == set()
+
+
+def test_a_cover_elsewhere_hides_nothing(library, renderer):
+    task = demo("beneath", cover=True)
+    assert task.cover is not None
+    bare = replace(task, scene=moved(task.scene, task.cover, dx=1.0))
+    verdict = check(bare, library, renderer, LOOK_ONLY)
+    assert any("the answer shows by" in problem for problem in verdict.problems["hidden"])
+    assert verdict.problems["invariant"] and not verdict.holds
+
+
+def test_what_floats_is_not_at_rest(library, renderer):
+    task = demo("count")
+    highest = max(task.scene.objects, key=lambda o: o.pose.position[2])
+    floating = replace(task, scene=moved(task.scene, highest.instance, dz=0.05))
+    assert "at rest" in failed(floating, library, renderer)
+
+
+def test_a_wrong_letter_is_untrue(library, renderer):
+    task = demo("find")
+    other = "A" if task.answer != "A" else "B"
+    assert failed(replace(task, answer=other), library, renderer) == {"invariant"}
+
+
+def test_one_thing_more_changes_the_count(library, renderer):
+    task = demo("count")
+    gone = replace(
+        task,
+        scene=task.scene.without(task.targets[0]),
+        targets=task.targets[1:],
+        certificate=replace(
+            task.certificate,
+            visibility={
+                n: v for n, v in task.certificate.visibility.items() if n != task.targets[0]
+            },
+        ),
+    )
+    assert "invariant" in failed(gone, library, renderer)
+
+
+def test_options_that_say_the_same_are_ambiguous(library, renderer):
+    task = demo("find")
+    wrong = [o.letter for o in task.options if o.letter not in (task.answer, "E")]
+    text = next(o.text for o in task.options if o.letter == wrong[0])
+    options = tuple(Option(o.letter, text) if o.letter == wrong[1] else o for o in task.options)
+    assert failed(replace(task, options=options), library, renderer) == {"unambiguous"}
+
+
+def test_histories_leave_every_grade_as_it_was(library, renderer):
+    task = demo("count")
+    verdict = check(task, library, renderer, Depth(solve=False, history=True))
+    assert verdict.holds and verdict.histories == 3
