@@ -16,11 +16,11 @@ from probe.shortcuts.learning import learn as learn_weights
 from probe.shortcuts.looks import examples_of
 from probe.shortcuts.sample import Lore
 from probe.shortcuts.table import leaks, markdown
-from probe.tasks.suite_file import read_suite
+from probe.tasks.suite_file import find_suite
 
 
 def shortcuts(
-    suites: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    suites: Annotated[tuple[str, ...], tyro.conf.Positional],
     out: Path = Path("outputs/shortcuts.md"),
     rules_only: bool = False,
 ) -> None:
@@ -30,12 +30,12 @@ def shortcuts(
     in the cache, so that a second run is quick.
 
     Args:
-        suites: Files that `probe suite build` wrote; a task that is in several counts once.
+        suites: Names, or files that `probe suite build` wrote; a task in several counts once.
         out: File for the table, Markdown.
         rules_only: Train nothing; for a suite too small to learn from.
     """
     things = everything()
-    read = [read_suite(path) for path in suites]
+    read = [find_suite(name) for name in suites]
     total = len({task.id for suite in read for task in suite.tasks})
     looking = examples_of(read, things, cache_folder())
     examples = list(track(looking, "Looking", total=total))
@@ -48,7 +48,7 @@ def shortcuts(
 
 
 def learn(
-    suites: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    suites: Annotated[tuple[str, ...], tyro.conf.Positional],
     out: Path = Path("outputs/question_only.json"),
 ) -> None:
     """Train the question-only classifier on tasks of the training pool.
@@ -57,7 +57,7 @@ def learn(
         suites: Files that `probe suite build` wrote.
         out: File for what it learnt; the package's own is src/probe/agents/data/question_only.json.
     """
-    learnt = learn_weights([task for path in suites for task in read_suite(path).tasks])
+    learnt = learn_weights([task for name in suites for task in find_suite(name).tasks])
     write_text(out, learnt.model_dump_json(indent=0) + "\n")
     counts = ", ".join(f"{kind} {what.tasks}" for kind, what in learnt.root.items())
     print(f"What was learnt is in {out}; tasks: {counts}.")
