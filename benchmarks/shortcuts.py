@@ -25,7 +25,7 @@ class Args:
     """
 
     tasks: int = 300
-    sims: int = 2
+    sims: int = 1
 
 
 def main(args: Args) -> None:
