@@ -22,7 +22,7 @@ def often(draw: Draw) -> bool:
 
 
 @pytest.mark.parametrize("make", [find, count, size, compare])
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1])
 def test_nothing_is_found_where_nothing_is(make, seed):
     assert found(examples(make, 300, seed=seed)) == set()
 
