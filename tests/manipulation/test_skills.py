@@ -170,15 +170,40 @@ def test_a_box_goes_as_far_as_it_is_pushed(renderer, direction, along, distance)
     assert result.moved == pytest.approx(way @ np.array(along), abs=0.006)
 
 
-def test_without_room_behind_nothing_is_pushed(renderer: Renderer) -> None:
+@pytest.mark.slow
+def test_without_room_behind_it_is_taken_along_from_above(renderer: Renderer) -> None:
     wall = box_item(2, "green wall", (0.34, 0.30, 0.15), mass=1.0)
     station = stand(renderer, [RED, wall], [at(0.02, 0.05), at(-0.196, 0.05)])
+    frame = station.observe(rgb=False)
+    assert frame.labels is not None
+    result = push(station, frame, frame.labels == 1, "right", 0.1, BASKET_POSITION)
+    assert result.status == "pushed" and is_parked(station)
+    # It may slip or tip beneath the tips, but comes at least half of the way.
+    assert position(station)[0] - 0.02 > 0.05
+    assert position(station, 2) == pytest.approx([-0.196, 0.05, 0.0], abs=0.005)
+
+
+def test_without_room_behind_or_above_nothing_is_pushed(renderer: Renderer) -> None:
+    behind = box_item(2, "wall behind", (0.34, 0.06, 0.25), mass=1.0)
+    beside = [box_item(n, f"wall {n}", (0.45, 0.14, 0.25), mass=1.0) for n in (3, 4)]
+    places = [at(0.02, 0.05), at(-0.196, 0.05), at(-0.1, 0.15), at(-0.1, -0.05)]
+    station = stand(renderer, [RED, behind, *beside], places)
     frame = station.observe(rgb=False)
     assert frame.labels is not None
     assert (
         push(station, frame, frame.labels == 1, "right", 0.1, BASKET_POSITION).status == "no_space"
     )
     assert position(station) == pytest.approx([0.02, 0.05, 0.0], abs=1e-6)
+
+
+@pytest.mark.slow
+def test_what_leaves_the_picture_in_part_is_pushed_on(renderer: Renderer) -> None:
+    station = stand(renderer, [RED], [at(0.20, 0.05)])
+    frame = station.observe(rgb=False)
+    assert frame.labels is not None
+    result = push(station, frame, frame.labels == 1, "right", 0.06, BASKET_POSITION)
+    assert result.status == "pushed" and result.moved == pytest.approx(0.06, abs=0.01)
+    assert position(station)[0] == pytest.approx(0.26, abs=0.01)
 
 
 def test_a_push_into_the_basket_stops_before_its_wall(renderer: Renderer) -> None:

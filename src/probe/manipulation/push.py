@@ -10,6 +10,7 @@ import numpy as np
 from probe.manipulation.looking import still_there, tracked
 from probe.manipulation.recognition import recognised
 from probe.manipulation.stroke import Stroke, stroke
+from probe.manipulation.terrain import lifted
 from probe.station.station import Station
 from probe.types import Array, Frame, Pose, Vector3
 
@@ -22,7 +23,7 @@ PushStatus = Literal["pushed", "short", "unmoved", "no_space", "unreachable", "b
 pushed: The tool swept, or the thing went, as far as was asked for.
 short: It swept less: the basket or the arm's reach ended it.
 unmoved: It swept, but the thing looks as it did.
-no_space: There is no free spot behind the thing where the tool could come down.
+no_space: There is no free spot, behind the thing or on it, where the tool could come down.
 unreachable: The arm can't follow any such path.
 blocked: Something stopped the arm.
 """
@@ -47,6 +48,7 @@ _FAR_ENOUGH = 0.8
 _LEAST = 0.008
 _CERTAIN = 0.9
 _IN_VAIN = 0.3
+_REAR_PERCENT = 5.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,9 +143,11 @@ def _follow(
     if found is None or found.merit < _CERTAIN:
         after = station.observe(rgb=True)
         found = recognised(before, after, track.mask, way, found)
-    if found is None or _at_border(found.mask):
+    if found is None:
         return after, _Track(None, track.gone)
     step = float(found.shift @ along)
+    if _at_border(found.mask):
+        step = _rear(after, found.mask, along) - _rear(before, track.mask, along)
     in_vain = (*track.in_vain, *done.starts) if step < _IN_VAIN * done.swept else ()
     return after, _Track(found.mask, track.gone + step, in_vain)
 
@@ -153,6 +157,11 @@ def _at_border(mask: Array) -> bool:
     inner = mask.copy()
     inner[1:-1, 1:-1] = False
     return bool(inner.any())
+
+
+def _rear(frame: Frame, mask: Array, along: Array) -> float:
+    """Where a thing begins along a direction, metres; seen even if its front left the picture."""
+    return float(np.percentile(lifted(frame, mask) @ along, _REAR_PERCENT))
 
 
 def _status(done: Stroke, reached: float, asked: float) -> PushStatus:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from probe.manipulation.closedhand import SIDE, ClosedHand, orientation
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
@@ -25,9 +26,7 @@ _AHEAD = np.array([0.3, 0.6, 1.0])
 _LOWEST, _HIGHEST = 0.0015, 0.012
 _OVERLAP = 0.003
 _REAR = 0.02
-_TIP = 0.012
 _KNUCKLES = 0.04
-_SIDE = 0.002
 
 
 @dataclass(frozen=True)
@@ -38,11 +37,15 @@ class Push:
         start: world_from_hand behind the thing.
         gap: Metres until it touches.
         cost: Lower is better; comparable within one call only.
+        pressed: It comes down on the thing itself and goes on down until it feels it.
+        through: It meets other things before this one.
     """
 
     start: Pose
     gap: float
     cost: float
+    pressed: bool = False
+    through: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,37 +68,6 @@ class _Surroundings:
     bare: Terrain
 
 
-@dataclass(frozen=True, eq=False)
-class _Tool:
-    """The closed hand in one orientation.
-
-    Attributes:
-        rotation: world_from_hand, shape (3, 3).
-        points: On the hand from its frame's origin, along the world's axes, shape (n, 3).
-        front: How far the tips reach along the push.
-        half: Half of the tips' width across it.
-        middle: Where the tips' middle lies aside of the origin.
-        bottom: How far the tips reach down; below 0.
-    """
-
-    rotation: Array
-    points: Array
-    front: float
-    half: float
-    middle: float
-    bottom: float
-
-    @staticmethod
-    def of(shape: HandShape, rotation: Array, along: Array, aside: Array) -> _Tool:
-        points = shape.whole(0.0) @ rotation.T
-        bottom = float((shape.tips(0.0) @ rotation.T)[:, 2].min())
-        tips = points[points[:, 2] < bottom + _TIP]
-        across = tips @ aside
-        low, high = float(across.min()), float(across.max())
-        front = float((tips @ along).max())
-        return _Tool(rotation, points, front, (high - low) / 2, (high + low) / 2, bottom)
-
-
 def pushes(
     target: Target, terrain: Terrain, shape: HandShape, along: Array, distance: float
 ) -> Iterator[Push]:
@@ -111,7 +83,7 @@ def pushes(
     if len(target.top) == 0:
         return
     aside = np.array([-along[1], along[0], 0.0])
-    full, bare = terrain.widened(_SIDE), terrain.without(target.cells).widened(_SIDE)
+    full, bare = terrain.widened(SIDE), terrain.without(target.cells).widened(SIDE)
     around = _Surroundings(target, along, aside, distance, full, bare)
     for lean_deg, towards in (
         (0.0, along), (30.0, along), (30.0, aside), (30.0, -aside), (50.0, along), (50.0, aside),
@@ -119,21 +91,13 @@ def pushes(
     ):  # fmt: skip
         found: list[Push] = []
         for across, cost in ((along, 0.0), (aside, 0.05)):
-            rotation = _orientation(np.radians(lean_deg), towards, across)
-            tool = _Tool.of(shape, rotation, along, aside)
+            rotation = orientation(np.radians(lean_deg), towards, across)
+            tool = ClosedHand.of(shape, rotation, along, aside)
             found += [push for line in _ASIDE for push in _on_line(tool, around, line, cost)]
         yield from sorted(found, key=lambda push: push.cost)
 
 
-def _orientation(lean: float, towards: Array, closing: Array) -> Array:
-    """world_from_hand with the tips leading towards a side and the pads closing along another."""
-    approach = np.sin(lean) * towards - np.cos(lean) * np.array([0.0, 0.0, 1.0])
-    axis = closing - approach * (closing @ approach)
-    axis /= np.linalg.norm(axis)
-    return np.column_stack([np.cross(axis, approach), axis, approach])
-
-
-def _on_line(tool: _Tool, around: _Surroundings, line: float, cost: float) -> Iterator[Push]:
+def _on_line(tool: ClosedHand, around: _Surroundings, line: float, cost: float) -> Iterator[Push]:
     """The nearest free spot at each height behind the target, on a line beside its middle."""
     target = around.target
     aside = float(target.centre @ around.aside) + line
@@ -154,7 +118,8 @@ def _on_line(tool: _Tool, around: _Surroundings, line: float, cost: float) -> It
         if gap is not None:
             start = Pose.of(contact - gap * around.along, quaternion_of(tool.rotation))
             total = cost + 3.0 * gap + 8.0 * abs(line) + 0.25 * number
-            yield Push(start, gap, total + _hindrance(tool, around, contact, gap))
+            through, hindrance = _hindrance(tool, around, contact, gap)
+            yield Push(start, gap, total + hindrance, through=through)
 
 
 def _heights(own: Array, around: _Surroundings) -> list[float]:
@@ -171,7 +136,7 @@ def _heights(own: Array, around: _Surroundings) -> list[float]:
     return [low] if skim < low + 0.004 else [low, (low + skim) / 2, skim]
 
 
-def _free_gap(tool: _Tool, around: _Surroundings, contact: Array) -> float | None:
+def _free_gap(tool: ClosedHand, around: _Surroundings, contact: Array) -> float | None:
     """Smallest distance behind the contact at which the hand can come down."""
     for gap in _GAPS:
         down = contact - gap * around.along + _DOWN[:, None] * np.array([0.0, 0.0, 1.0])
@@ -180,15 +145,17 @@ def _free_gap(tool: _Tool, around: _Surroundings, contact: Array) -> float | Non
     return None
 
 
-def _hindrance(tool: _Tool, around: _Surroundings, contact: Array, gap: float) -> float:
-    """Cost of meeting other things on the way, and of touching with more than the tips."""
+def _hindrance(
+    tool: ClosedHand, around: _Surroundings, contact: Array, gap: float
+) -> tuple[bool, float]:
+    """Whether other things are met on the way, and the cost of that and of touching too much."""
     behind = contact - np.linspace(0.0, gap, 5)[:, None] * around.along
-    between = 1.0 - float(_above(around.bare, tool.points, behind).mean())
+    through = not _above(around.bare, tool.points, behind).all()
     ahead = contact + (_AHEAD * around.distance)[:, None] * around.along
     met = 1.0 - float(_above(around.bare, tool.points, ahead).mean())
     upper = tool.points[tool.points[:, 2] > tool.bottom + _KNUCKLES]
     knuckles = not _above(around.full, upper, (contact - 0.003 * around.along)[None])[0]
-    return 1.0 * (between > 0) + 0.2 * met + 0.4 * knuckles
+    return through, 1.0 * through + 0.2 * met + 0.4 * knuckles
 
 
 def _above(terrain: Terrain, points: Array, origins: Array) -> Array:

@@ -16,7 +16,8 @@ _PLAUSIBLE, _PLAUSIBLE_PX = 0.3, 5
 _ROUGHLY = 0.35
 _SHAPE_BONUS = (0.08, 0.05)
 _FREE_SIZE, _SIZE_COST, _OTHER_SIZE = 0.3, 0.25, 4.0
-_LEAST = 0.9
+_LEAST = 0.6
+_BEYOND, _BEYOND_COST = 0.05, 0.25
 _LIKELIER, _WINDOW_PX = (0.5, 0.75), 7
 _RECOLOURED = 30
 _EDGE = 0.006
@@ -60,7 +61,8 @@ def recognised(
     whole = _WHOLE * explained / max(1.0, explained.max(initial=0.0))
     best, merit = None, _LEAST
     for (option, bonus), extra in zip(options, whole, strict=True):
-        looks = palette.alike(after.rgb, option.mask) - _misfit(option.mask, mask) + bonus + extra
+        looks = palette.alike(after.rgb, option.mask) + bonus + extra
+        looks -= _misfit(option.mask, mask) + _beyond(option.shift, way)
         if looks > merit:
             best, merit = option, looks
     return best
@@ -70,6 +72,13 @@ def _misfit(one: Array, other: Array) -> float:
     """Cost of being much larger or smaller."""
     apart = abs(np.log(np.count_nonzero(one) / np.count_nonzero(other))) / np.log(_OTHER_SIZE)
     return _SIZE_COST * max(0.0, min(1.0, float(apart)) - _FREE_SIZE)
+
+
+def _beyond(shift: Array, way: Array) -> float:
+    """Cost of being further along than it can have been taken; few things roll on."""
+    length = float(np.linalg.norm(way))
+    ahead = float(shift @ way) / max(length, 1e-6) - length
+    return _BEYOND_COST if ahead > _BEYOND else 0.0
 
 
 def _possible(before: Frame, after: Frame, mask: Array) -> Array:

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import islice
 from typing import Literal
 
 import numpy as np
 
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.kinematics import between, either_way, line, moved, reaching, straight
+from probe.manipulation.kinematics import either_way, line, moved, reaching, straight
 from probe.manipulation.looking import still_there
 from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.parking import park
-from probe.manipulation.pushing import DESCENT, Push, pushes
+from probe.manipulation.pushing import DESCENT, Push
 from probe.manipulation.room import room_ahead
 from probe.manipulation.routes import over
+from probe.manipulation.starts import close, starts
+from probe.manipulation.sweeping import pressed, swept
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
 from probe.station.station import Station
@@ -26,14 +27,11 @@ StrokeEnd = Literal["swept", "no_space", "unreachable", "blocked"]
 """How a stroke ended: the tool went its whole way; there is nowhere to begin; the arm can't follow
 any such path; something stopped the arm."""
 
-_TRIED = 40
 _PARTS = (1.0, 0.75, 0.5, 0.25)
 _LEAST = 0.008
 _STAYED = 0.9
 _SPARE = 0.005
-_CREEP = 0.004
 _STARTS = 3
-_SAME_START = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,9 +85,7 @@ def stroke(
     target = target_of(frame, mask, terrain)
     shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
     distance = min(distance, room_ahead(target, terrain, along, basket))
-    every = pushes(target, terrain, shape, along, distance)
-    fresh = (option for option in every if not any(_close(option, pose) for pose in unlike))
-    options = list(islice(fresh, _TRIED))
+    options = starts(target, terrain, shape, along, distance, unlike)
     result = Stroke("unreachable" if options else "no_space", frame)
     if distance < _LEAST:
         return result
@@ -102,13 +98,8 @@ def stroke(
         if result.end == "swept" or result.swept > 0 or stayed < _STAYED:
             break
         # Stopped before it met the thing, which is still where it was: from elsewhere, then.
-        options = [option for option in options if not _close(option, best.push.start)]
+        options = [option for option in options if not close(option, best.push.start)]
     return result
-
-
-def _close(one: Push, other: Pose) -> bool:
-    apart = np.subtract(one.start.position, other.position)
-    return float(np.linalg.norm(apart)) < _SAME_START
 
 
 def _best(
@@ -150,21 +141,21 @@ def _execute(
     station: Station, obstacles: Obstacles, route: _Route, shape: HandShape, along: Array
 ) -> Stroke:
     """Push, lift, park and look."""
-    swept = 0.0
+    gone = 0.0
     station.grip(0.0)
     if station.follow(route.transit) and station.follow(route.descent):
-        begin = _place(station)
-        path = np.vstack([route.descent[-1], route.sweep])
-        for joints in between(path, _CREEP)[1:]:
-            if not station.follow(joints[None]):
-                break
-        swept = float((_place(station) - begin) @ along)
+        gone = _swept(station, route, along * route.travel)
     park(station, obstacles, shape.whole(0.0)[::3])
     station.grip(station.hand.max_opening)
-    end: StrokeEnd = "swept" if swept > route.travel - _SPARE else "blocked"
+    end: StrokeEnd = "swept" if gone > route.travel - _SPARE else "blocked"
     frame = station.observe(rgb=False)
-    return Stroke(end, frame, max(0.0, swept - route.push.gap), (route.push.start,))
+    return Stroke(end, frame, max(0.0, gone - route.push.gap), (route.push.start,))
 
 
-def _place(station: Station) -> Array:
-    return np.array(station.arm.forward(station.joints()).position)
+def _swept(station: Station, route: _Route, way: Array) -> float:
+    """Metres that the hand came along a way."""
+    joints, path = route.descent[-1], route.sweep
+    if route.push.pressed:
+        joints = pressed(station, joints)
+        path = straight(station.arm, joints, line(station.arm.forward(joints), way))
+    return 0.0 if path is None else swept(station, np.vstack([joints, path]), way)

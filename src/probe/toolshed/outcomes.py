@@ -26,8 +26,8 @@ PUSH_WORDS = {
     "ended it{moved}. What it met has moved as well.",
     "unmoved": "the gripper went the whole way, but {id} hardly moved. Push it in another "
     "direction or further, or grasp it.",
-    "no_space": "there is no free spot next to {id} where the gripper could come down for a push "
-    "this way. Nothing was moved. Try another direction, or grasp it.",
+    "no_space": "there is no free spot behind {id} or on it where the gripper could come down for "
+    "a push this way. Nothing was moved. Try another direction, or grasp it.",
     "unreachable": "the arm can't make this push. Nothing was moved. Try another direction or a "
     "shorter distance, or grasp it.",
     "blocked": "the gripper met something too heavy or too firm and stopped early; objects there "

@@ -79,9 +79,9 @@ class Push(_Arguments):
     """Push an object across the table in a straight line with the closed gripper.
 
     Use it when a grasp fails, or to slide something aside and keep it on the table. The gripper
-    comes down in the nearest free spot behind the object; what stands ahead of it gets pushed
-    along. The reply says what happened and comes with the new picture. Each attempt counts as
-    one manipulation, whether it works or not.
+    comes down in the nearest free spot behind the object, or on top of it where there is none;
+    what stands ahead of it gets pushed along. The reply says what happened and comes with the
+    new picture. Each attempt counts as one manipulation, whether it works or not.
     """
 
     object_id: ObjectId
