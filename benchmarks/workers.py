@@ -19,7 +19,7 @@ from typing import Any
 import tyro
 
 import probe.manipulation
-from probe.cli.run import make_agent
+from probe.cli.agents import make_agent
 from probe.cli.surroundings import everything
 from probe.episodes.files import append_line
 from probe.render.renderer import Renderer

@@ -28,7 +28,7 @@ class Broken:
     def __init__(self) -> None:
         self.asked: list[tuple[str, str, int]] = []
 
-    def agent(self, name, task, run):
+    def agent(self, name, task, run, library, renderer):
         self.asked.append((name, task.id, run))
         raise ValueError("no such agent")
 

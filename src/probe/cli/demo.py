@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from probe.cli.agents import make_agent
 from probe.cli.report import write_run_report
-from probe.cli.run import make_agent
 from probe.cli.running import run_order
 from probe.cli.surroundings import everything
 from probe.runs.plan import Order

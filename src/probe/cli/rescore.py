@@ -10,6 +10,7 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
+from probe.cli.agents import ARMS
 from probe.cli.grading import Graded, graded
 from probe.episodes.folder import SUITE
 from probe.scores.marking import roster_of_tasks, row_of
@@ -21,17 +22,14 @@ from probe.tasks.suite_file import read_suite
 
 ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
 
-_ARMS = {"scripted": "scripted", "random": "random"}
-"""Arms that are named after their agents."""
-
 
 def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) -> None:
     """Grade a run's records again, without physics, and write rows.csv, rows.jsonl, scores.json.
 
     Args:
         out: Folder that `probe run` wrote to.
-        arm: How the agents were allowed to answer; by default "agentic", and the scripted and the
-            random agent have arms of their own.
+        arm: How the agents were allowed to answer; by default "agentic", and agents without
+            a model have arms of their own.
     """
     suite = read_suite(out / SUITE)
     rows = [marked(suite.name, each, arm) for each in graded(out)]
@@ -47,7 +45,7 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
 
 def arm_of(agent: str) -> str:
     """How an agent answers, if nobody says otherwise."""
-    return _ARMS.get(agent, AGENTIC)
+    return ARMS.get(agent, AGENTIC)
 
 
 def marked(suite: str, graded: Graded, arm: str | None = None) -> Row:

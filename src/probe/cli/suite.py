@@ -15,6 +15,7 @@ from probe.assets.library import Library
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
 from probe.certify.parts import Line, Parts, Place
 from probe.cli.shards import parse_shard
+from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.suite_verify import verify
 from probe.cli.surroundings import Pool, library, tables_for
 from probe.errors import BadData
@@ -25,6 +26,8 @@ from probe.tasks.suite_file import find_suite
 from probe.tasks.task import KINDS, QuestionKind
 
 app = tyro.extras.SubcommandApp()
+app.command(shortcuts)
+app.command(learn)
 app.command(verify)
 
 _NONE = dict.fromkeys(KINDS, 0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import Annotated
 
@@ -114,7 +115,8 @@ def _print(
 ) -> None:
     console = Console()
     console.print(_table(suite.name, verdicts))
-    for line in (*_failures(verdicts), *_balance_lines(suite), *_history_lines(verdicts)):
+    told = (_failures(verdicts), _balance_lines(suite), _history_lines(verdicts))
+    for line in (*chain(*told), *_observer_lines(verdicts)):
         console.print(line, highlight=False)
     if rebuilt:
         same = rebuilt - len(changed)
@@ -151,6 +153,13 @@ def _history_lines(verdicts: Sequence[Verdict]) -> Iterator[str]:
     if played:
         share = f"{sum(verdict.reachable for verdict in verdicts)} of {played}"
         yield f"The evidence was within reach after {share} random histories."
+
+
+def _observer_lines(verdicts: Sequence[Verdict]) -> Iterator[str]:
+    for kind in sorted({verdict.kind for verdict in verdicts}):
+        said = [v.observed for v in verdicts if v.kind == kind and v.observed is not None]
+        if said:
+            yield f"{kind}: the observer, who only looks, is right in {sum(said)} of {len(said)}."
 
 
 def _passed(check: str, verdicts: Sequence[Verdict]) -> str:

@@ -22,8 +22,11 @@ from probe.runs.sights import sight_of
 from probe.station.ur5 import Ur5
 from probe.tasks.task import Task
 
-AgentOf = Callable[[str, Task, int], Agent]
-"""A fresh agent by its name, for a task and the number of a run; a function of a module."""
+AgentOf = Callable[[str, Task, int, Library, Renderer], Agent]
+"""A fresh agent by its name, for a task and the number of a run; a function of a module.
+
+It gets the objects, and a renderer whose loaded things it may replace.
+"""
 
 
 @dataclass(frozen=True)
@@ -63,7 +66,7 @@ class Workplace:
         try:
             return play(
                 task,
-                self.agent_of(order.agent, task, job.run),
+                self.agent_of(order.agent, task, job.run, things, renderer),
                 order.agent,
                 things,
                 load_table(task.scene.table, things.assets),

@@ -16,11 +16,12 @@ from probe.types import Pose
 
 pytestmark = pytest.mark.slow
 LOOK_ONLY = Depth(solve=False)
+DEMO = demo_suite()
 
 
 def demo(kind: str, *, cover: bool = False) -> Task:
     """A demo task with a named answer."""
-    return next(t for t in demo_suite().tasks if t.kind == kind and (t.answer != "E" or cover))
+    return next(t for t in DEMO.tasks if t.kind == kind and (t.answer != "E" or cover))
 
 
 def moved(scene: Scene, instance: int, dx: float = 0.0, dz: float = 0.0) -> Scene:
@@ -43,9 +44,15 @@ def failed(task: Task, library: Library, renderer: Renderer) -> set[str]:
     return {name for name, problems in verdict.problems.items() if problems}
 
 
-@pytest.mark.parametrize("task", demo_suite().tasks, ids=lambda task: task.id)
+@pytest.mark.parametrize("task", DEMO.tasks, ids=lambda task: task.id)
 def test_frozen_tasks_pass(library, renderer, task):
     assert failed(task, library, renderer) == set()
+
+
+def test_the_observer_sees_what_shows(library, renderer):
+    # Three toy cars, none of them hidden; and a hidden thing, of which nothing shows.
+    seen = {task.id: check(task, library, renderer, LOOK_ONLY).observed for task in DEMO.tasks[2:5]}
+    assert seen == {"count-45dd8d10": True, "count-281ce473": False, "find-75977c33": False}
 
 
 def test_a_cover_elsewhere_hides_nothing(library, renderer):

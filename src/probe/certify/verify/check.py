@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from probe.assets.library import Library
 from probe.assets.tables import load_table
 from probe.certify.build import without_notes
+from probe.certify.first_look import look_at
 from probe.certify.generate import generate
+from probe.certify.observer import observe
 from probe.certify.result import Candidate, Rejected
 from probe.certify.solve import solves_as_noted, trials
 from probe.certify.verify.anew import Anew
@@ -70,7 +72,15 @@ def check(task: Task, library: Library, renderer: Renderer, depth: Depth) -> Ver
         solved=depth.solve,
         histories=played,
         reachable=reachable,
+        observed=None if any(problems.values()) else _observed(task, library, renderer),
     )
+
+
+def _observed(task: Task, library: Library, renderer: Renderer) -> bool:
+    """Whether somebody who only looks, and follows a rule, is right."""
+    options = [option.text for option in task.options]
+    look = look_at(task, library, renderer)
+    return observe(task.kind, task.form, task.question, options, look) == task.answer
 
 
 def rebuild_problem(

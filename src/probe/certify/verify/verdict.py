@@ -22,6 +22,7 @@ class Verdict(pydantic.BaseModel, frozen=True, extra="forbid"):
         solved: Whether scripted agents were let try.
         histories: Random histories that were played.
         reachable: How many of them left the deciding evidence within reach.
+        observed: Whether the observer, who only looks, was right; None where a check failed.
     """
 
     task: str
@@ -31,6 +32,7 @@ class Verdict(pydantic.BaseModel, frozen=True, extra="forbid"):
     solved: bool = False
     histories: int = 0
     reachable: int = 0
+    observed: bool | None = None
 
     @property
     def holds(self) -> bool:

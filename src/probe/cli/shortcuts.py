@@ -1,0 +1,63 @@
+"""`probe suite shortcuts | learn`: whether tasks can be answered without acting, or looking."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.console import Console
+from rich.progress import track
+
+from probe.cli.surroundings import cache_folder, everything
+from probe.files import write_text
+from probe.shortcuts.investigation import investigate
+from probe.shortcuts.learning import learn as learn_weights
+from probe.shortcuts.looks import examples_of
+from probe.shortcuts.sample import Lore
+from probe.shortcuts.table import leaks, markdown
+from probe.tasks.suite_file import find_suite
+
+
+def shortcuts(
+    suites: Annotated[tuple[str, ...], tyro.conf.Positional],
+    out: Path = Path("outputs/shortcuts.md"),
+    rules_only: bool = False,
+) -> None:
+    """Try simple classifiers and fixed rules on generated tasks, and write a table of them.
+
+    They see the question, the options, the catalogue and the first picture. First looks are kept
+    in the cache, so that a second run is quick.
+
+    Args:
+        suites: Names, or files that `probe suite build` wrote; a task in several counts once.
+        out: File for the table, Markdown.
+        rules_only: Train nothing; for a suite too small to learn from.
+    """
+    things = everything()
+    read = [find_suite(name) for name in suites]
+    total = len({task.id for suite in read for task in suite.tasks})
+    looking = examples_of(read, things, cache_folder())
+    examples = list(track(looking, "Looking", total=total))
+    findings = investigate(examples, Lore(things.specs), learning=not rules_only)
+    write_text(out, markdown(findings))
+    for finding in leaks(findings):
+        tally = finding.tally
+        Console().print(f"Leak: {tally.kind}, {tally.by}: {tally.accuracy:.1%} of {tally.n}")
+    print(f"{len(leaks(findings))} leaks in {len(findings)} tests; the table is {out}.")
+
+
+def learn(
+    suites: Annotated[tuple[str, ...], tyro.conf.Positional],
+    out: Path = Path("outputs/question_only.json"),
+) -> None:
+    """Train the question-only classifier on tasks of the training pool.
+
+    Args:
+        suites: Files that `probe suite build` wrote.
+        out: File for what it learnt; the package's own is src/probe/agents/data/question_only.json.
+    """
+    learnt = learn_weights([task for name in suites for task in find_suite(name).tasks])
+    write_text(out, learnt.model_dump_json(indent=0) + "\n")
+    counts = ", ".join(f"{kind} {what.tasks}" for kind, what in learnt.root.items())
+    print(f"What was learnt is in {out}; tasks: {counts}.")

@@ -1,0 +1,110 @@
+"""Pictures that show a task's evidence by ghost removal, for models that have no tools.
+
+Each task gets two pictures, the first one and one from which things have vanished, whatever its
+answer: their number tells nothing. Nothing is moved, so that marks keep their places.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.assets.tables import load_table
+from probe.render.photograph import load_scene, photograph
+from probe.render.renderer import Renderer
+from probe.scene.layout import top_camera
+from probe.scene.scene import Scene
+from probe.tasks.marks import drawn
+from probe.tasks.task import Task
+from probe.types import Array, Frame
+
+HIDDEN_SHARE = 0.30
+"""Things of which less than this shows can't be named, and come to light in Find and Count."""
+
+_HIDES_PX = 30
+"""A thing hides another if it covers so many pixels of its outline."""
+
+
+@dataclass(frozen=True, eq=False)
+class OracleView:
+    """What a model of the arm "oracle-view" is shown.
+
+    Attributes:
+        first: The table at the start, marks drawn on it.
+        revealed: The same without what hides the evidence; without marks.
+        removed: Instances that have vanished from it.
+    """
+
+    first: Frame
+    revealed: Frame
+    removed: tuple[int, ...]
+
+    @property
+    def frames(self) -> tuple[Frame, Frame]:
+        """Both pictures, in the order in which they are shown."""
+        return self.first, self.revealed
+
+
+def oracle_view(task: Task, library: Library, renderer: Renderer) -> OracleView:
+    """Draw a task's evidence; replaces what the renderer had loaded."""
+    load_scene(renderer, task.scene, library, load_table(task.scene.table, library.assets))
+    first = photograph(renderer, task.scene)
+    assert first.rgb is not None
+    removed = tuple(sorted(vanishing(task, renderer)))
+    return OracleView(
+        replace(first, rgb=drawn(first.rgb, task.marks)),
+        photograph(renderer, task.scene.without(*removed)),
+        removed,
+    )
+
+
+def vanishing(task: Task, renderer: Renderer) -> set[int]:
+    """Instances without which a task's evidence shows; the renderer must have them loaded.
+
+    Beneath: the cover. Reduce: what is named. Compare and Size: all that lies over a marked thing.
+    Find and Count: all that hides anything of which too little shows, so that "none of them" is
+    seen to be true as well; of what is asked for, nothing vanishes.
+    """
+    if task.cover is not None:
+        return {task.cover}
+    if task.named:
+        return set(task.named)
+    outlines = renderer.outlines(task.scene.objects, top_camera())
+    if task.marks:
+        return _over(task.scene, set(task.targets), set(task.targets), outlines, renderer)
+    kept = set(task.targets)
+    gone = _over(task.scene, kept, kept, outlines, renderer)
+    counts = np.bincount(_labels(task.scene, renderer).ravel(), minlength=max(outlines) + 1)
+    faint = {n for n, mask in outlines.items() if counts[n] < HIDDEN_SHARE * mask.sum()}
+    return gone | _over(task.scene.without(*gone), faint - gone, kept | faint, outlines, renderer)
+
+
+def _over(
+    scene: Scene,
+    wanted: Collection[int],
+    kept: Collection[int],
+    outlines: dict[int, Array],
+    renderer: Renderer,
+) -> set[int]:
+    """All that hides some of the wanted things, layer by layer; what is kept stays."""
+    gone: set[int] = set()
+    while True:
+        labels = _labels(scene.without(*gone), renderer)
+        over = {
+            int(number)
+            for one in wanted
+            for number, count in enumerate(np.bincount(labels[outlines[one]]))
+            if count >= _HIDES_PX and number not in (0, one, *kept)
+        }
+        if not over:
+            return gone
+        gone |= over
+
+
+def _labels(scene: Scene, renderer: Renderer) -> Array:
+    labels = photograph(renderer, scene, rgb=False).labels
+    assert labels is not None
+    return labels

@@ -1,0 +1,52 @@
+"""First looks of many tasks, kept on disk: drawing them takes seconds each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import pydantic
+
+from probe.assets.cache import content_key
+from probe.assets.library import Library
+from probe.certify.first_look import FirstLook, look_at
+from probe.files import write_bytes
+from probe.render.renderer import Renderer
+from probe.shortcuts.sample import Example, example_of
+from probe.tasks.suite import Suite, check_objects, part
+from probe.tasks.task import Task
+
+_LAYOUT = "1"
+_DOCUMENT = pydantic.TypeAdapter(FirstLook)
+
+
+def examples_of(suites: Iterable[Suite], library: Library, cache: Path) -> Iterator[Example]:
+    """Every task of some suites once, as an example, in their order.
+
+    Args:
+        suites: Of generated tasks.
+        library: Has their objects.
+        cache: Folder in which looks are kept.
+
+    Raises:
+        BadData: An object isn't what it was when its suite was made.
+    """
+    done = set[str]()
+    with Renderer() as renderer:
+        for suite in suites:
+            for task in suite.tasks:
+                if task.id not in done:
+                    done.add(task.id)
+                    yield example_of(task, _look(suite, task, library, renderer, cache))
+
+
+def _look(suite: Suite, task: Task, library: Library, renderer: Renderer, cache: Path) -> FirstLook:
+    alone = part(suite, task)
+    key = content_key("look", _LAYOUT, repr(task.scene), repr(task.marks), repr(alone.objects))
+    path = cache / "looks" / key[:2] / f"{key}.json"
+    if path.exists():
+        return _DOCUMENT.validate_json(path.read_bytes())
+    check_objects(alone, library)
+    look = look_at(task, library, renderer)
+    write_bytes(path, _DOCUMENT.dump_json(look))
+    return look

@@ -1,0 +1,67 @@
+"""Findings as a Markdown table, the worst first within each type."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from probe.shortcuts.findings import LEVEL, Finding, detectable
+from probe.tasks.task import KINDS
+
+_HEAD = """\
+| by | right | of n | 95 % (Wilson) | limit | p | corrected | verdict |
+|---|---|---|---|---|---|---|---|"""
+
+
+def markdown(findings: Sequence[Finding]) -> str:
+    """All findings, by type, after what they amount to."""
+    parts = [_summary(findings)]
+    for kind in dict.fromkeys(finding.tally.kind for finding in _in_order(findings)):
+        mine = [finding for finding in findings if finding.tally.kind == kind]
+        mine.sort(key=lambda finding: finding.tally.limit - finding.tally.accuracy)
+        parts.append("\n".join([f"### {kind}", "", _HEAD, *map(_row, mine)]))
+    return "\n\n".join(parts) + "\n"
+
+
+def leaks(findings: Sequence[Finding]) -> list[Finding]:
+    """Those that can't be luck."""
+    return [finding for finding in findings if finding.verdict == "above"]
+
+
+def _in_order(findings: Sequence[Finding]) -> list[Finding]:
+    return sorted(findings, key=lambda f: (_place(f.tally.kind), f.tally.kind))
+
+
+def _place(kind: str) -> int:
+    return [name for name, known in enumerate(KINDS) if kind.startswith(known)][0]
+
+
+def _summary(findings: Sequence[Finding]) -> str:
+    counts = Counter(finding.verdict for finding in findings)
+    head = (
+        f"{len(findings)} tests: {counts['below']} below their limit, {counts['within noise']} "
+        f"over it within noise, {counts['above']} above it at {LEVEL:.0%} after Holm's correction."
+    )
+    rows = ["| type | n | limit | least true accuracy that would be called a leak (80 % power) |"]
+    rows.append("|---|---|---|---|")
+    for kind in dict.fromkeys(finding.tally.kind for finding in _in_order(findings)):
+        tally = max((f.tally for f in findings if f.tally.kind == kind), key=lambda t: t.ceiling)
+        least = detectable(tally.n, tally.ceiling, len(findings))
+        rows.append(f"| {kind} | {tally.n} | {tally.limit:.0%} | {least:.0%} |")
+    return head + "\n\n" + "\n".join(rows)
+
+
+def _row(finding: Finding) -> str:
+    tally = finding.tally
+    verdict = f"**{finding.verdict}**" if finding.verdict == "above" else finding.verdict
+    cells = (
+        tally.by,
+        f"{tally.accuracy:.1%}",
+        str(tally.n),
+        f"{finding.low:.1%} to {finding.high:.1%}",
+        f"{tally.limit:.1%}",
+        f"{finding.p:.2g}",
+        f"{finding.adjusted:.2g}",
+        verdict,
+    )
+    return f"| {' | '.join(cells)} |"
