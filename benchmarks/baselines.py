@@ -1,0 +1,138 @@
+"""What agents without a model reach: `python benchmarks/baselines.py --help`.
+
+Runs them on v1, and the scripted one also on v1-unfiltered, and prints the README's table. Goes on
+where an earlier run stopped; a few hours on two cores. What v1's tasks were kept for is that the
+scripted agent solved them once, so that its score there is what remains of that with fresh luck.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import tyro
+
+from probe.cli.agents import AgentName, make_agent
+from probe.cli.grading import graded
+from probe.cli.rescore import marked, write_beside
+from probe.cli.running import run_order
+from probe.cli.surroundings import everything
+from probe.episodes.folder import RECORDS
+from probe.episodes.luck import NOISES, NoiseName
+from probe.runs.plan import Order
+from probe.scores.marking import roster_of_tasks
+from probe.scores.scorecard import Figure, Scorecard
+from probe.scores.summary import summarise
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import find_suite
+from probe.tasks.task import KINDS
+
+RULES: tuple[AgentName, ...] = (
+    "random",
+    "always-A",
+    "always-B",
+    "always-C",
+    "always-D",
+    "always-none",
+    "middle-number",
+    "smallest",
+    "largest",
+    "question-only",
+)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A row of the table: who, on what, how its hand errs."""
+
+    suite: str
+    agent: AgentName
+    noise: NoiseName
+
+    @property
+    def folder(self) -> str:
+        """Where its records are."""
+        return f"{self.suite}-{self.agent}-{self.noise}"
+
+
+def main(
+    out: Path = Path("outputs/baselines"),
+    suite: str = "v1",
+    unfiltered: str = "v1-unfiltered",
+    agents: tuple[AgentName, ...] = ("scripted", *RULES),
+    workers: int = 2,
+) -> None:
+    """Run agents without a model and print a table of what they reach.
+
+    Args:
+        out: Folder for the runs.
+        suite: For all of them.
+        unfiltered: For the scripted agent, too.
+        agents: Which.
+        workers: Processes.
+    """
+    wanted = list[Entry]()
+    for agent in agents:
+        noises: tuple[NoiseName, ...] = ("paper", "none") if agent == "scripted" else ("none",)
+        suites = (suite, unfiltered) if agent == "scripted" else (suite,)
+        wanted += [Entry(name, agent, noise) for name in suites for noise in noises]
+    rows = [
+        row(entry, card_of(find_suite(entry.suite), entry, out / entry.folder, workers))
+        for entry in wanted
+    ]
+    print("\n".join([*head(), *rows]))
+
+
+def card_of(suite: Suite, entry: Entry, folder: Path, workers: int) -> Scorecard:
+    """An agent's figures; it is run as far as it hasn't been."""
+    order = Order(entry.agent, noise=NOISES[entry.noise])
+    if not complete(suite, folder):
+        run_order(suite, order, make_agent, everything(), folder, workers)
+    rows = [marked(suite.name, each) for each in graded(folder)]
+    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
+    write_beside(folder, rows, scores)
+    (card,) = scores.cards
+    return card
+
+
+def complete(suite: Suite, folder: Path) -> bool:
+    """Whether every task has a record; those of our faults are made again by run_order."""
+    records = folder / RECORDS
+    return records.exists() and len(records.read_text().splitlines()) >= len(suite.tasks)
+
+
+def head() -> Iterator[str]:
+    """The table's first lines."""
+    titles = ["agent", "suite", "noise", "n", "macro (95 %)", *KINDS, "Find, letter alone"]
+    yield f"| {' | '.join(titles)} |"
+    yield "|" + "---|" * len(titles)
+
+
+def row(entry: Entry, card: Scorecard) -> str:
+    """An entrant's line."""
+    kinds = {figure.name: figure for figure in (*card.kinds, *card.parts)}
+    shown = [share(kinds.get(kind)) for kind in KINDS]
+    alone = share(next((f for name, f in kinds.items() if "letter" in name), None))
+    cells = [entry.agent, entry.suite, entry.noise, str(card.macro.tasks), macro(card.macro)]
+    return f"| {' | '.join([*cells, *shown, alone])} |"
+
+
+def share(figure: Figure | None) -> str:
+    """An accuracy in per cent."""
+    if figure is None:
+        return ""
+    value = figure.headline.value
+    return "incomplete" if value is None else f"{100 * value:.0f}"
+
+
+def macro(figure: Figure) -> str:
+    """The headline with its interval."""
+    value, interval = figure.headline.value, figure.student
+    if value is None or interval is None:
+        return "incomplete"
+    return f"{100 * value:.1f} ({100 * interval.low:.0f}-{100 * interval.high:.0f})"
+
+
+if __name__ == "__main__":
+    tyro.cli(main)
