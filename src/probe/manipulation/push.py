@@ -97,9 +97,9 @@ def push(
     if not SHORTEST <= distance_m <= LONGEST:
         raise ValueError(f"a push goes {SHORTEST} to {LONGEST} m, not {distance_m} m")
     along = ALONG[direction]
-    result, track = PushResult("no_space", frame), _Track(mask)
+    result, track, end = PushResult("no_space", frame), _Track(mask), distance_m
     while result.strokes < STROKES and track.mask is not None:
-        left = distance_m - track.gone
+        left = end - track.gone
         # What was stopped is worth another try even for the last bit.
         rest = 0.0 if result.status == "blocked" else (1 - _FAR_ENOUGH) * distance_m
         if left < max(_LEAST, rest):
@@ -109,6 +109,8 @@ def push(
         if done.end in ("no_space", "unreachable"):
             return result if result.strokes else PushResult(done.end, done.frame)
         swept = max(result.swept, track.gone + done.swept)
+        # Once a part is out of the picture, how near the basket it is can't be seen any more.
+        end = min(end, track.gone + done.room)
         after, track = _follow(station, track, before, done, along)
         moved = None if track.mask is None else track.gone
         status = _status(done, max(swept, moved or 0.0), distance_m)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -44,12 +45,14 @@ class Stroke:
         swept: How far the tool went from where it should have touched, metres; less than asked
             for where the basket or the arm's reach ended it.
         starts: world_from_hand where it began; none if it didn't.
+        room: How far the thing could go before it would meet the basket, metres.
     """
 
     end: StrokeEnd
     frame: Frame
     swept: float = 0.0
     starts: tuple[Pose, ...] = ()
+    room: float = math.inf
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,16 +87,17 @@ def stroke(
     terrain = survey(frame, basket)
     target = target_of(frame, mask, terrain)
     shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
-    distance = min(distance, room_ahead(target, terrain, along, basket))
+    room = room_ahead(target, terrain, along, basket)
+    distance = min(distance, room)
     options = starts(target, terrain, shape, along, distance, unlike)
-    result = Stroke("unreachable" if options else "no_space", frame)
+    result = Stroke("unreachable" if options else "no_space", frame, room=room)
     if distance < _LEAST:
         return result
     for _ in range(_STARTS):
         best = _best(station, obstacles, options, along * distance, shape)
         if best is None:
             break
-        result = _execute(station, obstacles, best, shape, along)
+        result = replace(_execute(station, obstacles, best, shape, along), room=room)
         stayed = still_there(frame, result.frame, mask)
         if result.end == "swept" or result.swept > 0 or stayed < _STAYED:
             break
