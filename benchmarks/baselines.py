@@ -1,7 +1,7 @@
 """What agents without a model reach: `python benchmarks/baselines.py --help`.
 
-Runs them on a suite, and the scripted one also on one that scripted agents didn't filter, and prints
-a table. Goes on where an earlier run stopped. A suite's tasks were kept because the scripted agent
+Runs them on a suite, and the scripted one also on one that it didn't filter, and prints a table.
+Goes on where an earlier run stopped. A suite's tasks were kept because the scripted agent
 solved them once, so that its score there is what remains of that with fresh luck.
 """
 
