@@ -43,7 +43,7 @@ def first_worker(process: subprocess.Popen) -> psutil.Process:
     end = time.monotonic() + PATIENCE
     while time.monotonic() < end:
         for child in psutil.Process(process.pid).children():
-            if any("spawn_main" in part for part in child.cmdline()) and at_work(child):
+            if "spawn_main" in words_of(child) and at_work(child):
                 return child
         time.sleep(0.1)
     raise AssertionError("no worker came to work")
@@ -51,7 +51,15 @@ def first_worker(process: subprocess.Popen) -> psutil.Process:
 
 def at_work(worker: psutil.Process) -> bool:
     """It has a renderer, so it is at an episode."""
-    return any("probe.render.worker" in " ".join(it.cmdline()) for it in worker.children())
+    return any("probe.render.worker" in words_of(it) for it in worker.children())
+
+
+def words_of(process: psutil.Process) -> str:
+    """Its command line; none once it has ended."""
+    try:
+        return " ".join(process.cmdline())
+    except psutil.NoSuchProcess:
+        return ""
 
 
 def kill_at_first_record(process: subprocess.Popen, out: Path) -> None:
