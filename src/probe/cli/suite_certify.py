@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Annotated
 
-import tyro
 from rich.console import Console
 from rich.table import Table
 
@@ -52,9 +50,7 @@ def certify(
     if not said:
         raise NoRuns(f"Nobody has finished a task in {human[0]}. Run `probe human` first.")
     notes = _notes(human)
-    found = verdicts(
-        [task.id for task in suite.tasks], said, notes, least=least, doubters=doubters
-    )
+    found = verdicts([task.id for task in suite.tasks], said, notes, least=least, doubters=doubters)
     _print(found, agreements(said), efforts(said))
     dropped = {verdict.task for verdict in found if verdict.dropped}
     tasks = tuple(task for task in suite.tasks if task.id not in dropped)

@@ -30,7 +30,7 @@ COUNT = replace(
     FIND,
     id="count-4567cdef",
     kind="count",
-    question="How many <b>mugs</b> & \"balls\" lie here?",
+    question='How many <b>mugs</b> & "balls" lie here?',
     options=(Option("A", "2"), Option("B", "3"), Option("C", "<script>4</script>")),
     answer="A",
 )
@@ -64,6 +64,7 @@ class Room:
 
 class _Hand(Slow):
     def __init__(self, seconds: float) -> None:
+        super().__init__()
         self.seconds = seconds
 
     def grasp_and_remove(self, station, frame, mask, drop_at):

@@ -77,5 +77,3 @@ class Hall:
         if not idle:
             raise NotNow("All seats are taken at the moment. Try again in a minute.")
         self._seats.pop(idle[0]).close()
-
-
