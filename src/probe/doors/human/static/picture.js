@@ -69,7 +69,7 @@ function button(entry, number) {
   entry ? `${number} ${entry.tool}` : "start"));
 }
 
-const within = (value) => Math.max(0, Math.min(PIXELS - 1, Math.round(value)));
+const within = (value) => Math.max(0, Math.min(PIXELS - 1, Math.floor(value)));
 
 image.addEventListener("click", (event) => {
   const box = image.getBoundingClientRect();
