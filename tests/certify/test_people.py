@@ -71,9 +71,7 @@ def test_agreement_is_counted_by_type_and_over_all():
 
 
 def test_effort_is_told_by_percentiles():
-    people = [
-        said("t", str(n), "A", correct=n > 5, turns=n, seconds=10.0 * n) for n in range(11)
-    ]
+    people = [said("t", str(n), "A", correct=n > 5, turns=n, seconds=10.0 * n) for n in range(11)]
     (_, both) = efforts(people)
     assert (both.episodes, both.right) == (11, 5)
     assert both.turns == (1.0, 5.0, 9.0) and both.seconds == (10.0, 50.0, 90.0)

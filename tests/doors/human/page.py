@@ -41,7 +41,9 @@ class AtPage:
             time.sleep(0.1)
 
     def wait_for_table(self) -> None:
-        self.wait("!document.getElementById('game').hidden && !controls.disabled && picture.complete")
+        self.wait(
+            "!document.getElementById('game').hidden && !controls.disabled && picture.complete"
+        )
 
     def click(self, selector: str) -> None:
         """Press what a selector finds; it has to be in use."""
@@ -89,7 +91,9 @@ class AtPage:
             self.click("#grasp")
         elif tool == "push":
             self.type("object", said["object_id"])
-            self.browser.run(f"document.querySelector('[value={said['direction']}]').checked = true")
+            self.browser.run(
+                f"document.querySelector('[value={said['direction']}]').checked = true"
+            )
             self.type("distance", str(said["distance_cm"]))
             self.click("#push")
         else:

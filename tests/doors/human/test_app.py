@@ -185,7 +185,7 @@ def test_no_reply_tells_more_than_the_tools(visitor):
             assert not Image.open(io.BytesIO(reply.body)).info
         else:
             said += reply.body.decode()
-        wary = ("answer\"", "correct", "seed", "instance", "target")
+        wary = ('answer"', "correct", "seed", "instance", "target")
         for secret in (*secrets(), *(wary if kind == "application/json" else ())):
             assert secret not in said, (secret, said[:200])
 

@@ -24,11 +24,12 @@ def page_routes() -> list[BaseRoute]:
         Route("/", _door),
         Route("/seat", _seat, name="seat"),
         Route("/base.css", _base),
+        Route("/favicon.ico", _no_icon),
         Mount("/static", StaticFiles(directory=_HERE / "static")),
     ]
 
 
-def _door(request: Request) -> Response:
+def _door(_: Request) -> Response:
     return _page("door.html", {"trouble": None, "said": ""})
 
 
@@ -43,9 +44,14 @@ def _seat(request: Request) -> Response:
     return _page("seat.html", {"name": name, "tools": tool_schemas()})
 
 
-def _base(request: Request) -> Response:
+def _base(_: Request) -> Response:
     """Colours and type as in reports."""
     return Response(str(joined("report", ("base.css",))), media_type="text/css")
+
+
+def _no_icon(_: Request) -> Response:
+    """Browsers ask for one whatever the page says."""
+    return Response(status_code=204)
 
 
 def _page(template: str, values: dict[str, object], status: int = 200) -> Response:
