@@ -57,10 +57,11 @@ class Hall:
 
     def seat(self, said: str) -> Seat | None:
         """The seat of a person who is here; None for anybody else."""
+        name = name_of(said)
         with self._lock:
-            seat = self._seats.pop(name_of(said), None)
+            seat = self._seats.pop(name, None)
             if seat is not None:
-                self._seats[name_of(said)] = seat  # the last to have been heard of
+                self._seats[name] = seat  # the last to have been heard of
         return seat
 
     def close(self) -> None:

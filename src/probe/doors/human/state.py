@@ -140,7 +140,7 @@ def _asked(call: Call) -> str:
 
 def _entry_json(entry: Entry) -> dict[str, Any]:
     values = entry.call.values
-    arguments = values if isinstance(values, dict) else {}
+    arguments: dict[str, Any] = values if isinstance(values, dict) else {}
     return {
         "tool": entry.call.name,
         "arguments": {name: json.dumps(value) for name, value in arguments.items()},
