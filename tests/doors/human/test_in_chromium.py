@@ -53,7 +53,7 @@ def test_two_people_play_at_once_and_one_reloads_in_the_middle(port, tmp_path):
         assert all(url.startswith(ada.home) for url in (*here.requests, *there.requests))
     first, second = read_records(tmp_path / "records.jsonl")
     assert (first.agent, len(first.steps)) == ("Ada", 3)
-    assert first.answer and first.answer.point_px == pytest.approx((622, 470), abs=1)
+    assert first.answer and first.answer.point_px == pytest.approx((622, 470), abs=2)
     assert (second.agent, second.answer and second.answer.choice) == ("Bea <b>", "E")
 
 
@@ -63,7 +63,7 @@ def test_a_click_points_and_finds(port):
         ada.begin("Ada")
         ada.point(150, 160)
         assert browser.run("description.value") in {
-            f"the thing at ({u}, {v})" for u in (150, 151) for v in (160, 161)
+            f"the thing at ({u}, {v})" for u in (149, 150, 151) for v in (159, 160, 161)
         }
         assert not browser.run("ring.hidden")
         ada.click("#find-form .row button:not(#perceive)")
@@ -71,7 +71,7 @@ def test_a_click_points_and_finds(port):
         assert "red mug" in ada.told()
         browser.run("picture.focus()")
         browser.press("ArrowRight", 39)
-        ada.wait("/15[89], 16[01]/.test(description.value)")
+        ada.wait("/15[789], (159|16[01])/.test(description.value)")
 
 
 def test_words_of_a_suite_are_shown_as_they_are(port, tmp_path):
