@@ -3,8 +3,8 @@
 import pytest
 
 from probe.cli.suite_certify import certify
-from probe.episodes.folder import RECORDS, claim_arm, start_folder
 from probe.episodes.files import write_records
+from probe.episodes.folder import RECORDS, claim_arm, start_folder
 from probe.episodes.remarks import Remark, add_remark
 from probe.errors import BadData
 from probe.tasks.suite import selection

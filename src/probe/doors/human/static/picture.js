@@ -37,7 +37,8 @@ export function showSteps(next) {
   const same = state && state.number === next.number && state.entries.length === next.entries.length;
   const other = !state || state.number !== next.number;
   state = next;
-  if (other) setPoint(null);
+  // A point is of the picture that it was set in; where the table has moved it may mean another thing.
+  if (other || (!same && MOVING.has(state.entries.at(-1)?.tool))) setPoint(null);
   if (!same) choose(state.entries.length);
 }
 
