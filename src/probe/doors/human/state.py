@@ -139,8 +139,9 @@ def _asked(call: Call) -> str:
 
 
 def _entry_json(entry: Entry) -> dict[str, Any]:
-    values = entry.call.values
-    arguments: dict[str, Any] = values if isinstance(values, dict) else {}
+    arguments: dict[str, Any] = {}
+    if isinstance(values := entry.call.values, dict):
+        arguments.update(values)
     return {
         "tool": entry.call.name,
         "arguments": {name: json.dumps(value) for name, value in arguments.items()},
