@@ -4,7 +4,14 @@ from pathlib import Path
 import pytest
 
 from probe.episodes.files import read_records
-from probe.episodes.folder import add_run, in_order, standing, start_folder
+from probe.episodes.folder import (
+    add_run,
+    arm_of_folder,
+    claim_arm,
+    in_order,
+    standing,
+    start_folder,
+)
 from probe.errors import BadData, OutputFailed
 from probe.tasks.suite_file import demo_suite
 
@@ -58,3 +65,20 @@ def test_a_fault_gives_way_to_its_repetition(play):
 def test_a_folder_that_cannot_be_made_is_named():
     with pytest.raises(OutputFailed, match="/proc/nowhere"):
         start_folder(Path("/proc/nowhere"), demo_suite())
+
+
+def test_a_folder_that_claims_an_arm_keeps_it(tmp_path, play):
+    start_folder(tmp_path, demo_suite())
+    assert arm_of_folder(tmp_path) is None
+    claim_arm(tmp_path, "human")
+    add_run(tmp_path, play())
+    claim_arm(tmp_path, "human")
+    assert arm_of_folder(tmp_path) == "human"
+    with pytest.raises(BadData, match="of the arm human. Choose another folder"):
+        claim_arm(tmp_path, "agentic")
+
+
+def test_a_folder_with_records_of_others_can_claim_no_arm(tmp_path, play):
+    add_run(tmp_path, play())
+    with pytest.raises(BadData, match="others have records there"):
+        claim_arm(tmp_path, "human")

@@ -1,7 +1,11 @@
 from dataclasses import replace
 
+import pytest
+
+from episodes.conftest import CALLS, QUESTION
+from probe.episodes.episode import Episode
 from probe.episodes.files import line_of, read_records, write_records
-from probe.episodes.replay import differences, replay
+from probe.episodes.replay import NotAsBefore, differences, replay, resume
 
 
 def test_a_replay_is_the_same_to_the_byte(tmp_path, play, fresh):
@@ -24,3 +28,26 @@ def test_differences_are_named(play, fresh):
     other = replace(record, steps=(record.steps[0], step, *record.steps[2:]))
     assert differences(record, other) == ["step 2: text"]
     assert differences(record, replace(record, steps=())) == ["number of steps: 7 and 0"]
+
+
+def test_an_episode_is_gone_on_with(play, fresh):
+    whole = play()
+    left = replace(play(*CALLS[:3]), agent="fixed")
+    station, tools = fresh()
+    episode = Episode("t-1", QUESTION, tools, station, agent_name="fixed", run=2)
+    turns = resume(left, episode)
+    assert [turn.result.text for turn in turns] == [step.text for step in left.steps]
+    assert episode.record.seconds == left.seconds
+    for call in CALLS[3:]:
+        episode.step(call)
+    assert line_of(episode.record, timed=False) == line_of(whole, timed=False)
+    assert len(episode.record.seconds.agent) == len(CALLS)
+
+
+def test_another_table_is_not_gone_on_with(play, fresh):
+    left = play(*CALLS[:3])
+    station, tools = fresh()
+    station.blocks = station.blocks[:1]
+    episode = Episode("t-1", QUESTION, tools, station, agent_name="fixed", run=2)
+    with pytest.raises(NotAsBefore, match="start"):
+        resume(left, episode)

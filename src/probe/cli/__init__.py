@@ -8,6 +8,7 @@ import tyro
 
 from probe.cli.assets import app as assets_app
 from probe.cli.demo import demo
+from probe.cli.human import human
 from probe.cli.merge import merge
 from probe.cli.report import report
 from probe.cli.rescore import rescore
@@ -20,7 +21,7 @@ from probe.cli.tools import app as tools_app
 from probe.errors import ProbeError
 
 app = tyro.extras.SubcommandApp()
-for command in (demo, scene, run, merge, report, rescore, robustness, serve):
+for command in (demo, scene, run, merge, report, rescore, robustness, serve, human):
     app.command(command)
 app.command(assets_app, name="assets")
 app.command(suite_app, name="suite")

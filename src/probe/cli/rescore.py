@@ -12,7 +12,7 @@ from rich.table import Table
 
 from probe.cli.agents import ARMS
 from probe.cli.grading import Graded, graded
-from probe.episodes.folder import SUITE
+from probe.episodes.folder import SUITE, arm_of_folder
 from probe.scores.marking import roster_of_tasks, row_of
 from probe.scores.row import Entrant, Row
 from probe.scores.row_files import write_csv, write_json_lines
@@ -32,6 +32,7 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
             a model have arms of their own.
     """
     suite = read_suite(out / SUITE)
+    arm = arm or arm_of_folder(out)
     rows = [marked(suite.name, each, arm) for each in graded(out)]
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(out, rows, scores)

@@ -16,6 +16,7 @@ from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, pla
 from probe.certify.parts import Line, Parts, Place
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
+from probe.cli.suite_certify import certify
 from probe.cli.suite_verify import verify
 from probe.cli.surroundings import Pool, library, tables_for
 from probe.errors import BadData
@@ -29,6 +30,7 @@ app = tyro.extras.SubcommandApp()
 app.command(shortcuts)
 app.command(learn)
 app.command(verify)
+app.command(certify)
 
 _NONE = dict.fromkeys(KINDS, 0)
 _UNSOLVED_MOST = 50

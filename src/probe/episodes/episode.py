@@ -6,6 +6,7 @@ import time
 from dataclasses import replace
 from typing import Protocol
 
+from probe.episodes.luck import NO_NOISE, Noise
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
 from probe.episodes.turns import Call, Question, Turn
 from probe.errors import ProbeError
@@ -41,6 +42,7 @@ class Episode:
         witness: Tells the record where things are.
         agent_name: For the record.
         run: Number of the run, for the record.
+        noise: How far the hand errs, for the record.
     """
 
     def __init__(
@@ -52,12 +54,15 @@ class Episode:
         *,
         agent_name: str,
         run: int = 0,
+        noise: Noise = NO_NOISE,
     ) -> None:
         self._toolshed = toolshed
         self._witness = witness
         start = _table(witness)
         # Replaced whole after each step, so that it is true whenever it is looked at.
-        self._record = EpisodeRecord(task, agent_name, run, question, start, (), None, "stopped")
+        self._record = EpisodeRecord(
+            task, agent_name, run, question, start, (), None, "stopped", noise=noise
+        )
         self._idle_since = time.perf_counter()
 
     @property
@@ -87,6 +92,11 @@ class Episode:
         self._add(call, result, asked - self._idle_since, time.perf_counter() - asked)
         self._idle_since = time.perf_counter()
         return Turn(call, result)
+
+    def take_times(self, seconds: Seconds) -> None:
+        """Put the times of an earlier record of the same calls in place of these."""
+        self._record = replace(self._record, seconds=seconds)
+        self._idle_since = time.perf_counter()
 
     def fail(self, error: Exception) -> ToolResult:
         """End the episode as our fault, which is no answer and mustn't count as a wrong one."""

@@ -12,10 +12,11 @@ from pathlib import Path
 from probe.episodes.files import append_line, append_record, read_records
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, OutputFailed
+from probe.files import write_text
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 
-RECORDS, SUITE = "records.jsonl", "suite.json"
+RECORDS, SUITE, ARM = "records.jsonl", "suite.json", "arm"
 
 
 def start_folder(out: Path, suite: Suite) -> None:
@@ -33,13 +34,44 @@ def start_folder(out: Path, suite: Suite) -> None:
         read_records(out / RECORDS)
 
 
+def claim_arm(out: Path, arm: str) -> None:
+    """Say of a started folder that everybody whose record is in it answers in this arm.
+
+    Raises:
+        BadData: It holds records of another arm already.
+        OutputFailed: It can't be written.
+    """
+    said = arm_of_folder(out)
+    if said == arm:
+        return
+    if said is not None or (out / RECORDS).exists():
+        reason = f"its records are of the arm {said}" if said else "others have records there"
+        raise BadData(out, reason, "Choose another folder")
+    write_text(out / ARM, f"{arm}\n")
+
+
+def arm_of_folder(out: Path) -> str | None:
+    """The arm that a folder claims for all its records; None if each agent has its own.
+
+    Raises:
+        BadData: The file that says so can't be read.
+    """
+    path = out / ARM
+    if not path.exists():
+        return None
+    try:
+        return path.read_text("utf-8").strip() or None
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadData(path, str(error), "Write the arm's name into it") from error
+
+
 def add_line(out: Path, line: bytes) -> None:
     """Add a record as it is written down, at its end.
 
     Raises:
         OutputFailed: It can't be written; nothing of it is left.
     """
-    with _alone(out):
+    with alone(out):
         append_line(out / RECORDS, line)
 
 
@@ -84,14 +116,14 @@ def add_run(out: Path, record: EpisodeRecord) -> None:
         OutputFailed: It can't be written; those that were there are still whole.
     """
     path = out / RECORDS
-    with _alone(out):
+    with alone(out):
         earlier = read_records(path) if path.exists() else []
         mine = [r.run for r in earlier if (r.task, r.agent) == (record.task, record.agent)]
         append_record(path, replace(record, run=max(mine, default=-1) + 1))
 
 
 @contextmanager
-def _alone(folder: Path) -> Generator[None]:
+def alone(folder: Path) -> Generator[None]:
     """Keep other processes from adding a record; the lock leaves no file and dies with us."""
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -137,12 +137,18 @@ def _perceiver(
 
 
 def open_episode(
-    task: Task, agent_name: str, library: Library, table: TableMaterial, renderer: Renderer
+    task: Task,
+    agent_name: str,
+    library: Library,
+    table: TableMaterial,
+    renderer: Renderer,
+    run: int = 0,
+    noise: Noise = NO_NOISE,
 ) -> Episode:
     """A fresh episode with pictures, for somebody who acts from outside; see play()."""
-    tools, station = set_table(task, library, table, renderer, pictures=True)
+    tools, station = set_table(task, library, table, renderer, pictures=True, noise=noise, run=run)
     question = question_of(task, tools.first_picture())
-    return Episode(task.id, question, tools, station, agent_name=agent_name)
+    return Episode(task.id, question, tools, station, agent_name=agent_name, run=run, noise=noise)
 
 
 def score(task: Task, record: EpisodeRecord, renderer: Renderer) -> Score:

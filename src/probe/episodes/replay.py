@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from probe.episodes.episode import Witness
+from probe.episodes.episode import Episode, Witness
 from probe.episodes.files import line_of
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Call, Question, Turn
+from probe.errors import ProbeError
 from probe.toolshed.toolshed import Toolshed
 
 _FIELDS = (
@@ -26,6 +27,17 @@ _FIELDS = (
     "sight",
 )
 _PARTS = ("call", "status", "text", "point_px", "after")
+
+
+class NotAsBefore(ProbeError):
+    """Doing a record's calls again came out otherwise."""
+
+    def __init__(self, record: EpisodeRecord, found: Sequence[str]) -> None:
+        super().__init__(
+            f"The table of {record.task} can't be set as {record.agent} left it: "
+            f"{', '.join(found)}. Go on with the release, the assets and the kind of machine "
+            "that it was begun with."
+        )
 
 
 class Recorded:
@@ -58,6 +70,26 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> Episo
         run=record.run,
     )
     return replace(again, noise=record.noise, conditions=record.conditions, sight=record.sight)
+
+
+def resume(record: EpisodeRecord, episode: Episode) -> tuple[Turn, ...]:
+    """Bring a fresh episode to where an earlier one of the same run was left.
+
+    Args:
+        record: As it was left; its times are taken over.
+        episode: Of the same task, agent, run and noise.
+
+    Returns:
+        Each call with what came of it, now as then.
+
+    Raises:
+        NotAsBefore: Something came out otherwise.
+    """
+    turns = tuple(episode.step(step.call) for step in record.steps)
+    if found := differences(record, episode.record):
+        raise NotAsBefore(record, found)
+    episode.take_times(record.seconds)
+    return turns
 
 
 def differences(first: EpisodeRecord, second: EpisodeRecord) -> list[str]:

@@ -34,8 +34,13 @@ def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
 
 def part(suite: Suite, task: Task) -> Suite:
     """One task of a suite alone, with the fingerprints of its objects."""
-    ids = sorted({placed.object_id for placed in task.scene.objects})
-    return Suite(suite.name, (task,), {id: suite.objects[id] for id in ids})
+    return selection(suite, (task,), suite.name)
+
+
+def selection(suite: Suite, tasks: tuple[Task, ...], name: str) -> Suite:
+    """Some tasks of a suite under another name, with the fingerprints of their objects."""
+    ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
+    return Suite(name, tasks, {id: suite.objects[id] for id in ids})
 
 
 def check_objects(suite: Suite, library: Library) -> None:

@@ -1,0 +1,105 @@
+"""`probe human`: people answer the questions of a suite in a browser, with an agent's tools."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable, Generator
+from contextlib import closing, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from probe.assets.library import Library
+from probe.assets.tables import load_table
+from probe.cli.surroundings import cache_folder, everything
+from probe.episodes.episode import Episode
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS, claim_arm, reserved, start_folder
+from probe.episodes.luck import NOISES, Noise, NoiseName
+from probe.episodes.play import open_episode
+from probe.errors import BadData, MissingExtra
+from probe.render.renderer import Renderer
+from probe.tasks.suite import check_objects
+from probe.tasks.suite_file import find_suite
+from probe.tasks.task import Task
+
+ARM = "human"
+
+
+def human(
+    suite: Annotated[str, tyro.conf.Positional],
+    out: Path = Path("outputs/human"),
+    port: int = 8137,
+    noise: NoiseName = "none",
+    seats: int = 4,
+) -> None:
+    """Let people answer in a browser on this machine, with what agents see and can do.
+
+    Everybody gives a name and goes through the suite in its order. Ctrl-C ends it; the same
+    command goes on, with every table as it was left. See docs/human.md.
+
+    Args:
+        suite: "demo", or a file that `probe suite build` wrote.
+        out: Folder that the records are added to; `probe report` shows it.
+        port: Where to listen; 0 for any that is free.
+        noise: How far the hand errs, as in `probe run`; the same for all records of a folder.
+        seats: Tables that may stand at once; each takes some memory.
+    """
+    try:
+        from probe.doors.human.hall import Hall
+        from probe.doors.human.server import run
+    except ImportError as error:
+        raise MissingExtra("The human seat", "human") from error
+    tasks, things = find_suite(suite), everything()
+    check_objects(tasks, things)
+    start_folder(out, tasks)
+    claim_arm(out, ARM)
+    _check_noise(out, NOISES[noise])
+    # A polite end in any case: whoever is in the middle of a question can go on with it.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    workshop = Workshop(things, NOISES[noise])
+    with reserved(out), closing(Hall(tasks, out, workshop.furnish, seats)) as hall:
+        try:
+            run(hall, port, _tell)
+        except KeyboardInterrupt:
+            print("Waiting until no arm moves any more.", flush=True)
+    print(f"Records are in {out}; the same command goes on.")
+
+
+def _check_noise(out: Path, noise: Noise) -> None:
+    records = read_records(out / RECORDS) if (out / RECORDS).exists() else []
+    if any(record.noise != noise for record in records):
+        raise BadData(out, "holds records with another noise", "Choose another folder")
+
+
+def _tell(address: str) -> None:
+    print(f"Open {address} in a browser on this machine; Ctrl-C ends it.", flush=True)
+
+
+@dataclass(frozen=True)
+class Workshop:
+    """What tables are made of.
+
+    Attributes:
+        things: Has the suite's objects; it isn't made for several threads.
+        noise: How far the hand errs.
+    """
+
+    things: Library
+    noise: Noise
+    _lock: threading.Lock = field(default_factory=threading.Lock, init=False)
+
+    @contextmanager
+    def furnish(self) -> Generator[Callable[[Task, str, int], Episode]]:
+        """A renderer of one's own, and what sets tables with it."""
+        with Renderer(cache_folder() / "light") as renderer:
+
+            def set_table(task: Task, name: str, run: int) -> Episode:
+                with self._lock:
+                    top = load_table(task.scene.table, self.things.assets)
+                    return open_episode(task, name, self.things, top, renderer, run, self.noise)
+
+            yield set_table
