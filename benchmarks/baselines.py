@@ -18,7 +18,6 @@ from probe.cli.grading import graded
 from probe.cli.rescore import marked, write_beside
 from probe.cli.running import run_order
 from probe.cli.surroundings import everything
-from probe.episodes.folder import RECORDS
 from probe.episodes.luck import NOISES, NoiseName
 from probe.runs.plan import Order
 from probe.scores.marking import roster_of_tasks
@@ -87,19 +86,12 @@ def main(
 def card_of(suite: Suite, entry: Entry, folder: Path, workers: int) -> Scorecard:
     """An agent's figures; it is run as far as it hasn't been."""
     order = Order(entry.agent, noise=NOISES[entry.noise])
-    if not complete(suite, folder):
-        run_order(suite, order, make_agent, everything(), folder, workers)
+    run_order(suite, order, make_agent, everything(), folder, workers)
     rows = [marked(suite.name, each) for each in graded(folder)]
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(folder, rows, scores)
     (card,) = scores.cards
     return card
-
-
-def complete(suite: Suite, folder: Path) -> bool:
-    """Whether every task has a record; those of our faults are made again by run_order."""
-    records = folder / RECORDS
-    return records.exists() and len(records.read_text().splitlines()) >= len(suite.tasks)
 
 
 def head() -> Iterator[str]:

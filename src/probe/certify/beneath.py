@@ -11,10 +11,10 @@ from probe.certify.cast import LARGEST, Cast, draw_cast
 from probe.certify.covers import draw_cover
 from probe.certify.frame import frame_of
 from probe.certify.ghosts import Ghosts
-from probe.certify.hiding import Twin, draw_post, draw_twins, right_above
+from probe.certify.hiding import Twin, check_hidden, draw_post, draw_twins, right_above
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
-from probe.certify.rules import LARGEST_GAIN, REVEALED_SHARE, is_hidden, is_seen
+from probe.certify.rules import LARGEST_GAIN, REVEALED_SHARE, is_seen
 from probe.certify.stage import Stage
 from probe.certify.view import View
 from probe.certify.writing import Draft, write_task
@@ -79,8 +79,7 @@ class _Judge:
         look = self.ghosts.look(twin)
         target, cover = look.number_of[1], look.number_of[self.cast.covering[0]]
         seen = look.before([target, cover])
-        if not is_hidden(seen[target]):
-            raise Rejected("hidden", f"{seen[target].fraction:.0%}, {seen[target].visible_px} px")
+        check_hidden(seen[target])
         if not is_seen(seen[cover]):
             raise Rejected("cover unseen", f"{seen[cover].fraction:.0%} of the cover show")
         shapes = self.ghosts.view.silhouettes(twin.scene, [target, cover])

@@ -60,14 +60,14 @@ def fill(place: Place, parts: Parts, workshop: Workshop) -> Iterator[Line]:
         result, made = _attempt(place.kind, seed, workshop)
         solved = made[0].solved if made else None
         if isinstance(result, Rejection):
-            line = Line(place.kind, seed, result.check, solved, result.detail, monotonic() - start)
+            check, detail = result.check, result.detail
         elif not workshop.unchecked and not any(trial.solved for trial in made):
             parts.keep_unsolved(result.task, workshop.library)
-            detail = f"none of {len(made)} attempts"
-            line = Line(place.kind, seed, UNSOLVED, solved, detail, monotonic() - start)
+            check, detail = UNSOLVED, f"none of {len(made)} attempts"
         else:
             parts.keep(place, noted(result.task, made), workshop.library)
-            line = Line(place.kind, seed, KEPT, solved, "", monotonic() - start)
+            check, detail = KEPT, ""
+        line = Line(place.kind, seed, check, solved, detail, monotonic() - start)
         parts.add(place, line)
         yield line
         if line.check == KEPT:

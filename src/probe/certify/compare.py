@@ -24,7 +24,7 @@ from probe.certify.marked import (
     partly_covered,
     settle_around,
 )
-from probe.certify.palettes import palette_of
+from probe.certify.palettes import main_colour, palette_of
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
 from probe.certify.rules import LITTLE, is_clear
@@ -131,14 +131,10 @@ def _has_colour(spec: ObjectSpec, word: str) -> bool:
     return word.split()[-1] in {colour.split()[-1] for colour in spec.colours}
 
 
-def _main(library: Library, spec: ObjectSpec) -> Array:
-    return np.array(palette_of(library, spec.id)[0].lab)
-
-
 def _truth(library: Library, form: Form, asked: _Asked) -> str:
     """The letter by the textures; empty if it isn't clear."""
-    a, b = (_main(library, spec) for spec in asked.marked)
-    wanted = _main(library, asked.reference or asked.marked[asked.right])
+    a, b = (main_colour(library, spec.id) for spec in asked.marked)
+    wanted = main_colour(library, (asked.reference or asked.marked[asked.right]).id)
     try:
         return which_darker(a, b) if form == "darker" else which_like(a, b, wanted)
     except ValueError:
@@ -159,7 +155,7 @@ def _tells(lead: float) -> bool | None:
 
 def _could_show(library: Library, plan: Plan, asked: _Asked) -> bool:
     """Whether both have colours that, if these alone showed, would tell as planned."""
-    wanted = _main(library, asked.reference or asked.marked[asked.right])
+    wanted = main_colour(library, (asked.reference or asked.marked[asked.right]).id)
     right, wrong = (palette_of(library, asked.marked[k].id) for k in (asked.right, 1 - asked.right))
     return any(
         _tells(_lead(plan.form, np.array(r.lab), np.array(w.lab), wanted)) is plan.cues[0]
@@ -175,7 +171,7 @@ def _nests(
     Raises:
         Rejected: None of those that were tried do.
     """
-    wanted = _main(library, asked.reference or asked.marked[asked.right])
+    wanted = main_colour(library, (asked.reference or asked.marked[asked.right]).id)
     tried: list[list[tuple[Nest, Array]]] = [[], []]
     for _ in range(_NESTS):
         for place in (0, 1):

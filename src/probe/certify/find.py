@@ -12,10 +12,10 @@ from probe.certify.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE
 from probe.certify.cast import Cast, draw_cast
 from probe.certify.covers import draw_cover, draw_lean
 from probe.certify.frame import SceneFrame, frame_of
-from probe.certify.hiding import Twin, draw_post, draw_twins, right_above
+from probe.certify.hiding import Twin, check_hidden, draw_post, draw_twins, right_above
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
-from probe.certify.rules import PARTLY, is_hidden, is_partly_visible
+from probe.certify.rules import PARTLY, is_partly_visible
 from probe.certify.stage import Layer, Poses, Stage
 from probe.certify.view import View
 from probe.certify.writing import Draft, write_task
@@ -85,8 +85,7 @@ def _hidden_scene(
 
     def check(twin: Twin) -> None:
         seen = _seen(view, twin.scene, frame.number_of[1])
-        if not is_hidden(seen):
-            raise Rejected("hidden", f"{seen.fraction:.0%}, {seen.visible_px} px")
+        check_hidden(seen)
 
     lay = right_above(cast.covering[0], cast.covers[0])
     twins = draw_twins(cast, stage, post, lay, check, frame, rng)

@@ -15,7 +15,7 @@ from probe.certify.palettes import shades
 from probe.perception.oracle import Oracle
 from probe.perception.scene_graph import Contact, Relation
 from probe.perception.things import Thing
-from probe.render.photograph import load_scene, measure, photograph
+from probe.render.photograph import labels_of, load_scene, measure, photograph
 from probe.render.renderer import Renderer
 from probe.tasks.task import Letter, Mark, Task
 from probe.toolshed.relations import STEP, relations
@@ -89,8 +89,7 @@ def look_at(task: Task, library: Library, renderer: Renderer) -> FirstLook:
 def visible_areas(task: Task, library: Library, renderer: Renderer) -> dict[str, int]:
     """Pixels that show of the thing at each mark; replaces what was loaded."""
     load_scene(renderer, task.scene, library, load_table(task.scene.table, library.assets))
-    labels = photograph(renderer, task.scene, rgb=False).labels
-    assert labels is not None
+    labels = labels_of(renderer, task.scene)
     spots = {mark.letter: labels[mark.point[::-1]] for mark in task.marks}
     return {letter: int(np.count_nonzero(labels == spot)) for letter, spot in spots.items()}
 

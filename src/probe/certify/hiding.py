@@ -13,8 +13,10 @@ from probe.certify.cast import Cast
 from probe.certify.covers import Cover
 from probe.certify.frame import SceneFrame
 from probe.certify.result import Rejected
+from probe.certify.rules import is_hidden
 from probe.certify.stage import Layer, Poses, Stage
 from probe.scene.scene import Scene
+from probe.scene.visibility import Visibility
 from probe.types import Array
 from probe.world.model import Post
 
@@ -86,6 +88,16 @@ def build_nest(
             return poses
     names = " and ".join(layer.cover.spec.name for layer in layers[:hiding])
     raise Rejected("nest", f"{names} covers {share:.0%} of {hidden.name}")
+
+
+def check_hidden(seen: Visibility) -> None:
+    """See that a thing shows too little to be noticed.
+
+    Raises:
+        Rejected: It shows more.
+    """
+    if not is_hidden(seen):
+        raise Rejected("hidden", f"{seen.fraction:.0%}, {seen.visible_px} px")
 
 
 def right_above(covering: int, cover: Cover) -> Lay:

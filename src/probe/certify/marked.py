@@ -16,7 +16,7 @@ from probe.certify.cast import draw_crowd
 from probe.certify.covers import Cover, draw_shield, lies_on_side, low_footprint_of
 from probe.certify.frame import SceneFrame, numbers
 from probe.certify.result import Rejected
-from probe.certify.rules import LITTLE, LITTLE_PX
+from probe.certify.rules import is_little
 from probe.certify.stage import Layer, Poses, Stage
 from probe.certify.view import View
 from probe.render.renderer import Renderer
@@ -178,7 +178,7 @@ def partly_covered(made: Set, place: int, wanted: float, rng: np.random.Generato
         layer = Layer(_SIDES + place + 1, cover, -middle * out, turn)
         at = Post(float(x), float(y), post.radius)
         nest = _look(made, place, made.stage.nest(place + 1, [layer], at, laid=lies_on_side(spec)))
-        if _shows_little(nest.seen) and not made.stage.jammed:
+        if is_little(nest.seen) and not made.stage.jammed:
             best = min(filter(None, (best, nest)), key=lambda each: _off(each, wanted))
         low, high = (middle, high) if nest.seen.fraction < wanted else (low, middle)
     return best and _at_rest(made, place, best)
@@ -197,11 +197,7 @@ def _at_rest(made: Set, place: int, nest: Nest) -> Nest | None:
         settled = _look(made, place, made.stage.settle(nest.poses))
     except Rejected:
         return None
-    return settled if _shows_little(settled.seen) else None
-
-
-def _shows_little(seen: Visibility) -> bool:
-    return LITTLE[0] <= seen.fraction <= LITTLE[1] and seen.visible_px >= LITTLE_PX
+    return settled if is_little(settled.seen) else None
 
 
 def _off(nest: Nest, wanted: float) -> float:
@@ -219,7 +215,7 @@ def settle_around(made: Set, nests: Sequence[Nest], rng: np.random.Generator) ->
     scene = made.frame.scene(made.stage.settle(made.stage.heap(poses, crowd, rng)))
     seen = made.view.visibility(scene, made.view.labels(scene), made.marked)
     for number in made.marked:
-        if not _shows_little(seen[number]):
+        if not is_little(seen[number]):
             share, pixels = seen[number].fraction, seen[number].visible_px
             raise Rejected("shows", f"{share:.0%}, {pixels} px of a marked thing show")
     return scene

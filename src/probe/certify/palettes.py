@@ -36,6 +36,11 @@ def palette_of(library: Library, object_id: str) -> tuple[Shade, ...]:
     return shades(colours_at(mesh, *spots(mesh.vertices, mesh.faces, _SPOTS)))
 
 
+def main_colour(library: Library, object_id: str) -> Array:
+    """CIELAB of the colour that most of an object's surface has, shape (3,)."""
+    return np.array(palette_of(library, object_id)[0].lab)
+
+
 def shades(pixels: Array) -> tuple[Shade, ...]:
     """Colours of pixels, sRGB uint8, shape (n, 3), as everyday words tell them apart.
 

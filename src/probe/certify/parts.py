@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from probe.assets.library import Library
-from probe.certify.plan import ATTEMPTS
 from probe.errors import BadData
 from probe.files import write_text
 from probe.tasks.suite import freeze
@@ -116,9 +115,9 @@ class Parts:
     def unsolved(self, places: Sequence[Place]) -> Iterator[Task]:
         """The candidates of some places that failed only the scripted agents' check."""
         for place in places:
-            for seed in range(place.episode * ATTEMPTS, (place.episode + 1) * ATTEMPTS):
-                path = self.folder / f"unsolved-{place.kind}-{seed}.json"
-                if path.exists():
+            for line in self.log(place):
+                if line.check == UNSOLVED:
+                    path = self.folder / f"unsolved-{place.kind}-{line.seed}.json"
                     yield from read_suite(path).tasks
 
     def _path(self, place: Place, suffix: str) -> Path:

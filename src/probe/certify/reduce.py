@@ -15,7 +15,7 @@ from probe.certify.cast import Cast, draw_cast
 from probe.certify.covers import Cover, draw_slab, draw_topping
 from probe.certify.frame import frame_of
 from probe.certify.ghosts import Ghosts, Look
-from probe.certify.hiding import Lay, Twin, draw_post, draw_twins, right_above
+from probe.certify.hiding import Lay, Twin, check_hidden, draw_post, draw_twins, right_above
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
 from probe.certify.rules import (
@@ -24,7 +24,6 @@ from probe.certify.rules import (
     LARGEST_GAIN,
     PARTLY,
     is_clear,
-    is_hidden,
 )
 from probe.certify.stage import Layer, Stage
 from probe.certify.view import View
@@ -155,8 +154,7 @@ class _Judge:
         numbers = look.number_of
         target, named = numbers[1], [numbers[instance] for instance in self.cast.covering]
         seen = look.before([target, *named])
-        if not is_hidden(seen[target]):
-            raise Rejected("hidden", f"{seen[target].fraction:.0%}, {seen[target].visible_px} px")
+        check_hidden(seen[target])
         if not all(is_clear(seen[number]) for number in named):
             least = min(seen[number].fraction for number in named)
             raise Rejected("named unclear", f"only {least:.0%} of one to be removed show")

@@ -1,9 +1,7 @@
-"""What an attempt to make a task comes to, and counts of that. Data only."""
+"""What an attempt to make a task comes to. Data only."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from probe.errors import ProbeError
@@ -44,33 +42,3 @@ class Rejected(ProbeError):
     def __init__(self, check: str, detail: str) -> None:
         super().__init__(f"{check}: {detail}")
         self.rejection = Rejection(check, detail)
-
-
-@dataclass(frozen=True)
-class Yield:
-    """Counts of attempts; printed by whoever runs them.
-
-    Attributes:
-        kept: Those that became tasks.
-        rejected: Those that failed, by check.
-    """
-
-    kept: int
-    rejected: Mapping[str, int]
-
-    @staticmethod
-    def of(results: Iterable[Candidate | Rejection]) -> Yield:
-        """Count the results of many attempts."""
-        counts = Counter("" if isinstance(r, Candidate) else r.check for r in results)
-        kept = counts.pop("", 0)
-        return Yield(kept, dict(counts.most_common()))
-
-    @property
-    def attempts(self) -> int:
-        """All attempts."""
-        return self.kept + sum(self.rejected.values())
-
-    @property
-    def share(self) -> float:
-        """Share of attempts that were kept, 0 to 1."""
-        return self.kept / self.attempts if self.attempts else 0.0

@@ -35,6 +35,11 @@ def is_seen(seen: Visibility) -> bool:
     return seen.fraction >= SEEN_SHARE and seen.visible_px >= SEEN_PX
 
 
+def is_little(seen: Visibility) -> bool:
+    """As much as may show of a marked thing."""
+    return LITTLE[0] <= seen.fraction <= LITTLE[1] and seen.visible_px >= LITTLE_PX
+
+
 def is_partly_visible(seen: Visibility) -> bool:
     """Noticeable, but not nameable."""
     return PARTLY[0] < seen.fraction <= PARTLY[1]

@@ -63,8 +63,9 @@ def verify(
     with Renderer() as renderer:
         mine = frozen.tasks[number::count]
         verdicts = _verdicts(mine, folder, things, renderer, solve=solve, played=played)
-        changed = _rebuilt(spaced(mine, rebuild), library(pool), renderer, tables_for(pool))
-    _print(frozen, verdicts, changed, rebuild)
+        again = spaced(mine, rebuild)
+        changed = _rebuilt(again, library(pool), renderer, tables_for(pool))
+    _print(frozen, verdicts, changed, len(again))
     if failed := sum(not verdict.holds for verdict in verdicts) + len(changed):
         raise Unverified(frozen.name, failed, folder)
 

@@ -26,12 +26,21 @@ def start_folder(out: Path, suite: Suite) -> None:
         BadData: It is about another suite, or its records can't be read.
         OutputFailed: It can't be written.
     """
-    if (out / SUITE).exists() and read_suite(out / SUITE) != suite:
-        raise BadData(out / SUITE, "is another suite", "Choose another folder")
+    check_suite(out, suite)
     if not (out / SUITE).exists():
         write_suite(out / SUITE, suite)
     if (out / RECORDS).exists():
         read_records(out / RECORDS)
+
+
+def check_suite(out: Path, suite: Suite) -> None:
+    """See that a folder, if it is one, is about a suite.
+
+    Raises:
+        BadData: It is about another one.
+    """
+    if (out / SUITE).exists() and read_suite(out / SUITE) != suite:
+        raise BadData(out / SUITE, "is another suite", "Choose another folder")
 
 
 def claim_arm(out: Path, arm: str) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table
-from probe.render.photograph import load_scene, photograph
+from probe.render.photograph import labels_of, load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
@@ -77,7 +77,7 @@ def vanishing(task: Task, renderer: Renderer) -> set[int]:
         return _over(task.scene, set(task.targets), set(task.targets), outlines, renderer)
     kept = set(task.targets)
     gone = _over(task.scene, kept, kept, outlines, renderer)
-    counts = np.bincount(_labels(task.scene, renderer).ravel(), minlength=max(outlines) + 1)
+    counts = np.bincount(labels_of(renderer, task.scene).ravel(), minlength=max(outlines) + 1)
     faint = {n for n, mask in outlines.items() if counts[n] < HIDDEN_SHARE * mask.sum()}
     return gone | _over(task.scene.without(*gone), faint - gone, kept | faint, outlines, renderer)
 
@@ -92,7 +92,7 @@ def _over(
     """All that hides some of the wanted things, layer by layer; what is kept stays."""
     gone: set[int] = set()
     while True:
-        labels = _labels(scene.without(*gone), renderer)
+        labels = labels_of(renderer, scene.without(*gone))
         over = {
             int(number)
             for one in wanted
@@ -102,9 +102,3 @@ def _over(
         if not over:
             return gone
         gone |= over
-
-
-def _labels(scene: Scene, renderer: Renderer) -> Array:
-    labels = photograph(renderer, scene, rgb=False).labels
-    assert labels is not None
-    return labels

@@ -17,7 +17,7 @@ from probe.episodes.run import run_episode
 from probe.episodes.turns import Agent
 from probe.perception.choice import Perceiver, dialled, ideal
 from probe.render.lighting import light_of
-from probe.render.photograph import load_scene, photograph
+from probe.render.photograph import labels_of, load_scene
 from probe.render.renderer import Renderer
 from probe.scene.layout import BASKET_POSITION
 from probe.scene.sight import Sight
@@ -153,6 +153,5 @@ def open_episode(
 
 def score(task: Task, record: EpisodeRecord, renderer: Renderer) -> Score:
     """Grade a record without physics; the renderer must have the task's objects loaded."""
-    labels = photograph(renderer, record.scenes[-1], rgb=False, camera=record.sight.camera).labels
-    assert labels is not None
+    labels = labels_of(renderer, record.scenes[-1], record.sight.camera)
     return grade_episode(task, record, labels)

@@ -10,7 +10,7 @@ from probe.render.renderer import Renderer
 from probe.scene.layout import TABLE_SIZE, top_camera
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility, visibilities
-from probe.types import Camera, Frame
+from probe.types import Array, Camera, Frame
 
 
 def load_scene(renderer: Renderer, scene: Scene, library: Library, table: TableMaterial) -> None:
@@ -31,10 +31,16 @@ def photograph(
     return renderer.draw(scene.objects, camera or top_camera(), rgb=rgb, light=light)
 
 
+def labels_of(renderer: Renderer, scene: Scene, camera: Camera | None = None) -> Array:
+    """Instance numbers of a loaded scene's picture, shape (h, w), as photograph sees it."""
+    labels = photograph(renderer, scene, rgb=False, camera=camera).labels
+    assert labels is not None
+    return labels
+
+
 def measure(
     renderer: Renderer, scene: Scene, camera: Camera | None = None
 ) -> dict[int, Visibility]:
     """Visibility of each object of a loaded scene, by ghost removal, as photograph sees it."""
-    labels = photograph(renderer, scene, rgb=False, camera=camera).labels
-    assert labels is not None
+    labels = labels_of(renderer, scene, camera)
     return visibilities(labels, renderer.outlines(scene.objects, camera or top_camera()))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from probe.certify.rules import LITTLE, LITTLE_PX, is_clear, is_hidden, is_partly_visible
+from probe.certify.rules import is_clear, is_hidden, is_little, is_partly_visible
 from probe.scene.visibility import Visibility
 from probe.tasks.task import QuestionKind, Task
 
@@ -29,8 +29,7 @@ def broken_rule(task: Task, now: Mapping[int, Visibility]) -> str | None:
 
 def _band(kind: QuestionKind, seen: Visibility) -> Band:
     if kind in ("compare", "size"):
-        little = LITTLE[0] <= seen.fraction <= LITTLE[1] and seen.visible_px >= LITTLE_PX
-        return "little" if little else "between"
+        return "little" if is_little(seen) else "between"
     if is_hidden(seen):
         return "hidden"
     if is_clear(seen):

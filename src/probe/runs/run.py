@@ -9,14 +9,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from probe.episodes.files import line_of, read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, SUITE, add_line, reserved
+from probe.episodes.folder import RECORDS, SUITE, add_line, check_suite, reserved
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.runs.crew import Lost, carry_out
 from probe.runs.plan import Job, Order
 from probe.runs.work import Workplace, failed
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.suite_file import write_suite
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ def begun(out: Path, suite: Suite, order: Order) -> Generator[Beginning]:
             another run is at work there.
         OutputFailed: It can't be written.
     """
-    _check_suite(out, suite)
+    check_suite(out, suite)
     _check_settings(out / RECORDS, _earlier(out), order)
     if not (out / SUITE).exists():
         write_suite(out / SUITE, suite)
@@ -74,11 +74,6 @@ def work(
             yield job, _fault(result)
     finally:
         results.close()
-
-
-def _check_suite(out: Path, suite: Suite) -> None:
-    if (out / SUITE).exists() and read_suite(out / SUITE) != suite:
-        raise BadData(out / SUITE, "is another suite", "Choose another folder")
 
 
 def _check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) -> None:

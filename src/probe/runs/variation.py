@@ -15,7 +15,7 @@ from probe.errors import BadData
 from probe.files import read_document, write_text
 from probe.runs.vary import Varied
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import TaskDocument, read_suite, write_suite
+from probe.tasks.suite_file import digest_of, read_suite, write_suite
 
 VARIATION = "variation.json"
 
@@ -86,5 +86,5 @@ def keep_varied(out: Path, base: Suite, conditions: Conditions, made: Sequence[V
 
 
 def _digest(suite: Suite) -> str:
-    lines = [f"{task.id} {TaskDocument.of(task).digest()}" for task in suite.tasks]
+    lines = [f"{task.id} {digest_of(task)}" for task in suite.tasks]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()

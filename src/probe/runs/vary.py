@@ -11,7 +11,7 @@ from probe.assets.tables import load_table, table_ids
 from probe.certify.marked import widest
 from probe.certify.result import Rejected
 from probe.episodes.conditions import Conditions
-from probe.render.photograph import load_scene, measure, photograph
+from probe.render.photograph import labels_of, load_scene, measure
 from probe.render.renderer import Renderer
 from probe.runs.bands import broken_rule
 from probe.runs.jitter import jitter
@@ -72,8 +72,7 @@ def _seen_anew(
     load_scene(renderer, task.scene, library, load_table(task.scene.table, library.assets))
     notes = [made.note, broken_rule(task, measure(renderer, task.scene, camera))]
     if task.marks:
-        labels = photograph(renderer, task.scene, rgb=False, camera=camera).labels
-        assert labels is not None
+        labels = labels_of(renderer, task.scene, camera)
         try:
             marks = tuple(replace(it, point=widest(labels == it.instance)) for it in task.marks)
             task = replace(task, marks=marks, question=_with_places(task.question, marks))

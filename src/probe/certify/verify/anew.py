@@ -22,7 +22,7 @@ class Anew:
     def __init__(self, scene: Scene, library: Library, renderer: Renderer) -> None:
         self.scene = scene
         self.library = library
-        self._view = View(renderer, library, [placed.object_id for placed in scene.objects])
+        self.view = View(renderer, library, [placed.object_id for placed in scene.objects])
 
     @cached_property
     def stage(self) -> Stage:
@@ -33,25 +33,20 @@ class Anew:
     @cached_property
     def labels(self) -> Array:
         """Instance numbers of the first picture, shape (h, w)."""
-        return self._view.labels(self.scene)
+        return self.view.labels(self.scene)
 
     @cached_property
     def seen(self) -> Mapping[int, Visibility]:
         """Visibility of each object, by instance."""
         return self._visibility(self.scene, self.labels)
 
-    @property
-    def view(self) -> View:
-        """The camera's view of it."""
-        return self._view
-
     def removals(self, gone: Collection[int]) -> Iterator[tuple[str, Mapping[int, Visibility]]]:
         """What shows of the rest without some instances: "frozen", then "resettled"."""
         frozen = self.scene.without(*gone)
-        yield "frozen", self._visibility(frozen, self._view.labels(frozen))
+        yield "frozen", self._visibility(frozen, self.view.labels(frozen))
         places = [self._place(number) for number in gone]
         settled = self._scene(self.stage.lift(self._poses(), *places))
-        yield "resettled", self._visibility(settled, self._view.labels(settled))
+        yield "resettled", self._visibility(settled, self.view.labels(settled))
 
     def creep(self) -> float:
         """How far anything moves while it is checked to be at rest, metres.
@@ -80,4 +75,4 @@ class Anew:
         return Scene(self.scene.seed, self.scene.table, objects)
 
     def _visibility(self, scene: Scene, labels: Array) -> Mapping[int, Visibility]:
-        return self._view.visibility(scene, labels, [placed.instance for placed in scene.objects])
+        return self.view.visibility(scene, labels, [placed.instance for placed in scene.objects])

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table
+from probe.assets.tables import TableMaterial, load_table
 from probe.certify.build import without_notes
 from probe.certify.first_look import look_at
 from probe.certify.generate import generate
@@ -18,7 +18,6 @@ from probe.certify.verify.hidden import hidden_problems
 from probe.certify.verify.histories import histories, history_problems, is_reachable
 from probe.certify.verify.truth import clarity_problems, truth_problems
 from probe.certify.verify.verdict import Verdict
-from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.tasks.suite_file import digest_of
 from probe.tasks.task import Task
@@ -53,17 +52,12 @@ def check(task: Task, library: Library, renderer: Renderer, depth: Depth) -> Ver
     played = reachable = 0
     if depth.history:
         for record in histories(task, library, table, renderer):
-            load_scene(renderer, task.scene, library, table)
             untrue += history_problems(task, record, renderer)
             played += 1
             reachable += is_reachable(task, record.scenes[-1])
     problems["invariant"] = tuple(untrue)
-    if depth.solve and not solves_as_noted(task, library, table, renderer):
-        made = trials(task, library, table, renderer)
-        solved = any(trial.solved for trial in made)
-        problems["solvable"] = () if solved else (f"none of {len(made)} attempts",)
-    elif depth.solve:
-        problems["solvable"] = ()
+    if depth.solve:
+        problems["solvable"] = tuple(_unsolved(task, library, table, renderer))
     return Verdict(
         task=task.id,
         kind=task.kind,
@@ -74,6 +68,16 @@ def check(task: Task, library: Library, renderer: Renderer, depth: Depth) -> Ver
         reachable=reachable,
         observed=None if any(problems.values()) else _observed(task, library, renderer),
     )
+
+
+def _unsolved(
+    task: Task, library: Library, table: TableMaterial, renderer: Renderer
+) -> Iterator[str]:
+    if solves_as_noted(task, library, table, renderer):
+        return
+    made = trials(task, library, table, renderer)
+    if not any(trial.solved for trial in made):
+        yield f"none of {len(made)} attempts"
 
 
 def _observed(task: Task, library: Library, renderer: Renderer) -> bool:

@@ -9,8 +9,10 @@ from dataclasses import replace
 from probe.agents.random import Random
 from probe.assets.library import Library
 from probe.assets.tables import TableMaterial
-from probe.episodes.play import play, score
+from probe.episodes.grading import grade_episode
+from probe.episodes.play import play
 from probe.episodes.record import EpisodeRecord
+from probe.render.photograph import labels_of
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
@@ -38,9 +40,11 @@ def history_problems(task: Task, record: EpisodeRecord, renderer: Renderer) -> I
     places = Counter(whereabouts(o.pose) for o in record.scenes[-1].objects)
     if sum(places.values()) != len(task.scene.objects):
         yield "things are neither on the table, nor in the basket, nor off both"
+    labels = labels_of(renderer, record.scenes[-1], record.sight.camera)
     for option in task.options:
         answered = replace(record, answer=Answer(option.letter, None))
-        if score(task, answered, renderer).letter_correct != (option.letter == task.answer):
+        grade = grade_episode(task, answered, labels)
+        if grade.letter_correct != (option.letter == task.answer):
             yield f"afterwards {option.letter} is graded otherwise"
 
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-import numpy as np
-
 from probe.assets.colour_difference import ciede2000
 from probe.certify.alike import told_apart
 from probe.certify.extents import extent_of
-from probe.certify.palettes import palette_of
+from probe.certify.palettes import main_colour
 from probe.certify.verify.anew import Anew
 from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, Task
 from probe.tasks.truth import (
@@ -22,7 +20,6 @@ from probe.tasks.truth import (
     which_on_table,
     which_size,
 )
-from probe.types import Array
 
 
 def truth_problems(task: Task, anew: Anew) -> Iterator[str]:
@@ -60,17 +57,13 @@ def _pair(task: Task, anew: Anew) -> str:
     ids = [task.scene[mark.instance].object_id for mark in task.marks]
     if task.kind == "size":
         return which_size(task.form, *(extent_of(anew.library, id) for id in ids))
-    a, b = (_colour(anew, id) for id in ids)
+    a, b = (main_colour(anew.library, id) for id in ids)
     if task.form == "darker":
         return which_darker(a, b)
     if task.form == "like":
         reference = next(spec.id for spec in anew.library.specs if spec.name == task.subject)
-        return which_like(a, b, _colour(anew, reference))
+        return which_like(a, b, main_colour(anew.library, reference))
     return PAIR[[anew.library[id].colours[0] for id in ids].index(task.subject)]
-
-
-def _colour(anew: Anew, object_id: str) -> Array:
-    return np.array(palette_of(anew.library, object_id)[0].lab)
 
 
 def clarity_problems(task: Task, anew: Anew) -> Iterator[str]:
@@ -91,6 +84,8 @@ def clarity_problems(task: Task, anew: Anew) -> Iterator[str]:
         if len(present) > 1:
             yield f"several options are on the table: {', '.join(sorted(present))}"
     if task.kind == "compare":
-        a, b = (_colour(anew, task.scene[mark.instance].object_id) for mark in task.marks)
+        a, b = (
+            main_colour(anew.library, task.scene[mark.instance].object_id) for mark in task.marks
+        )
         if float(ciede2000(a, b)) < DIFFERENT:
             yield "the two marked things are alike in colour"
