@@ -65,8 +65,10 @@ def test_what_cannot_be_uncovered_is_not_judged(play):
 
 
 def test_a_cover_that_was_pushed_onto_the_mark_is_not_taken_for_the_marked_thing(play):
-    record = play(scripted("size", "longer", first="push"), PAIR, SPECS, TABLE, Obedient(), TEXT)
-    assert record.end == "stopped"
+    skills = Obedient()
+    record = play(scripted("size", "longer", first="push"), PAIR, SPECS, TABLE, skills, TEXT)
+    assert record.answer and record.answer.choice == "A"
+    assert [call[0] for call in skills.calls] == ["push", "grasp", "push", "grasp"]
 
 
 def test_reduce_removes_what_is_named_and_nothing_else(play):

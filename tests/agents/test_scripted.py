@@ -112,7 +112,7 @@ def test_with_its_budget_spent_it_abstains_unless_it_is_bold(play, kind):
         for n in range(12)
     ]
     specs = {
-        20 + n: spec(f"{letter * 3} plank", "brown") for n, letter in enumerate("bcdfghjklmnp")
+        20 + n: spec(f"{letter * 3} board", "brown") for n, letter in enumerate("bcdfghjklmnp")
     }
     options = [*("1", "2", "3", "4"), NONE] if kind == "count" else OPTIONS
     strict = play(Scripted(kind, "red die", rng()), options, specs, blocks)

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from probe.agents.moves import Plan, Way, look, move_away
+from probe.agents.hiders import hider
+from probe.agents.moves import Outcome, Plan, Way, look, move_away
 from probe.agents.reading import Graph, Seen
 
 LARGE_PX = 120
 """A thing whose box is at least this long and wide may hide something of everyday size."""
 
-_TRIES = 3
-_BUDGET = 10
+BUDGET = 10
+"""Manipulations in an episode."""
+
+_TRIES, _HIDERS_TRIES = 2, 5
+_WITHSTOOD = 0.45
+"""What a failed try takes from a thing's promise: after two, a hollow one still comes first."""
 
 
 @dataclass
@@ -24,23 +29,25 @@ class Search:
 
     Attributes:
         keep: Which things must stay on the table.
-        first: What to try first on each thing; the other way follows if that fails.
+        first: What to try first on each thing.
         rng: Breaks ties between directions.
-        bold: Whether to take a spent budget for a complete search.
         graph: What showed last.
         spent: Manipulations so far.
+        known: Names of all that was ever named.
+        removed_last: Whether the last manipulation took a thing off the table.
     """
 
     keep: Callable[[Seen], bool]
     first: Way
     rng: np.random.Generator
-    bold: bool = False
     graph: Graph = field(default_factory=Graph)
     spent: int = 0
-    _tries: Counter[str] = field(default_factory=Counter[str])
-    _checked: set[str] = field(default_factory=set[str])
-    _removed: set[str] = field(default_factory=set[str])
-    _known: set[str] = field(default_factory=set[str])
+    known: set[str] = field(default_factory=set[str])
+    removed_last: bool = False
+    _tried: defaultdict[str, list[tuple[Way, Outcome]]] = field(
+        default_factory=lambda: defaultdict[str, list[tuple[Way, Outcome]]](list)
+    )
+    _searched: set[str] = field(default_factory=set[str])
 
     def begin(self) -> Plan[None]:
         """Look for the first time."""
@@ -48,69 +55,87 @@ class Search:
 
     def clear_one(self) -> Plan[bool]:
         """Move the most promising thing away and look again; False if there is none left."""
-        candidates = self._candidates()
-        if not candidates or self.spent >= _BUDGET:
+        candidates = [seen for seen in self._unsearched() if self.may_clear(seen)]
+        if not candidates:
             return False
         yield from self.clear(max(candidates, key=self._promise))
         return True
 
     def may_clear(self, seen: Seen) -> bool:
         """Whether a thing hasn't withstood too often, and manipulations are left."""
-        return self._tries[seen.name or ""] < _TRIES and self.spent < _BUDGET
+        most = _HIDERS_TRIES if hider(seen.name or "") else _TRIES
+        return len(self._tried[seen.name or ""]) < most and self.spent < BUDGET
 
     def clear(self, seen: Seen) -> Plan[bool]:
-        """Move a thing away and look again; says whether the move worked."""
-        name = seen.name or ""
-        other: Way = "push" if self.first == "grasp" else "grasp"
-        way = self.first if self._tries[name] % 2 == 0 else other
-        self._tries[name] += 1
+        """Move a thing away, or what keeps it there, and look again; says whether it is gone."""
+        seen = self._obstacle(seen) or seen
+        name, way = seen.name or "", self._way(seen.name or "")
         self.spent += 1
-        worked = yield from move_away(seen, self.graph, way, self.rng)
-        if worked:
-            self._checked.add(name)
-        if worked and way == "grasp":
-            self._removed.add(name)
+        outcome = yield from move_away(seen, self.graph, way, self.rng)
+        self._tried[name].append((way, outcome))
+        before = _names(self.graph)
         yield from self._look()
-        return worked
+        now = _names(self.graph)
+        shown = any(now[other] > before[other] for other in now if other != name)
+        self.removed_last = left = outcome == "gone" and name not in now
+        if left or (outcome in ("gone", "pushed") and (shown or hider(name) is None)):
+            self._searched.add(name)
+        return outcome == "gone"
 
     @property
     def complete(self) -> bool:
-        """Whether nothing is half hidden and each thing that could hide much was moved once.
-
-        A bold search ends with the budget too, if each half hidden thing may be a known one:
-        a guess, since a table holds more large things than there are manipulations.
-        """
-        if self.bold and self.spent >= _BUDGET:
-            return self._all_known
-        large = [seen for seen in self._unsearched() if _is_large(seen)]
-        return not self.graph.unclear and not large
-
-    @property
-    def _all_known(self) -> bool:
-        """Whether each half hidden thing may be one that was seen before and shows no more."""
-        showing = {seen.name for seen in self.graph.named}
-        return len(self.graph.unclear) <= len(self._known - self._removed - showing)
+        """Whether nothing is half hidden and nothing is left that may well hide something."""
+        return not self.graph.unclear and not any(_may_hide(s) for s in self._unsearched())
 
     def _look(self) -> Plan[None]:
         self.graph = yield from look()
-        self._known |= {seen.name for seen in self.graph.named if seen.name is not None}
+        self.known |= {seen.name for seen in self.graph.named if seen.name is not None}
 
     def _unsearched(self) -> list[Seen]:
         """Things that still stand where something may lie under them.
 
-        Named things only: what is half hidden may be what is looked for.
+        Named things only: what is half hidden may be what is looked for. A hollow thing that was
+        pushed took along what is beneath, and a flat one may have, unless something came to light.
         """
-        moved = self._checked
-        return [s for s in self.graph.named if not self.keep(s) and (s.name or "") not in moved]
+        done = self._searched
+        return [s for s in self.graph.named if not self.keep(s) and (s.name or "") not in done]
 
-    def _candidates(self) -> list[Seen]:
-        return [s for s in self._unsearched() if self._tries[s.name or ""] < _TRIES]
+    def _way(self, name: str) -> Way:
+        """What to try on a thing: lift it if possible, push it where that can't be done."""
+        tried = self._tried[name]
+        if not tried:
+            return self.first
+        way, outcome = tried[-1]
+        if way == "push":
+            return "grasp"
+        lost = outcome == "lost" and len(tried) == 1
+        return "grasp" if lost else "push"
 
-    def _promise(self, seen: Seen) -> tuple[bool, int]:
-        """Next to something half hidden first, then by size; a failure makes it less so."""
-        unclear = {other.number for other in self.graph.unclear}
-        fresh = seen.area // (1 + self._tries[seen.name or ""])
-        return not unclear.isdisjoint(self.graph.meeting(seen)), fresh
+    def _obstacle(self, seen: Seen) -> Seen | None:
+        """What lies on a thing that couldn't be lifted, the highest that may be moved; or None."""
+        tried = self._tried[seen.name or ""]
+        if not tried or tried[-1][1] not in ("no grip", "blocked"):
+            return None
+        over = self.graph.over(seen)
+        movable = [s for s in self.graph.named if s.number in over and not self.keep(s)]
+        movable = [s for s in movable if self.may_clear(s)]
+        return min(movable, key=lambda each: len(self.graph.over(each)), default=None)
+
+    def _promise(self, seen: Seen) -> tuple[float, int]:
+        """What may hide more first: hollow things, and what covers something half hidden."""
+        unclear = any(seen.number in self.graph.over(other) for other in self.graph.unclear)
+        kind = hider(seen.name or "")
+        rank = 2.0 * (kind == "hollow") + (kind == "flat" and _is_large(seen)) + 1.5 * unclear
+        return rank - _WITHSTOOD * len(self._tried[seen.name or ""]), seen.area
+
+
+def _names(graph: Graph) -> Counter[str]:
+    return Counter(seen.name for seen in graph.named if seen.name is not None)
+
+
+def _may_hide(seen: Seen) -> bool:
+    kind = hider(seen.name or "")
+    return kind == "hollow" or (kind == "flat" and _is_large(seen))
 
 
 def _is_large(seen: Seen) -> bool:

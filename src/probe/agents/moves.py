@@ -7,7 +7,15 @@ from typing import Literal, TypeVar
 
 import numpy as np
 
-from probe.agents.reading import Graph, Seen, read_graph, read_handle, worked
+from probe.agents.reading import (
+    Graph,
+    Outcome,
+    Seen,
+    grasp_outcome,
+    read_graph,
+    read_handle,
+    worked,
+)
 from probe.episodes.turns import Call, Question
 from probe.scene.layout import PICTURE_PX, VIEW_SIZE
 
@@ -26,19 +34,19 @@ def look() -> Plan[Graph]:
     return read_graph(text)
 
 
-def move_away(seen: Seen, graph: Graph, way: Way, rng: np.random.Generator) -> Plan[bool]:
-    """Grasp a thing or push it to where there is room; says whether that worked."""
+def move_away(seen: Seen, graph: Graph, way: Way, rng: np.random.Generator) -> Plan[Outcome]:
+    """Grasp a thing or push it to where there is room; says what came of it."""
     text = yield Call.of("find_object", {"description": seen.place})
     handle = read_handle(text)
     if handle is None:
-        return False
+        return "blocked"
     if way == "grasp":
         text = yield Call.of("grasp_and_remove", {"object_id": handle})
-        return worked(text)
+        return grasp_outcome(text)
     direction, distance = roomiest(seen, graph, rng)
     arguments = {"object_id": handle, "direction": direction, "distance_cm": distance}
     text = yield Call.of("push", arguments)
-    return worked(text)
+    return "pushed" if worked(text) else "blocked"
 
 
 def answer(letter: str, point: tuple[int, int] | None = None) -> Plan[None]:

@@ -9,14 +9,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.agents.clearing import Search
+from probe.agents.marks import Both, uncover_both
 from probe.agents.moves import Plan, Way, answer
 from probe.agents.reading import Seen
 from probe.episodes.turns import Question
 
-_MARK = re.compile(r"\b([AB]) at \((\d+), (\d+)\)")
-_NEAR_PX = 60
-_MOST = 4
-"""Manipulations for one of the two: with both, some of the ten are left."""
+_MIDDLE = 50
+"""L* of what isn't known."""
 
 # L* of what these words usually mean, rounded.
 _LIGHTNESS = {
@@ -26,89 +25,60 @@ _LIGHTNESS = {
 }  # fmt: skip
 
 
-def size(question: Question, form: str, first: Way, rng: np.random.Generator) -> Plan[None]:
+def size(
+    question: Question, form: str, first: Way, rng: np.random.Generator, *, bold: bool = False
+) -> Plan[None]:
     """Uncover both marked things and go by the boxes that they then have."""
-    both = yield from _uncovered(question, first, rng)
-    if both is None:
-        return
-    a, b = (_length(seen) if form == "longer" else seen.area for seen in both)
-    yield from answer("A" if (a > b) != (form == "smaller") else "B")
+    search = Search(lambda seen: False, first, rng)
+    yield from search.begin()
+    one, other = yield from uncover_both(question, search, bold=bold)
+    if one is not None and other is not None:
+        a, b = (_length(seen) if form == "longer" else seen.area for seen in (one, other))
+        yield from answer("A" if (a > b) != (form == "smaller") else "B")
+    elif bold:
+        yield from answer(_either(rng))
 
 
 def compare(
-    question: Question, form: str, subject: str, first: Way, rng: np.random.Generator
+    question: Question,
+    form: str,
+    subject: str,
+    first: Way,
+    rng: np.random.Generator,
+    *,
+    bold: bool = False,
 ) -> Plan[None]:
     """Uncover both marked things and go by the colours that their descriptions name first."""
     search = Search(lambda seen: False, first, rng)
     yield from search.begin()
     like = search.graph.called(subject) if form == "like" else ()
-    if form == "like" and not like:
-        return
-    both = yield from _uncovered(question, first, rng)
-    if both is None:
-        return
-    a, b = (_colours(seen) for seen in both)
-    if not a or not b:
-        return
+    wanted = (_colours(like[0])[:1] if like else []) if form == "like" else _words(subject)[-1:]
+    letter: str | None = None
+    if wanted or form == "darker":
+        both = yield from uncover_both(question, search, bold=bold)
+        letter = _fitting(form, wanted, both) if bold or all(both) else None
+    if letter or bold:
+        yield from answer(letter or _either(rng))
+
+
+def _fitting(form: str, wanted: Sequence[str], both: Both) -> str | None:
+    """Letter of the one whose colour is asked for; None if that can't be told.
+
+    Of one alone it goes by what it is: only one of the two has the colour.
+    """
+    a, b = (_colours(seen)[:1] if seen else [] for seen in both)
     if form == "darker":
-        yield from answer("A" if _LIGHTNESS[a[0]] < _LIGHTNESS[b[0]] else "B")
-        return
-    wanted = _colours(like[0])[:1] if like else _words(subject)[-1:]
-    if wanted and (a[0] == wanted[0]) != (b[0] == wanted[0]):
-        yield from answer("A" if a[0] == wanted[0] else "B")
+        light = [_LIGHTNESS[words[0]] if words else _MIDDLE for words in (a, b)]
+        fits = [light[0] < light[1], light[1] < light[0]]
+    else:
+        fits = [bool(words) and words[0] == wanted[0] for words in (a, b)]
+        # One that is known not to have it leaves the other.
+        fits = fits if any(fits) else [bool(b), bool(a)]
+    return None if fits[0] == fits[1] else "A" if fits[0] else "B"
 
 
-def _uncovered(
-    question: Question, first: Way, rng: np.random.Generator
-) -> Plan[tuple[Seen, Seen] | None]:
-    """Both marked things as they show once nothing lies on them; None if that can't be had."""
-    marks = {letter: (int(u), int(v)) for letter, u, v in _MARK.findall(question.text)}
-    search = Search(lambda seen: False, first, rng)
-    yield from search.begin()
-    a = yield from _uncover(search, marks["A"])
-    b = yield from _uncover(search, marks["B"])
-    return (a, b) if a and b else None
-
-
-def _uncover(search: Search, mark: tuple[int, int]) -> Plan[Seen | None]:
-    """Clear away what lies on the thing at a mark until it is named and nothing covers it."""
-    spent, moved = search.spent, set[str | None]()
-    while True:
-        marked = _at([seen for seen in search.graph.objects if seen.name not in moved], mark)
-        if marked is None:
-            return None
-        over = [
-            seen
-            for seen in search.graph.named
-            if seen.number in search.graph.over(marked) and seen.number != marked.number
-        ]
-        if marked.name is not None and not over:
-            return marked
-        nearby = over or [
-            seen
-            for seen in search.graph.named
-            if seen.number in search.graph.meeting(marked) and seen.number != marked.number
-        ]
-        if not nearby or search.spent - spent >= _MOST:
-            return None
-        largest = max(nearby, key=lambda seen: seen.area)
-        yield from search.clear(largest)
-        # Pushed, it may lie at the mark afterwards, and hide what that was on.
-        moved.add(largest.name)
-
-
-def _at(objects: Sequence[Seen], mark: tuple[int, int]) -> Seen | None:
-    """The smallest thing whose box has a point in it, or else the one with the nearest point."""
-    here = [seen for seen in objects if _holds(seen, mark)]
-    if here:
-        return min(here, key=lambda seen: seen.area)
-    near = [seen for seen in objects if math.dist(seen.point, mark) < _NEAR_PX]
-    return min(near, key=lambda seen: math.dist(seen.point, mark), default=None)
-
-
-def _holds(seen: Seen, point: tuple[int, int]) -> bool:
-    left, top, right, bottom = seen.box
-    return left <= point[0] <= right and top <= point[1] <= bottom
+def _either(rng: np.random.Generator) -> str:
+    return "AB"[int(rng.integers(2))]
 
 
 def _length(seen: Seen) -> float:

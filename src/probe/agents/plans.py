@@ -15,45 +15,57 @@ _MARGIN_PX = 40
 """What lay beneath a cover may have been dragged so far when that was lifted."""
 
 
-def beneath(question: Question, cover: str, first: Way, rng: np.random.Generator) -> Plan[None]:
+def beneath(
+    question: Question, cover: str, first: Way, rng: np.random.Generator, *, bold: bool = False
+) -> Plan[None]:
     """Move the cover away and name what then shows in its place."""
     search = Search(lambda seen: False, first, rng)
     yield from search.begin()
-    covers = search.graph.called(cover)
-    if not covers:
-        return
-    known = {seen.name for seen in search.graph.named}
-    place, lifted = covers[0].box, False
-    while not lifted and (covers := search.graph.called(cover)):
-        if search.spent >= 8:
-            return
-        lifted = yield from search.clear(covers[0])
-    letter = _uncovered(question, search.graph, known, place)
-    while letter is None and (yield from _clear_around(search, place, known)):
-        letter = _uncovered(question, search.graph, known, place)
-    if letter is not None:
-        yield from answer(letter)
+    yield from _uncover(question, search, [cover], bold=bold)
 
 
 def reduce(
-    question: Question, names: Sequence[str], first: Way, rng: np.random.Generator
+    question: Question,
+    names: Sequence[str],
+    first: Way,
+    rng: np.random.Generator,
+    *,
+    bold: bool = False,
 ) -> Plan[None]:
     """Remove what is named, and name what then shows that didn't."""
     search = Search(lambda seen: False, first, rng)
     yield from search.begin()
+    yield from _uncover(question, search, names, bold=bold)
+
+
+def _uncover(question: Question, search: Search, names: Sequence[str], *, bold: bool) -> Plan[None]:
+    """Clear away all that is named, then what lies there still, until the answer shows."""
     known = {seen.name for seen in search.graph.named}
     place = _around([seen.box for name in names for seen in search.graph.called(name)])
-    if place is None:
-        return
-    while left := [seen for name in names for seen in search.graph.called(name)]:
+    letter: str | None = None
+    while place is not None:
+        left = [seen for name in names for seen in search.graph.called(name)]
         fresh = [seen for seen in left if search.may_clear(seen)]
-        if not fresh:
+        # Pushed, a cover takes along what is beneath: that is where it went.
+        place = _around([place, *(seen.box for seen in left)]) or place
+        if not fresh or len(names) == 1:
+            letter = _uncovered(question, search.graph, known, place)
+        if letter is not None:
             break
-        # What lies on top of the others goes first: it would drag them along.
-        yield from search.clear(min(fresh, key=lambda seen: len(search.graph.over(seen))))
-    letter = _uncovered(question, search.graph, known, place)
-    while letter is None and (yield from _clear_around(search, place, known)):
-        letter = _uncovered(question, search.graph, known, place)
+        if fresh:
+            # What lies on top of the others goes first: it would drag them along.
+            yield from search.clear(min(fresh, key=lambda seen: len(search.graph.over(seen))))
+        elif not (yield from _clear_around(search, place, known)):
+            break
+    yield from _conclude(question, letter, search.rng, bold=bold)
+
+
+def _conclude(
+    question: Question, letter: str | None, rng: np.random.Generator, *, bold: bool
+) -> Plan[None]:
+    """Answer; without evidence by chance if bold, else not at all."""
+    if letter is None and bold:
+        letter = question.options[int(rng.integers(len(question.options)))][0]
     if letter is not None:
         yield from answer(letter)
 
@@ -71,15 +83,15 @@ def find(
 ) -> Plan[None]:
     """Clear things away until one of the options shows, and point at it."""
     options = [text for _, text in question.options]
-    search = Search(lambda seen: any(same(seen.name or "", o) for o in options), first, rng, bold)
+    search = Search(lambda seen: any(same(seen.name or "", o) for o in options), first, rng)
     yield from search.begin()
-    while not (shown := _shown_options(question, search.graph)):
+    while not (shown := _shown_options(question, search.graph)) and not search.complete:
         if not (yield from search.clear_one()):
             break
     if shown:
         letter, seen = shown[0]
         yield from answer(letter, seen.point)
-    elif search.complete and (none := none_of_them(question)):
+    elif (search.complete or bold) and (none := none_of_them(question)):
         yield from answer(none)
 
 
@@ -87,17 +99,23 @@ def count(
     question: Question, name: str, first: Way, rng: np.random.Generator, *, bold: bool = False
 ) -> Plan[None]:
     """Clear away all else that could hide one, keep those that count, and take the most seen."""
-    search = Search(lambda seen: same(seen.name or "", name), first, rng, bold)
+    search = Search(lambda seen: same(seen.name or "", name), first, rng)
     yield from search.begin()
-    most = len(search.graph.called(name))
-    while (yield from search.clear_one()):
-        most = max(most, len(search.graph.called(name)))
-    if not search.complete:
-        return
-    letters = [letter for letter, text in question.options if text.strip() == str(most)]
-    letter = letters[0] if letters else none_of_them(question)
-    if letter is not None:
-        yield from answer(letter)
+    most, now, gone = 0, len(search.graph.called(name)), 0
+    while True:
+        most = max(most, now + gone)
+        before = now
+        if search.complete or not (yield from search.clear_one()):
+            break
+        now = len(search.graph.called(name))
+        if search.removed_last:
+            # What lay on the thing or in it went along.
+            gone += max(0, before - now)
+    if search.complete or bold:
+        letters = [letter for letter, text in question.options if text.strip() == str(most)]
+        yield from _conclude(
+            question, letters[0] if letters else none_of_them(question), rng, bold=bold
+        )
 
 
 def _shown_options(question: Question, graph: Graph) -> list[tuple[str, Seen]]:
@@ -118,7 +136,8 @@ def _uncovered(question: Question, graph: Graph, known: set[str | None], place: 
 def _clear_around(search: Search, place: Box, known: set[str | None]) -> Plan[bool]:
     """Move away the largest thing in a place that was already known; False if there is none."""
     here = [s for s in search.graph.named if _inside(s.point, place) and s.name in known]
-    if not here or search.spent >= 9:
+    here = [seen for seen in here if search.may_clear(seen)]
+    if not here:
         return False
     yield from search.clear(max(here, key=lambda seen: seen.area))
     return True

@@ -2,14 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import Any, Literal, cast
 
 import yaml
 
 from probe.perception.tokens import tokens
 
 Box = tuple[int, int, int, int]
+
+Outcome = Literal["gone", "pushed", "lost", "no grip", "blocked"]
+"""What came of a manipulation: the thing left its place for the basket or fell elsewhere; was
+pushed; slipped out of the hand; couldn't be gripped; or the hand was stopped."""
+
+# Words of the tool's replies to a grasp, and what they mean.
+_GRASPED: Mapping[str, Outcome] = {
+    "no longer where it was": "gone",
+    "fell on the way": "gone",
+    "lost it while lifting": "lost",
+    "no place to grip": "no grip",
+    "no grip on": "no grip",
+}
 
 
 @dataclass(frozen=True)
@@ -92,6 +106,16 @@ def read_handle(text: str) -> str | None:
     first, _, _ = text.partition("\n")
     key, _, value = first.partition(": ")
     return value if key == "object_id" else None
+
+
+def grasp_outcome(text: str) -> Outcome:
+    """What a reply of grasp_and_remove says."""
+    if worked(text):
+        return "gone"
+    for words, what in _GRASPED.items():
+        if words in text:
+            return what
+    return "blocked"
 
 
 def worked(text: str) -> bool:

@@ -41,8 +41,8 @@ class Scripted:
             rng: Breaks ties.
             first: What it tries first on things that are in the way.
             form: What exactly Compare and Size ask.
-            bold: Whether it answers once its manipulations are spent although something may be
-                left unsearched. Such an answer proves nothing: never certify a task by it.
+            bold: Whether it says what is likeliest, or guesses, where it lacks evidence. Such an
+                answer proves nothing: never certify a task by it.
         """
         self._kind: Kind = kind
         self._subject = subject
@@ -63,14 +63,15 @@ class Scripted:
             return None
 
     def _planned(self, question: Question) -> Plan[None]:
+        first, rng, bold = self._first, self._rng, self._bold
         if self._kind == "beneath":
-            return beneath(question, self._subject, self._first, self._rng)
+            return beneath(question, self._subject, first, rng, bold=bold)
         if self._kind == "count":
-            return count(question, self._subject, self._first, self._rng, bold=self._bold)
+            return count(question, self._subject, first, rng, bold=bold)
         if self._kind == "reduce":
-            return reduce(question, self._subject.split(", "), self._first, self._rng)
+            return reduce(question, self._subject.split(", "), first, rng, bold=bold)
         if self._kind == "size":
-            return size(question, self._form, self._first, self._rng)
+            return size(question, self._form, first, rng, bold=bold)
         if self._kind == "compare":
-            return compare(question, self._form, self._subject, self._first, self._rng)
-        return find(question, self._first, self._rng, bold=self._bold)
+            return compare(question, self._form, self._subject, first, rng, bold=bold)
+        return find(question, first, rng, bold=bold)

@@ -52,7 +52,7 @@ def make_agent(name: str, task: Task, run: int, library: Library, renderer: Rend
     if name == "random":
         return Random(rng)
     if name == "scripted":
-        return Scripted(task.kind, task.subject, rng, form=task.form)
+        return Scripted(task.kind, task.subject, rng, form=task.form, bold=True)
     return AtOnce(_rule(name, task, library, renderer))
 
 

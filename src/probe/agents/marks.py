@@ -1,0 +1,114 @@
+"""Uncovers two marked things, and follows each from its mark to its name."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from probe.agents.clearing import Search
+from probe.agents.moves import Plan
+from probe.agents.reading import Graph, Seen
+from probe.episodes.turns import Question
+
+Both = tuple[Seen | None, Seen | None]
+"""A and B as they showed most of themselves; None for one that never had a name."""
+
+_MARK = re.compile(r"\b([AB]) at \((\d+), (\d+)\)")
+_NEAR_PX = 60
+_MOST = 5
+"""Manipulations for one of the two: with both, some of the ten are left."""
+
+
+def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both]:
+    """Both marked things as they show once nothing lies on them; None for one that doesn't.
+
+    Bold, it takes what could be seen of them.
+    """
+    marks = {letter: (int(u), int(v)) for letter, u, v in _MARK.findall(question.text)}
+    crowd = {seen.name for seen in search.graph.named}
+    # Those that are marked show too little to be named, or a little more.
+    for mark in marks.values():
+        here = _at(search.graph.objects, mark)
+        crowd -= {here.name if here else None}
+    found: list[Seen | None] = []
+    for mark in marks.values():
+        marked = _Marked(mark, crowd, here=_at(search.graph.objects, mark))
+        clear = yield from marked.uncover(search)
+        if not clear and not bold:
+            return None, None
+        found.append(marked.shown)
+        if marked.shown:
+            crowd.add(marked.shown.name)
+    return found[0], found[1]
+
+
+@dataclass
+class _Marked:
+    """A marked thing that is being uncovered; known by its mark, then by its name.
+
+    Attributes:
+        mark: Pixel (u, v) on it in the first picture.
+        crowd: Names of things that it isn't.
+        here: Its entry in the last graph, if it shows.
+        shown: Its largest entry so far that had a name.
+    """
+
+    mark: tuple[int, int]
+    crowd: set[str | None]
+    here: Seen | None
+    shown: Seen | None = None
+
+    def uncover(self, search: Search) -> Plan[bool]:
+        """Clear away what lies on it until nothing does; says whether that worked."""
+        spent = search.spent
+        self._follow(search.graph)
+        while not self._is_clear(search.graph):
+            over = self._over(search)
+            if not over or search.spent - spent >= _MOST:
+                return False
+            yield from search.clear(max(over, key=lambda seen: seen.area))
+            self._follow(search.graph)
+        return True
+
+    def _follow(self, graph: Graph) -> None:
+        """Find it in a new graph: by its name if that is known, else what is new by its mark."""
+        name = self.shown.name if self.shown else None
+        if name is None:
+            fresh = [seen for seen in graph.objects if seen.name not in self.crowd]
+            named = [seen for seen in fresh if seen.name is not None]
+            self.here = _at(fresh, self.mark) or (named[0] if len(named) == 1 else None)
+        else:
+            self.here = next(iter(graph.called(name)), None)
+        now = self.here
+        if now and now.name and (self.shown is None or now.area > self.shown.area):
+            self.shown = now
+
+    def _is_clear(self, graph: Graph) -> bool:
+        named = self.here is not None and self.here.name is not None
+        return named and self.here is not None and not graph.over(self.here)
+
+    def _over(self, search: Search) -> list[Seen]:
+        """What lies on it, or else what touches it or is where its mark was."""
+        movable = [seen for seen in search.graph.named if search.may_clear(seen)]
+        if self.here is None:
+            return [seen for seen in movable if _holds(seen, self.mark)]
+        over, meeting = search.graph.over(self.here), search.graph.meeting(self.here)
+        others = [seen for seen in movable if seen.number != self.here.number]
+        lying = [seen for seen in others if seen.number in over]
+        return lying or [seen for seen in others if seen.number in meeting]
+
+
+def _at(objects: Sequence[Seen], mark: tuple[int, int]) -> Seen | None:
+    """The smallest thing whose box has a point in it, or else the one with the nearest point."""
+    here = [seen for seen in objects if _holds(seen, mark)]
+    if here:
+        return min(here, key=lambda seen: seen.area)
+    near = [seen for seen in objects if math.dist(seen.point, mark) < _NEAR_PX]
+    return min(near, key=lambda seen: math.dist(seen.point, mark), default=None)
+
+
+def _holds(seen: Seen, point: tuple[int, int]) -> bool:
+    left, top, right, bottom = seen.box
+    return left <= point[0] <= right and top <= point[1] <= bottom
