@@ -18,8 +18,9 @@ from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionKind, Task
 
-KEPT, UNSOLVED = "kept", "solvable"
-"""Names of two results: a task, and a candidate that failed only the scripted agents' check."""
+KEPT, UNSOLVED, RESTLESS = "kept", "solvable", "at rest"
+"""Names of results: a task; a candidate that failed only the scripted agents' check; one whose
+things move once its table stands alone."""
 
 _UNTRIED = "-"
 

@@ -7,10 +7,11 @@ import math
 import numpy as np
 
 from probe.assets.library import Library
+from probe.certify.restaged import Restaged
 from probe.certify.result import Rejected
 from probe.certify.stage import Stage
 from probe.scene.perturb import PoseRange, jittered
-from probe.scene.scene import PlacedObject, Scene
+from probe.scene.scene import Scene
 from probe.scene.seeds import generator
 
 DRAWS = 12
@@ -36,8 +37,7 @@ def jitter(scene: Scene, shift: float, library: Library) -> Scene | None:
     Returns:
         None if every draw made something tip, slide on or creep.
     """
-    specs = [library[placed.object_id] for placed in scene.objects]
-    stage = Stage(specs, library, ())
+    stage = Restaged.of(scene, library).stage
     for draw in range(DRAWS):
         reach = shift * 0.5 ** (draw // 3)
         rng = generator(scene.seed, "jitter", draw)
@@ -49,16 +49,11 @@ def jitter(scene: Scene, shift: float, library: Library) -> Scene | None:
 
 
 def _settled(scene: Scene, stage: Stage) -> Scene | None:
-    poses = {place: placed.pose for place, placed in enumerate(scene.objects, start=1)}
+    bare = Restaged(scene, stage)
     try:
-        rest = stage.settle(poses)
+        return bare.moved(stage.settle(bare.poses))
     except Rejected:
         return None
-    objects = tuple(
-        PlacedObject(placed.instance, placed.object_id, rest[place])
-        for place, placed in enumerate(scene.objects, start=1)
-    )
-    return Scene(scene.seed, scene.table, objects)
 
 
 def _is_same(before: Scene, after: Scene, reach: float) -> bool:

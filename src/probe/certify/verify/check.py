@@ -11,6 +11,7 @@ from probe.certify.build import without_notes
 from probe.certify.first_look import look_at
 from probe.certify.generate import generate
 from probe.certify.observer import observe
+from probe.certify.restaged import CREEP
 from probe.certify.result import Candidate, Rejected
 from probe.certify.solve import solves_as_noted, trials
 from probe.certify.verify.anew import Anew
@@ -21,9 +22,6 @@ from probe.certify.verify.verdict import Verdict
 from probe.render.renderer import Renderer
 from probe.tasks.suite_file import digest_of
 from probe.tasks.task import Task
-
-_CREEP = 0.001
-"""Metres that anything may move while it is at rest."""
 
 
 @dataclass(frozen=True)
@@ -100,9 +98,9 @@ def rebuild_problem(
 
 def _unrest(anew: Anew) -> Iterator[str]:
     try:
-        creep = anew.creep()
+        creep = anew.restaged.creep()
     except Rejected as failure:
         yield str(failure)
         return
-    if creep > _CREEP:
+    if creep > CREEP:
         yield f"something moves by {1000 * creep:.1f} mm"

@@ -1,0 +1,60 @@
+"""A finished scene on a stage of its own: as an episode finds it, without what built it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.certify.stage import Poses, Stage
+from probe.scene.scene import PlacedObject, Scene
+from probe.types import Pose
+
+CREEP = 0.001
+"""Metres that anything may move while a finished scene is checked to be at rest."""
+
+
+@dataclass(frozen=True, eq=False)
+class Restaged:
+    """A scene and its physics; the stage numbers things from 1 in the scene's order."""
+
+    scene: Scene
+    stage: Stage
+
+    @staticmethod
+    def of(scene: Scene, library: Library) -> Restaged:
+        """Build the stage."""
+        specs = [library[placed.object_id] for placed in scene.objects]
+        return Restaged(scene, Stage(specs, library, ()))
+
+    @property
+    def poses(self) -> Poses:
+        """Where all are."""
+        return {n: placed.pose for n, placed in enumerate(self.scene.objects, start=1)}
+
+    def places(self, *instances: int) -> list[int]:
+        """The stage's numbers of some of the scene's."""
+        numbers = [placed.instance for placed in self.scene.objects]
+        return [1 + numbers.index(instance) for instance in instances]
+
+    def moved(self, poses: Mapping[int, Pose]) -> Scene:
+        """The scene with things elsewhere, and only those that have poses."""
+        objects = tuple(
+            PlacedObject(placed.instance, placed.object_id, poses[n])
+            for n, placed in enumerate(self.scene.objects, start=1)
+            if n in poses
+        )
+        return Scene(self.scene.seed, self.scene.table, objects)
+
+    def creep(self) -> float:
+        """How far anything moves while it is checked to be at rest, metres.
+
+        Raises:
+            Rejected: It isn't at rest at all.
+        """
+        before, after = self.poses, self.stage.settle(self.poses)
+        return max(
+            float(np.abs(np.subtract(after[n].position, before[n].position)).max()) for n in before
+        )
