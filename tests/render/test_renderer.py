@@ -74,6 +74,13 @@ def test_right_is_x_and_up_is_y(loaded):
     assert np.nonzero(north)[0].mean() < 56
 
 
+def test_labels_alone_are_those_of_a_frame(loaded):
+    alone = loaded.labels(OBJECTS, top_camera())
+    frame = loaded.draw(OBJECTS, top_camera(), rgb=False)
+    assert alone.dtype == frame.labels.dtype and np.array_equal(alone, frame.labels)
+    assert set(np.unique(alone)) == {0, *(item.instance for item in OBJECTS)}
+
+
 def test_outlines_show_each_object_alone(loaded):
     camera = top_camera(512)
     outlines = loaded.outlines(OBJECTS, camera)

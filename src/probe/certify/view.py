@@ -35,9 +35,7 @@ class View:
 
     def labels(self, scene: Scene) -> Array:
         """Instance numbers, shape (h, w)."""
-        labels = self._renderer.draw(scene.objects, top_camera(), rgb=False).labels
-        assert labels is not None
-        return labels
+        return self._renderer.labels(scene.objects, top_camera())
 
     def visibility(self, scene: Scene, labels: Array, of: Collection[int]) -> dict[int, Visibility]:
         """Visibility of some instances of a scene with these labels."""

@@ -70,7 +70,8 @@ class Drawer:
         self._place(objects)
         code = _canvas(camera, (3,), np.uint8)
         self._read(camera, code, mjrf.DrawMode.DRAW_MODE_SEGMENTATION_BY_ID)
-        return code.astype(np.int32) @ np.array([1, 256, 65536], dtype=np.int32)
+        low, middle, high = (code[..., channel].astype(np.int32) for channel in range(3))
+        return low + (middle << 8) + (high << 16)
 
     def depth(self, objects: Iterable[PlacedObject], camera: Camera) -> Array:
         """Planar depth in metres, float32, shape (h, w).

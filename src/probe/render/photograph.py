@@ -33,9 +33,7 @@ def photograph(
 
 def labels_of(renderer: Renderer, scene: Scene, camera: Camera | None = None) -> Array:
     """Instance numbers of a loaded scene's picture, shape (h, w), as photograph sees it."""
-    labels = photograph(renderer, scene, rgb=False, camera=camera).labels
-    assert labels is not None
-    return labels
+    return renderer.labels(scene.objects, camera or top_camera())
 
 
 def measure(

@@ -51,6 +51,14 @@ class Draw:
 
 
 @dataclass(frozen=True)
+class Label:
+    """Draw the loaded objects' numbers alone; the answer is Labels."""
+
+    objects: tuple[PlacedObject, ...]
+    camera: Camera
+
+
+@dataclass(frozen=True)
 class Outline:
     """Draw each object as if it stood there alone; the answer is Outlines."""
 
@@ -68,11 +76,18 @@ class Drawn:
 
 
 @dataclass(frozen=True, eq=False)
+class Labels:
+    """Instance numbers, int32, shape (h, w); 0 where no object is."""
+
+    numbers: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Outlines:
     """Masks by instance, bool, shape (h, w), of each object standing alone."""
 
     masks: dict[int, Array]
 
 
-Request = Load | Draw | Outline
-Answer = Drawn | Outlines | None
+Request = Load | Draw | Label | Outline
+Answer = Drawn | Labels | Outlines | None

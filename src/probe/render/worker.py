@@ -20,7 +20,17 @@ from probe.render.light_packing import LightPacker
 from probe.render.packing import PackedMesh, pack, table_quad
 from probe.render.painters import BlenderPainter, FilamentPainter, Painter
 from probe.render.processes import Child
-from probe.render.protocol import Answer, Draw, Drawn, Load, Outline, Outlines, Request
+from probe.render.protocol import (
+    Answer,
+    Draw,
+    Drawn,
+    Label,
+    Labels,
+    Load,
+    Outline,
+    Outlines,
+    Request,
+)
 from probe.types import Array
 
 _PLAIN = Surface(np.full((1, 1, 3), 255, dtype=np.uint8))
@@ -42,6 +52,9 @@ class _Loaded:
         rgb = None if request.light is None else painter.finish()
         return Drawn(depth=depth, labels=labels, rgb=rgb)
 
+    def labels(self, request: Label) -> Labels:
+        return Labels(self._ask_labeller(request))
+
     def outlines(self, request: Outline) -> Outlines:
         return Outlines(self._ask_labeller(request))
 
@@ -49,7 +62,7 @@ class _Loaded:
         if self._labeller:
             self._labeller.stop()
 
-    def _ask_labeller(self, request: Draw | Outline):  # noqa: ANN202 - what the pipe carries
+    def _ask_labeller(self, request: Draw | Label | Outline):  # noqa: ANN202 - what the pipe carries
         self._labeller = self._labeller or Child(self._client, self._serve_labels)
         self._labeller.pipe.send(request)
         return self._labeller.pipe.recv()
@@ -59,16 +72,20 @@ class _Loaded:
         drawer = Drawer(meshes, _untextured(self.table), LightPacker().pack(AMBIENT))
         while True:
             try:
-                request: Draw | Outline = pipe.recv()
+                request: Draw | Label | Outline = pipe.recv()
             except EOFError:
                 return
             pipe.send(_label(drawer, request))
 
 
-def _label(drawer: Drawer, request: Draw | Outline) -> tuple[Array, Array] | dict[int, Array]:
+def _label(
+    drawer: Drawer, request: Draw | Label | Outline
+) -> tuple[Array, Array] | Array | dict[int, Array]:
     objects, camera = request.objects, request.camera
     if isinstance(request, Outline):
         return {item.instance: drawer.silhouette(item, camera) for item in objects}
+    if isinstance(request, Label):
+        return drawer.labels(objects, camera)
     return drawer.depth(objects, camera), drawer.labels(objects, camera)
 
 
@@ -96,6 +113,8 @@ def serve(client: Connection, painter: Painter) -> None:
             raise ValueError("Draw before Load")
         elif isinstance(request, Draw):
             answer = loaded.draw(request, painter)
+        elif isinstance(request, Label):
+            answer = loaded.labels(request)
         else:
             answer = loaded.outlines(request)
         client.send(answer)
