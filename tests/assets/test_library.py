@@ -8,7 +8,7 @@ import pytest
 
 from probe.assets.library import Library, open_library, warm
 from probe.assets.packing import pack_body, unpack_body
-from probe.assets.procedural_pool import recipe
+from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, UnknownName
 
@@ -91,7 +91,7 @@ def test_packing_loses_nothing(library):
 
 
 def test_the_recipe_is_stable_within_a_version():
-    assert recipe() == recipe()
+    assert recipe("probe.assets.procedural") == recipe("probe.assets.procedural")
 
 
 def test_scans_are_confirmed_ones_with_sizes(assets, cache):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from probe.assets.cache import Cache
 from probe.assets.tables import load_table, table_ids
 from probe.assets.tabletops import tops
 from probe.assets.tabletops.cloth import THREADS, Striped
@@ -51,6 +52,24 @@ def test_a_painted_table_is_the_same_each_time():
     first = load_table("slate", None)
     load_table.cache_clear()
     assert (load_table("slate", None).texture == first.texture).all()
+
+
+def test_a_painted_table_comes_out_of_the_cache_as_it_was_painted(tmp_path):
+    cache = Cache(tmp_path)
+    painted = load_table("oak_planks", None)
+    assert painted.normal is not None
+    for _ in range(2):
+        load_table.cache_clear()
+        kept = load_table("oak_planks", None, cache)
+        assert np.array_equal(kept.texture, painted.texture)
+        assert kept.normal is not None and np.array_equal(kept.normal, painted.normal)
+        numbers = (kept.id, kept.tile_size, kept.roughness, kept.metallic)
+        assert numbers == (painted.id, painted.tile_size, painted.roughness, painted.metallic)
+    (entry,) = tmp_path.glob("*/*.npz")
+    entry.write_bytes(entry.read_bytes()[:1000])
+    load_table.cache_clear()
+    again = load_table("oak_planks", None, cache)
+    assert np.array_equal(again.texture, painted.texture)
 
 
 def test_a_slope_up_the_picture_is_green():

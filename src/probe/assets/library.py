@@ -17,6 +17,7 @@ from probe.assets.mesh import Body
 from probe.assets.own_pool import own_body, own_specs
 from probe.assets.procedural_pool import procedural_body, procedural_specs
 from probe.assets.spec import ObjectSpec
+from probe.assets.tables import TableMaterial, load_table
 from probe.errors import BadData, UnknownName
 
 Pool = Literal["procedural", "scans", "own", "all"]
@@ -75,6 +76,10 @@ class Library:
         if len(self._kept) > KEPT:
             del self._kept[next(iter(self._kept))]
         return body
+
+    def table(self, table_id: str) -> TableMaterial:
+        """What a table is made of; see load_table()."""
+        return load_table(table_id, self.assets, Cache(self.cache / "tables"))
 
 
 def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None = None) -> Library:

@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from functools import cache as memo
-from importlib.resources import files
-from importlib.resources.abc import Traversable
-
-import numpy as np
-
 from probe.assets.cache import Cache, content_key
 from probe.assets.mesh import Body
 from probe.assets.packing import LAYOUT, pack_body, pack_specs, unpack_body, unpack_specs
 from probe.assets.procedural import build, specs
+from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
+
+_PACKAGE = "probe.assets.procedural"
 
 
 def procedural_specs(cache: Cache) -> tuple[ObjectSpec, ...]:
     """All procedural objects."""
-    key = content_key("procedural specs", LAYOUT, recipe())
+    key = content_key("procedural specs", LAYOUT, recipe(_PACKAGE))
     stored = cache.load(key)
     found = None if stored is None else unpack_specs(stored)
     if found is None:
@@ -33,27 +30,10 @@ def procedural_body(object_id: str, cache: Cache) -> Body:
         UnknownName: No procedural object has this id.
         OutputFailed: The cache can't be written.
     """
-    key = content_key("procedural body", LAYOUT, recipe(), object_id)
+    key = content_key("procedural body", LAYOUT, recipe(_PACKAGE), object_id)
     stored = cache.load(key)
     if stored is not None:
         return unpack_body(stored)
     body = build(object_id)
     cache.store(key, pack_body(body))
     return body
-
-
-@memo
-def recipe() -> str:
-    """Hash of all that decides what procedural objects look like: code, data, numpy."""
-    root = files("probe.assets.procedural")
-    return content_key(np.__version__, *_contents(root))
-
-
-def _contents(folder: Traversable) -> list[bytes]:
-    found: list[bytes] = []
-    for entry in sorted(folder.iterdir(), key=lambda entry: entry.name):
-        if entry.is_dir() and entry.name != "__pycache__":
-            found += _contents(entry)
-        elif entry.is_file():
-            found += [entry.name.encode(), entry.read_bytes()]
-    return found

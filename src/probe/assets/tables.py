@@ -10,7 +10,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from probe.assets.cache import Cache, content_key
 from probe.assets.mesh import Surface
+from probe.assets.recipes import recipe
 from probe.assets.tabletops import tops
 from probe.assets.tabletops.noise import normals_of
 from probe.errors import BadData, UnknownName
@@ -75,22 +77,42 @@ def table_ids(assets: Path | None) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=4)
-def load_table(id: str, assets: Path | None) -> TableMaterial:
-    """A table material by id; those drawn by formula take about a second.
+def load_table(id: str, assets: Path | None, cache: Cache | None = None) -> TableMaterial:
+    """A table material by id; those drawn by formula take half a second the first time.
+
+    Args:
+        id: Which.
+        assets: Folder of extra assets; None if only those drawn by formula are wanted.
+        cache: Keeps what is drawn by formula; None to draw it anew.
 
     Raises:
         UnknownName: No material has this id.
         BadData: Its files are broken.
+        OutputFailed: The cache can't be written.
     """
     if id in tops():
-        return _painted(id)
+        return _painted(id, cache)
     known = table_ids(assets)
     if assets is None or id not in known:
         raise UnknownName("table", id, list(known))
     return _photographed(id, assets / "textures")
 
 
-def _painted(id: str) -> TableMaterial:
+def _painted(id: str, cache: Cache | None) -> TableMaterial:
+    key = content_key("table top", recipe("probe.assets.tabletops"), id)
+    stored = cache.load(key) if cache else None
+    if stored is not None:
+        tile, rough, metallic = (float(value) for value in stored["numbers"])
+        return TableMaterial(id, stored["texture"], tile, rough, stored["normal"], metallic)
+    made = _paint(id)
+    if cache:
+        numbers = np.array([made.tile_size, made.roughness, made.metallic])
+        assert made.normal is not None
+        cache.store(key, {"texture": made.texture, "normal": made.normal, "numbers": numbers})
+    return made
+
+
+def _paint(id: str) -> TableMaterial:
     seed = int.from_bytes(hashlib.sha256(id.encode()).digest()[:8], "big")
     sheet = tops()[id].paint(np.random.default_rng(seed))
     texture = np.clip(np.round(sheet.colour), 0, 255).astype(np.uint8)

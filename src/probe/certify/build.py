@@ -8,7 +8,6 @@ from pathlib import Path
 from time import monotonic
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table
 from probe.certify.generate import generate
 from probe.certify.parts import KEPT, RESTLESS, UNSOLVED, Line, Parts, Place
 from probe.certify.plan import ATTEMPTS
@@ -122,7 +121,7 @@ def _attempt(
         return Rejection(RESTLESS, restless), ()
     if workshop.unchecked:
         return result, ()
-    table = load_table(result.task.scene.table, workshop.library.assets)
+    table = workshop.library.table(result.task.scene.table)
     return result, trials(result.task, workshop.library, table, workshop.renderer)
 
 

@@ -10,7 +10,6 @@ from scipy import ndimage
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.assets.tables import load_table
 from probe.certify.palettes import shades
 from probe.perception.oracle import Oracle
 from probe.perception.scene_graph import Contact, Relation
@@ -78,7 +77,7 @@ class FirstLook:
 
 def look_at(task: Task, library: Library, renderer: Renderer) -> FirstLook:
     """Look at a task's table as an agent's first picture shows it; replaces what was loaded."""
-    table = load_table(task.scene.table, library.assets)
+    table = library.table(task.scene.table)
     load_scene(renderer, task.scene, library, table)
     shares = {number: seen.fraction for number, seen in measure(renderer, task.scene).items()}
     frame = replace(photograph(renderer, task.scene), shares=shares)
@@ -88,7 +87,7 @@ def look_at(task: Task, library: Library, renderer: Renderer) -> FirstLook:
 
 def visible_areas(task: Task, library: Library, renderer: Renderer) -> dict[str, int]:
     """Pixels that show of the thing at each mark; replaces what was loaded."""
-    load_scene(renderer, task.scene, library, load_table(task.scene.table, library.assets))
+    load_scene(renderer, task.scene, library, library.table(task.scene.table))
     labels = labels_of(renderer, task.scene)
     spots = {mark.letter: labels[mark.point[::-1]] for mark in task.marks}
     return {letter: int(np.count_nonzero(labels == spot)) for letter, spot in spots.items()}

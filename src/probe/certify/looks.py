@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table
 from probe.certify.palettes import shades
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
@@ -22,7 +21,7 @@ class Looks:
     """Pictures of a scene and of its things alone; replaces what the renderer had loaded."""
 
     def __init__(self, renderer: Renderer, scene: Scene, labels: Array, library: Library) -> None:
-        load_scene(renderer, scene, library, load_table(scene.table, library.assets))
+        load_scene(renderer, scene, library, library.table(scene.table))
         self.lights = [light.name for light in LIGHTS]
         self._lit = {light.name: light_of(light, library.assets) for light in LIGHTS}
         self._renderer = renderer

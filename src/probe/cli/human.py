@@ -13,7 +13,6 @@ from typing import Annotated
 import tyro
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table
 from probe.cli.surroundings import cache_folder, everything
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records
@@ -99,7 +98,7 @@ class Workshop:
 
             def set_table(task: Task, name: str, run: int) -> Episode:
                 with self._lock:
-                    top = load_table(task.scene.table, self.things.assets)
+                    top = self.things.table(task.scene.table)
                     return open_episode(task, name, self.things, top, renderer, run, self.noise)
 
             yield set_table

@@ -10,7 +10,7 @@ import tyro
 from rich.progress import track
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table, table_ids
+from probe.assets.tables import table_ids
 from probe.cli.surroundings import Pool, assets_folder, cache_folder, library
 from probe.files import encode, write_bytes, write_picture
 from probe.render.illumination import Illumination
@@ -91,7 +91,7 @@ def _settle(seed: int, things: Library, count: int, pile: Pile) -> Scene:
 def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> dict[int, Visibility]:
     """Draw one scene and write its files; the scene comes last and so marks a complete folder."""
     renderer, camera = studio.renderer, studio.camera
-    load_scene(renderer, settled, things, load_table(settled.table, assets_folder()))
+    load_scene(renderer, settled, things, things.table(settled.table))
     frame = photograph(renderer, settled, camera=camera, light=studio.light)
     assert frame.rgb is not None and frame.labels is not None
     write_picture(folder / "picture.png", frame.rgb)

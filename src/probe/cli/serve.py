@@ -7,7 +7,6 @@ from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table
 from probe.cli.surroundings import everything
 from probe.doors.session import Session
 from probe.doors.words import question_text
@@ -74,4 +73,4 @@ def _open(suite: Suite, things: Library, renderer: Renderer, agent: str) -> Epis
     """Set the table of a suite's only task."""
     check_objects(suite, things)
     (task,) = suite.tasks
-    return open_episode(task, agent, things, load_table(task.scene.table, things.assets), renderer)
+    return open_episode(task, agent, things, things.table(task.scene.table), renderer)

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table
 from probe.render.photograph import labels_of, load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import top_camera
@@ -50,7 +49,7 @@ class OracleView:
 
 def oracle_view(task: Task, library: Library, renderer: Renderer) -> OracleView:
     """Draw a task's evidence; replaces what the renderer had loaded."""
-    load_scene(renderer, task.scene, library, load_table(task.scene.table, library.assets))
+    load_scene(renderer, task.scene, library, library.table(task.scene.table))
     first = photograph(renderer, task.scene)
     assert first.rgb is not None
     removed = tuple(sorted(vanishing(task, renderer)))

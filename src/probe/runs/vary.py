@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table, table_ids
+from probe.assets.tables import table_ids
 from probe.certify.marked import widest
 from probe.certify.result import Rejected
 from probe.episodes.conditions import Conditions
@@ -69,7 +69,7 @@ def _seen_anew(
 ) -> Varied:
     """Measured in the new view, with marks where they belong in it."""
     task, camera = made.task, camera_of(made.task, conditions.camera)
-    load_scene(renderer, task.scene, library, load_table(task.scene.table, library.assets))
+    load_scene(renderer, task.scene, library, library.table(task.scene.table))
     notes = [made.note, broken_rule(task, measure(renderer, task.scene, camera))]
     if task.marks:
         labels = labels_of(renderer, task.scene, camera)

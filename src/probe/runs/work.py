@@ -9,7 +9,6 @@ from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table
 from probe.episodes.files import line_of
 from probe.episodes.grading import question_of
 from probe.episodes.play import play
@@ -69,7 +68,7 @@ class Workplace:
                 self.agent_of(order.agent, task, job.run, things, renderer),
                 order.agent,
                 things,
-                load_table(task.scene.table, things.assets),
+                things.table(task.scene.table),
                 renderer,
                 job.run,
                 order.noise,

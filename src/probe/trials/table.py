@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table, table_ids
+from probe.assets.tables import table_ids
 from probe.perception.oracle import SEEN_PX, SEEN_SHARE
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
@@ -51,7 +51,7 @@ def lay(seed: int, tool: str, things: Library, renderer: Renderer) -> Laid:
         Unsatisfiable: Nothing settles from this seed.
     """
     scene = make_scene(seed, things, table_ids(things.assets))
-    load_scene(renderer, scene, things, load_table(scene.table, things.assets))
+    load_scene(renderer, scene, things, things.table(scene.table))
     world = World(scene, things)
     frame = SimulatedStation(world, renderer).observe(rgb=tool == "push")
     rng = generator(seed, "trials", tool)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from probe.assets.library import Library
-from probe.assets.tables import TableMaterial, load_table
+from probe.assets.tables import TableMaterial
 from probe.certify.build import without_notes
 from probe.certify.first_look import look_at
 from probe.certify.generate import generate
@@ -46,7 +46,7 @@ def check(task: Task, library: Library, renderer: Renderer, depth: Depth) -> Ver
     }
     untrue = list(truth_problems(task, anew))
     problems["at rest"] = tuple(_unrest(anew))
-    table = load_table(task.scene.table, library.assets)
+    table = library.table(task.scene.table)
     played = reachable = 0
     if depth.history:
         for record in histories(task, library, table, renderer):
