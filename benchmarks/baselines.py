@@ -41,6 +41,9 @@ RULES: tuple[AgentName, ...] = (
 """All but the question-only one, which first has to learn from training tasks."""
 
 
+BEGIN, END = "<!-- benchmarks/baselines.py -->", "<!-- end of table -->"
+
+
 @dataclass(frozen=True)
 class Entry:
     """A row of the table: who, on what, how its hand errs."""
@@ -57,10 +60,11 @@ class Entry:
 
 def main(
     out: Path = Path("outputs/baselines"),
-    suite: str = "demo",
-    unfiltered: str | None = None,
+    suite: str = "v1",
+    unfiltered: str | None = "v1-unfiltered",
     agents: tuple[AgentName, ...] = ("scripted", *RULES),
     workers: int = 2,
+    into: tuple[Path, ...] = (),
 ) -> None:
     """Run agents without a model and print a table of what they reach.
 
@@ -70,6 +74,7 @@ def main(
         unfiltered: Another for the scripted agent.
         agents: Which.
         workers: Processes.
+        into: Pages whose table, between their marks, is replaced by this one.
     """
     wanted = list[Entry]()
     for agent in agents:
@@ -80,7 +85,19 @@ def main(
         row(entry, card_of(find_suite(entry.suite), entry, out / entry.folder, workers))
         for entry in wanted
     ]
-    print("\n".join([*head(), *rows]))
+    table = "\n".join([*head(), *rows])
+    print(table)
+    for page in into:
+        replace_table(page, table)
+
+
+def replace_table(page: Path, table: str) -> None:
+    """Put a table between the marks of a page."""
+    before, begin, rest = page.read_text().partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not end:
+        raise SystemExit(f"{page} has no place for the table: {BEGIN} ... {END}")
+    page.write_text(f"{before}{begin}\n{table}\n{end}{after}")
 
 
 def card_of(suite: Suite, entry: Entry, folder: Path, workers: int) -> Scorecard:

@@ -16,6 +16,7 @@ from probe.agents.reading import (
     read_handle,
     worked,
 )
+from probe.agents.texts import is_none
 from probe.episodes.turns import Call, Question
 from probe.scene.layout import PICTURE_PX, VIEW_SIZE
 
@@ -57,7 +58,7 @@ def answer(letter: str, point: tuple[int, int] | None = None) -> Plan[None]:
 
 def none_of_them(question: Question) -> str | None:
     """Letter of "None of the above", if it is an option."""
-    letters = [letter for letter, text in question.options if text.lower().startswith("none")]
+    letters = [letter for letter, text in question.options if is_none(text)]
     return letters[0] if letters else None
 
 

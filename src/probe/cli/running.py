@@ -6,17 +6,10 @@ from contextlib import closing
 from functools import partial
 from pathlib import Path
 
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TextColumn,
-    TimeElapsedColumn,
-    TimeRemainingColumn,
-    track,
-)
+from rich.progress import track
 
 from probe.assets.library import Library, open_library
+from probe.cli.bars import bar
 from probe.cli.surroundings import cache_folder
 from probe.episodes.conditions import Conditions
 from probe.episodes.folder import RECORDS
@@ -27,8 +20,6 @@ from probe.runs.variation import Variation, earlier, keep_varied, read_variation
 from probe.runs.vary import changes_scenes, vary
 from probe.runs.work import AgentOf, Workplace
 from probe.tasks.suite import Suite, check_objects
-
-_HOUR = 3600.0
 
 
 def run_order(
@@ -55,17 +46,17 @@ def run_order(
     place = Workplace(order, library, agent_of, cache_folder() / "light")
     with begun(out, suite, order) as beginning:
         _tell(beginning, out)
-        with _bar() as bar, closing(work(out, beginning.jobs, place, workers)) as results:
+        with bar() as progress, closing(work(out, beginning.jobs, place, workers)) as results:
             doing = f"{order.agent} at work"
             total = len(beginning.jobs) + beginning.done
-            line = bar.add_task(doing, total=total, completed=beginning.done)
+            line = progress.add_task(doing, total=total, completed=beginning.done)
             faults = 0
             for job, fault in results:
                 if fault is not None:
                     faults += 1
-                    bar.console.print(f"{job.task.id}, run {job.run} is missing: {fault}")
+                    progress.console.print(f"{job.task.id}, run {job.run} is missing: {fault}")
                 more = f", {faults} missing" if faults else ""
-                bar.update(line, advance=1, description=doing + more)
+                progress.update(line, advance=1, description=doing + more)
 
 
 def _varied(base: Suite, conditions: Conditions, things: Library, out: Path) -> Suite:
@@ -82,19 +73,6 @@ def _varied(base: Suite, conditions: Conditions, things: Library, out: Path) -> 
         print(f"{task}: {note}")
     print(f"{len(notes)} of {len(base.tasks)} tasks are no longer what was certified; all are run.")
     return suite
-
-
-def _bar() -> Progress:
-    return Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-        TextColumn("left"),
-        TimeRemainingColumn(),
-        # Episodes take minutes; a rate over half a minute would know of none.
-        speed_estimate_period=_HOUR,
-    )
 
 
 def _tell(beginning: Beginning, out: Path) -> None:

@@ -8,12 +8,12 @@ from typing import Annotated
 
 import tyro
 from rich.console import Console
-from rich.progress import MofNCompleteColumn, Progress, TimeElapsedColumn
 from rich.table import Table
 
 from probe.assets.library import Library
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
 from probe.certify.parts import Line, Parts, Place
+from probe.cli.bars import bar
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.suite_certify import certify
@@ -89,13 +89,12 @@ def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
 
 
 def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
-    columns = (*Progress.get_default_columns(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns) as progress:
-        bar = progress.add_task("Building", total=len(places))
+    with bar() as progress:
+        line = progress.add_task("Building", total=len(places))
         for place in places:
-            for line in fill(place, parts, workshop):
-                progress.update(bar, description=f"{place.kind} {place.episode}: {line.check}")
-            progress.advance(bar)
+            for tried in fill(place, parts, workshop):
+                progress.update(line, description=f"{place.kind} {place.episode}: {tried.check}")
+            progress.advance(line)
 
 
 def _finish(

@@ -9,13 +9,13 @@ from typing import Annotated
 
 import tyro
 from rich.console import Console
-from rich.progress import MofNCompleteColumn, Progress, TimeElapsedColumn
 from rich.table import Table
 
 from probe.assets.library import Library
 from probe.certify.verify.balance import balances
 from probe.certify.verify.check import Depth, check, rebuild_problem
 from probe.certify.verify.verdict import CHECKS, Verdict, read_verdict, write_verdict
+from probe.cli.bars import bar
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import Pool, everything, library, tables_for
 from probe.errors import ProbeError
@@ -85,9 +85,8 @@ def _verdicts(
     solve: bool,
     played: set[str],
 ) -> list[Verdict]:
-    columns = (*Progress.get_default_columns(), MofNCompleteColumn(), TimeElapsedColumn())
     verdicts: list[Verdict] = []
-    with Progress(*columns) as progress:
+    with bar() as progress:
         for task in progress.track(tasks, description="Verifying"):
             path = folder / f"{task.id}.json"
             depth = Depth(solve=solve, history=task.id in played)
