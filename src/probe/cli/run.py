@@ -31,7 +31,7 @@ def run(
     """Let an agent work on every task of a suite; goes on where an earlier run stopped.
 
     Args:
-        suite: One of the package ("demo"), or a file that `probe suite build` wrote.
+        suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
         agent: Who acts; none of these needs a model.
         out: Folder for the records.
         runs: Episodes of each task.

@@ -79,7 +79,7 @@ def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     """List a suite's questions. Answers are shown: don't paste this to a model.
 
     Args:
-        suite: One of the package ("demo"), or a file that `probe suite build` wrote.
+        suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
     """
     table = Table("task", "type", "question", "options", "answer")
     for task in find_suite(suite).tasks:
