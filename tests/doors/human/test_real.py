@@ -21,7 +21,7 @@ from probe.episodes.turns import Turn
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.tasks.suite import selection
-from probe.tasks.suite_file import demo_suite, write_suite
+from probe.tasks.suite_file import packaged_suite, write_suite
 from probe.toolshed.result import ToolResult
 
 pytestmark = [
@@ -29,8 +29,9 @@ pytestmark = [
     pytest.mark.skipif(chromium() is None, reason="there is no Chromium"),
 ]
 
-TASKS = tuple({task.kind: task for task in demo_suite().tasks}.values())
-"""The last of each type."""
+V1 = packaged_suite("v1")
+TASKS = tuple({task.kind: task for task in reversed(V1.tasks)}.values())[::-1]
+"""The first of each type."""
 
 
 @pytest.fixture
@@ -39,7 +40,7 @@ def server(cache, tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(cache.parent))
     monkeypatch.delenv("PROBE_ASSETS", raising=False)
     suite = tmp_path / "some.json"
-    write_suite(suite, selection(demo_suite(), TASKS, "some"))
+    write_suite(suite, selection(V1, TASKS, "some"))
     told = ("human", str(suite), "--out", str(tmp_path / "out"), "--port", "0")
     command = [sys.executable, "-m", "probe", *told]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=os.environ) as process:
