@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -91,10 +91,8 @@ def _edges(number: Array, frame: Frame) -> dict[tuple[int, int], _Edge]:
         h, w = number.shape
         here, there = number[: h - down, : w - across], number[down:, across:]
         rows, columns = np.nonzero(here != there)
-        pairs = np.column_stack([here[rows, columns], there[rows, columns]])
         rise = _heights(frame, rows, columns) - _heights(frame, rows + down, columns + across)
-        for one, other in np.unique(pairs, axis=0).tolist():
-            chosen = rise[(pairs == (one, other)).all(axis=1)]
+        for one, other, chosen in _by_pair(here[rows, columns], there[rows, columns], rise):
             steps[one, other].append(chosen)
             steps[other, one].append(-chosen)
     return {
@@ -102,6 +100,16 @@ def _edges(number: Array, frame: Frame) -> dict[tuple[int, int], _Edge]:
         pair: _Edge(sum(map(len, parts)) // _REACH_PX, float(np.median(np.concatenate(parts))))
         for pair, parts in steps.items()
     }
+
+
+def _by_pair(ones: Array, others: Array, values: Array) -> Iterator[tuple[int, int, Array]]:
+    """Values by their pair of numbers; all of shape (n,)."""
+    order = np.lexsort((others, ones))
+    ones, others, values = ones[order], others[order], values[order]
+    changes = np.flatnonzero((np.diff(ones) != 0) | (np.diff(others) != 0)) + 1
+    for part in np.split(np.arange(len(order)), changes):
+        if len(part):
+            yield int(ones[part[0]]), int(others[part[0]]), values[part]
 
 
 def _heights(frame: Frame, rows: Array, columns: Array) -> Array:
