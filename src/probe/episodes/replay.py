@@ -24,6 +24,7 @@ _FIELDS = (
     "noise",
     "conditions",
     "sight",
+    "seat",
 )
 _PARTS = ("call", "status", "text", "point_px", "after")
 
@@ -57,7 +58,13 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> Episo
         agent_name=record.agent,
         run=record.run,
     )
-    return replace(again, noise=record.noise, conditions=record.conditions, sight=record.sight)
+    return replace(
+        again,
+        noise=record.noise,
+        conditions=record.conditions,
+        sight=record.sight,
+        seat=record.seat,
+    )
 
 
 def differences(first: EpisodeRecord, second: EpisodeRecord) -> list[str]:

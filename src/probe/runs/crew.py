@@ -56,7 +56,7 @@ class _Worker(Generic[Job]):
 
 
 def carry_out(
-    opening: Opening[Job], jobs: Sequence[Job], workers: int
+    opening: Opening[Job, bytes], jobs: Sequence[Job], workers: int
 ) -> Generator[tuple[Job, bytes | Lost]]:
     """Do jobs in worker processes; yields each with what came of it, as it is known.
 
@@ -80,7 +80,7 @@ def carry_out(
 
 
 class _Crew(Generic[Job]):
-    def __init__(self, opening: Opening[Job], waiting: deque[tuple[Job, int]]) -> None:
+    def __init__(self, opening: Opening[Job, bytes], waiting: deque[tuple[Job, int]]) -> None:
         self.workers: list[_Worker[Job]] = []
         self._opening = opening
         self._waiting = waiting
