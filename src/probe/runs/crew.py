@@ -134,7 +134,7 @@ class _Crew(Generic[Job]):
     def _bury(self, worker: _Worker[Job]) -> tuple[Job, Lost] | None:
         """Replace a dead worker; its job is begun anew, or lost."""
         self._part_with(worker)
-        how = _death(worker.process.exitcode)
+        how = death(worker.process.exitcode)
         job = worker.job
         if job is None:
             self._stillborn += 1
@@ -157,7 +157,8 @@ class _Crew(Generic[Job]):
             worker.process.join()
 
 
-def _death(exitcode: int | None) -> str:
+def death(exitcode: int | None) -> str:
+    """How a process ended, in words that follow "a process"."""
     if exitcode is None or exitcode >= 0:
         return f"ended with status {exitcode}"
     return f"was killed by signal {-exitcode} ({signal.Signals(-exitcode).name})"
