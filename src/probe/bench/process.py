@@ -41,7 +41,8 @@ class TableProcess:
         self._limiter = limiter
         self._pipe, theirs = _SPAWN.Pipe()
         self._asking, asking = _SPAWN.Pipe()
-        told = replace(place, asking=cast("Connection", asking) if pointing else None)
+        told = replace(place, asking=cast("Connection", asking)) if pointing else place
+        self._pipes = [self._pipe, self._asking] if pointing else [self._pipe]
         self._process: BaseProcess = _SPAWN.Process(target=serve, args=(told, theirs), daemon=True)
         self._process.start()
         theirs.close()
@@ -95,10 +96,8 @@ class TableProcess:
             raise TableDied(self._how()) from error
 
     def _hear(self) -> object:
-        said = wait([self._pipe, self._asking])
-        # The far end of the second pipe is closed where no model points.
-        pipe = self._pipe if self._pipe in said else self._asking
-        return pipe.recv()
+        said = wait(self._pipes)
+        return (self._pipe if self._pipe in said else self._asking).recv()
 
     def _how(self) -> str:
         self._process.join(5.0)

@@ -44,7 +44,7 @@ def begun(out: Path, suite: Suite, order: Order) -> Generator[Beginning]:
         OutputFailed: It can't be written.
     """
     _check_suite(out, suite)
-    _check_settings(out / RECORDS, _earlier(out), order)
+    check_settings(out / RECORDS, _earlier(out), order)
     if not (out / SUITE).exists():
         write_suite(out / SUITE, suite)
     with reserved(out):
@@ -81,7 +81,12 @@ def _check_suite(out: Path, suite: Suite) -> None:
         raise BadData(out / SUITE, "is another suite", "Choose another folder")
 
 
-def _check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) -> None:
+def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) -> None:
+    """See that records were made under the conditions of an order.
+
+    Raises:
+        BadData: They weren't.
+    """
     for record in earlier:
         if record.noise != order.noise:
             raise BadData(path, "was run with another noise", "Choose another folder")
