@@ -68,9 +68,7 @@ async def _carried_out(
         if came[-1].ended:
             break
     listener.replies.append(Reply(len(came)))
-    results = [
-        result_message(call, told, points) for call, told in zip(calls, came, strict=False)
-    ]
+    results = [result_message(call, told, points) for call, told in zip(calls, came, strict=False)]
     order = pictureless_first([told.picture for told in came])
     listener.messages += [results[index] for index in order]
     return came[-1].ended

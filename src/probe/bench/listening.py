@@ -69,7 +69,9 @@ class Listener:
             output = await self._model.generate(
                 self.messages,
                 tools=self._tools,
-                config=GenerateConfig(parallel_tool_calls=False) if self._tools else GenerateConfig(),
+                config=GenerateConfig(parallel_tool_calls=False)
+                if self._tools
+                else GenerateConfig(),
                 cache=self._cache,
             )
         except LimitExceededError:
@@ -78,7 +80,9 @@ class Listener:
             self._note_retries()
             reason = f"reply {self._asked}: {type(error).__name__}: {_short(error)}"
             self.faults.append(reason)
-            raise ModelFailed(f"{self._model.name} gave no reply {self._asked}: {reason}") from error
+            raise ModelFailed(
+                f"{self._model.name} gave no reply {self._asked}: {reason}"
+            ) from error
         self._note_retries()
         self._count(output)
         return output.message

@@ -77,9 +77,7 @@ class Plan:
         """
         arm = f"{self.arm}, pointer {pointer}" if pointer else self.arm
         agent = self.called or model
-        return Order(
-            agent, self.epochs, self.noise, self.conditions, arm=arm, points=self.points
-        )
+        return Order(agent, self.epochs, self.noise, self.conditions, arm=arm, points=self.points)
 
 
 Done = Mapping[tuple[str, int], bytes]

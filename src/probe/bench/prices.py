@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pydantic
 import yaml
-from inspect_ai.model import ModelUsage
 
 from probe.errors import BadData
 from probe.files import fault
+
+if TYPE_CHECKING:
+    from inspect_ai.model import ModelUsage
 
 _REMEDY = "See docs/models.md for its form"
 _MILLION = 1e6

@@ -43,10 +43,12 @@ class Seating:
 
     Args:
         plan: What is run.
+        place_of: Makes what each table's process is told.
     """
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, place_of: type[TablePlace] = TablePlace) -> None:
         self._plan = plan
+        self._place_of = place_of
         self._tasks = {task.id: task for task in plan.tasks}
         self._lock: Lock | None = None
         self._tables: Tables | None = None
@@ -93,7 +95,7 @@ class Seating:
                 plan = self._plan
                 order = plan.order(str(model), self._pointer_name(model))
                 self._done, self._replies = await run_sync(take_up, plan, order)
-                place = TablePlace(order, plan.library, plan.cache, convention=plan.convention)
+                place = self._place_of(order, plan.library, plan.cache, convention=plan.convention)
                 pointing = plan.pointer != "oracle"
                 self._tables = Tables(place, plan.workers, pointing=pointing)
                 self._order = order

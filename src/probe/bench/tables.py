@@ -8,12 +8,12 @@ from contextlib import asynccontextmanager
 from anyio import CapacityLimiter, Semaphore
 
 from probe.bench.process import AskPointer, TableDied, TableProcess
+from probe.episodes.turns import Call
 from probe.errors import ProbeError
 from probe.runs.crew import TRIES
 from probe.runs.plan import Job
 from probe.runs.table import TablePlace
 from probe.runs.table_talk import Broken, Grade, Leave, Left, Request, Response, Shown, Sit, Told
-from probe.episodes.turns import Call
 
 
 class TableLost(ProbeError):

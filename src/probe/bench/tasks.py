@@ -125,7 +125,7 @@ def _task(
 
 
 def _folders() -> tuple[Path | None, Path]:
-    """Of assets and of the cache, by the same variables as the command's: `inspect` is run alone."""
+    """Of assets and of the cache, by the variables of the command: `inspect` is run without it."""
     assets = os.environ.get("PROBE_ASSETS")
     cache = os.environ.get("XDG_CACHE_HOME")
     home = Path(cache) if cache else Path.home() / ".cache"

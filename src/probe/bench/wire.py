@@ -7,8 +7,15 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from inspect_ai.model import ChatMessage, ChatMessageSystem, ChatMessageTool, ChatMessageUser
-from inspect_ai.model import Content, ContentImage, ContentText
+from inspect_ai.model import (
+    ChatMessage,
+    ChatMessageSystem,
+    ChatMessageTool,
+    ChatMessageUser,
+    Content,
+    ContentImage,
+    ContentText,
+)
 from inspect_ai.tool import ToolCall, ToolInfo, ToolParams
 
 from probe.chat.coordinates import told

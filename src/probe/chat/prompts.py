@@ -16,7 +16,7 @@ from probe.files import fault
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 
 Arm = Literal["agentic", "direct", "blind", "oracle-view"]
-"""How a model may answer: with tools; from one picture; from none; from pictures of the evidence."""
+"""How a model may answer: with tools, from one picture, none, or pictures of the evidence."""
 
 
 class _Prompts(pydantic.BaseModel, extra="forbid", frozen=True):

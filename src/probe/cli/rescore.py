@@ -49,7 +49,7 @@ def arm_of(agent: str) -> str:
 
 
 def marked(suite: str, graded: Graded, arm: str | None = None) -> Row:
-    """The row of a graded record; without a given arm, it is the record's or its agent's usual one."""
+    """The row of a graded record; without a given arm, in the record's or its agent's usual one."""
     task, record, score = graded
     return row_of(task, record, score, suite=suite, arm=arm or record.arm or arm_of(record.agent))
 

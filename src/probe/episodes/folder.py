@@ -44,7 +44,7 @@ def add_line(out: Path, line: bytes) -> None:
 
 
 def in_order(records: Iterable[EpisodeRecord], suite: Suite) -> list[EpisodeRecord]:
-    """Records by task, agent, arm and run, however they were written; faults before their repetition."""
+    """Records by task, agent, arm and run, in any order before; faults before their repetition."""
     places = {task.id: place for place, task in enumerate(suite.tasks)}
 
     def place(record: EpisodeRecord) -> tuple[int, str, str, str, int, bool]:

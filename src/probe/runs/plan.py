@@ -58,7 +58,9 @@ class Order:
     arm: str = ""
     points: Points = "pixels"
 
-    def jobs(self, tasks: Sequence[Task], done: Collection[tuple[str, str, str, int]] = ()) -> list[Job]:
+    def jobs(
+        self, tasks: Sequence[Task], done: Collection[tuple[str, str, str, int]] = ()
+    ) -> list[Job]:
         """What is left to do, in order of task and run.
 
         Args:

@@ -75,10 +75,10 @@ class TablePlace:
         """Open the library and start a renderer; gives what does a request."""
         things = self.library()
         with Renderer(self.cache) as renderer:
-            yield _Table(self, things, renderer).do
+            yield TableKeeper(self, things, renderer).do
 
 
-class _Table:
+class TableKeeper:
     """One table after another; between Sit and Leave there is one."""
 
     def __init__(self, place: TablePlace, things: Library, renderer: Renderer) -> None:
@@ -110,8 +110,14 @@ class _Table:
         self._job, self._episode = job, None
         if self._arm != "agentic":
             return Shown(tuple(map(jpeg, self._stills(job))))
+        self._episode = self._open(job)
+        picture = self._episode.record.question.picture
+        assert picture is not None
+        return Shown((jpeg(picture),))
+
+    def _open(self, job: Job) -> Episode:
         order, task = self._order, job.task
-        self._episode = open_episode(
+        return open_episode(
             task,
             order.agent,
             self._things,
@@ -123,9 +129,6 @@ class _Table:
             sight_of(task, order.conditions, self._things.assets),
             self._perceiver(),
         )
-        picture = self._episode.record.question.picture
-        assert picture is not None
-        return Shown((jpeg(picture),))
 
     def _stills(self, job: Job) -> Sequence[Array]:
         """What a model without tools is shown."""
