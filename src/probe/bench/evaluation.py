@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from dataclasses import dataclass
 from typing import Literal
 
@@ -12,6 +13,7 @@ from probe.bench.harness import harness_task
 from probe.bench.plan import Plan
 from probe.bench.scoring import MISSING
 from probe.bench.seating import ROLE, Seating
+from probe.episodes.folder import reserved, start_folder
 from probe.errors import ModelFailed
 
 LOGS = "logs"
@@ -44,18 +46,17 @@ def evaluate(plan: Plan, chosen: Chosen, display: Literal["rich", "plain", "none
         BadData: The folder is about something else.
         OutputFailed: It can't be written.
     """
-    seating = Seating(plan)
-    try:
+    seating, model = Seating(plan), _model(chosen)
+    start_folder(plan.out, plan.suite)
+    with reserved(plan.out), closing(seating):
         (log,) = run_harness(
             harness_task(plan, seating),
-            model=_model(chosen),
+            model=model,
             model_roles={ROLE: chosen.pointer} if chosen.pointer else {},
             display=display,
             log_dir=str(plan.out / LOGS),
             max_samples=plan.workers,
         )
-    finally:
-        seating.close()
     scores = [sample.scores or {} for sample in log.samples or []]
     good = sum(1 for each in scores if each and each["probe"].value != MISSING)
     return len(plan.tasks) * plan.epochs - good

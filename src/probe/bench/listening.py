@@ -22,6 +22,9 @@ from probe.bench.prices import Price, cost_of, tokens_in
 from probe.episodes.seat import Points, Reply, Seat
 from probe.errors import ModelFailed
 
+_LONGEST = 200
+"""Characters of what a server says that a record keeps."""
+
 _ODD_STOPS = {
     "content_filter": "refused by the server's filter",
     "max_tokens": "cut off after the most tokens allowed",
@@ -65,6 +68,7 @@ class Listener:
             ModelFailed: No reply came, however often it was tried.
         """
         self._asked += 1
+        seen = len(transcript().events)
         try:
             output = await self._model.generate(
                 self.messages,
@@ -77,13 +81,12 @@ class Listener:
         except LimitExceededError:
             raise
         except Exception as error:  # whatever a provider's client may raise
-            self._note_retries()
-            reason = f"reply {self._asked}: {type(error).__name__}: {_short(error)}"
-            self.faults.append(reason)
-            raise ModelFailed(
-                f"{self._model.name} gave no reply {self._asked}: {reason}"
-            ) from error
-        self._note_retries()
+            self._note_retries(seen)
+            reason = f"{type(error).__name__}: {_said(error)}"
+            self._fault(f"none, {reason}")
+            name = self._model.name
+            raise ModelFailed(f"{name} gave no reply {self._asked}: {reason}") from error
+        self._note_retries(seen)
         self._count(output)
         return output.message
 
@@ -122,18 +125,20 @@ class Listener:
         if cost is not None:
             self._cost = (self._cost or 0.0) + cost
 
-    def _note_retries(self) -> None:
-        """The harness tries again on its own; how often is in its own log alone."""
-        for event in reversed(transcript().events):
-            if isinstance(event, ModelEvent):
-                if event.retries:
-                    times = "once" if event.retries == 1 else f"{event.retries} times"
-                    self._fault(f"the server failed {times} before")
-                return
+    def _note_retries(self, seen: int) -> None:
+        """The harness tries again on its own; what failed is in its own log alone."""
+        events = transcript().events[seen:]
+        failed = [event.error for event in events if isinstance(event, ModelEvent) and event.error]
+        if failed:
+            times = "once" if len(failed) == 1 else f"{len(failed)} times"
+            self._fault(f"the server failed {times}: {' '.join(failed[-1].split())[:_LONGEST]}")
 
     def _fault(self, what: str) -> None:
         self.faults.append(f"reply {self._asked}: {what}")
 
 
-def _short(error: Exception) -> str:
-    return " ".join(str(error).split())[:300]
+def _said(error: Exception) -> str:
+    """What a server said; the harness's own words begin with the whole request."""
+    words = getattr(error, "provider_message", None) or str(error)
+    status = getattr(error, "status_code", None)
+    return " ".join(f"{status or ''} {words}".split())[:_LONGEST]
