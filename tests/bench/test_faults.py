@@ -86,10 +86,10 @@ def test_faults_are_in_the_records(played):
     _, records, script = played
     assert records[DOWN.id].end == "fault"
     assert "no reply 1" in records[DOWN.id].fault
-    assert script.hits[DOWN.id] == 2
+    assert script.hits[DOWN.id] >= 2
     for task in (FIRST, SLOW):
         (fault,) = records[task.id].seat.faults
-        assert fault.startswith("reply 1: the server failed once: ")
+        assert fault.startswith("reply 1: the server failed once")
     assert records[BROKEN.id].seat.faults == (
         "reply 1: find_object was called with what is no JSON",
     )

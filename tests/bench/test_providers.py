@@ -53,7 +53,9 @@ def leaves(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, 
 def is_picture(text: str) -> bool:
     data = text.partition("base64,")[2] or text
     try:
-        return base64.urlsafe_b64decode(data[:400].ljust(-(-len(data[:400]) // 4) * 4, "=")).startswith(JPEG)
+        return base64.urlsafe_b64decode(
+            data[:400].ljust(-(-len(data[:400]) // 4) * 4, "=")
+        ).startswith(JPEG)
     except ValueError:
         return False
 

@@ -49,7 +49,9 @@ def test_the_same_calls_give_the_same_bytes(tmp_path):
             for task in SUITE.tasks
         }  # fmt: skip
     library = partial(open_library, "procedural", None, tmp_path / "cache")
-    order = replace(plan(tmp_path / "out", "agentic", SUITE), library=library, cache=None, workers=1)
+    order = replace(
+        plan(tmp_path / "out", "agentic", SUITE), library=library, cache=None, workers=1
+    )
     with serving(Recited(direct)) as server:
         sit_in(replace(order, called="scripted"), server.url, TablePlace)
     for id, record in kept(tmp_path / "out").items():

@@ -51,7 +51,7 @@ def test_the_last_request_is_the_record_told(tmp_path, points):
     first, found, grasped, looked = pictures
     later = [found, None, grasped, looked, None]
     told = messages(record, [first], later)
-    assert len(told) == len(sent) + 1  # the answer comes after the last request
+    assert len(told) == len(sent) + 2  # the answer and its result come after the last request
     for ours, theirs in zip(told, sent, strict=False):
         assert ours.role == theirs["role"]
         assert ours.text == words_in(theirs["content"] or "")

@@ -21,6 +21,7 @@ from probe.toolshed.result import Answer
         ("ANSWER: Banana", None),
         ("ANSWER: X", None),
         ("ANSWER:", None),
+        ("ANSWER:\nA dog", None),
         ("", None),
         ("I might say ANSWER: B later", None),
     ],

@@ -126,12 +126,17 @@ class Listener:
             self._cost = (self._cost or 0.0) + cost
 
     def _note_retries(self, seen: int) -> None:
-        """The harness tries again on its own; what failed is in its own log alone."""
-        events = transcript().events[seen:]
-        failed = [event.error for event in events if isinstance(event, ModelEvent) and event.error]
+        """What is tried again below us is in the harness's own log alone.
+
+        A provider's client tries again within an attempt of the harness, which tries again itself.
+        """
+        events = [each for each in transcript().events[seen:] if isinstance(each, ModelEvent)]
+        reasons = [each.error for each in events if each.error]
+        failed = len(reasons) + sum(each.retries or 0 for each in events)
         if failed:
-            times = "once" if len(failed) == 1 else f"{len(failed)} times"
-            self._fault(f"the server failed {times}: {' '.join(failed[-1].split())[:_LONGEST]}")
+            times = "once" if failed == 1 else f"{failed} times"
+            why = f": {' '.join(reasons[-1].split())[:_LONGEST]}" if reasons else ""
+            self._fault(f"the server failed {times}{why}")
 
     def _fault(self, what: str) -> None:
         self.faults.append(f"reply {self._asked}: {what}")

@@ -11,7 +11,7 @@ from probe.toolshed.result import Answer
 
 _NUMBER = r"(-?\d{1,6}(?:\.\d{1,9})?)"
 _ANSWER = re.compile(
-    rf"^[\s*_#>`]*ANSWER[\s*_`]*:[\s*_`(]*([{''.join(LETTERS)}])\b[\s*_`).]*"
+    rf"^[ \t*_#>`]*ANSWER[ *_`]*:[ \t*_`(]*([{''.join(LETTERS)}])\b[ \t*_`).]*"
     rf"(?:[(\[]\s*{_NUMBER}\s*,\s*{_NUMBER}\s*[)\]])?",
     re.IGNORECASE | re.MULTILINE,
 )
