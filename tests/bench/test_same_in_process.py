@@ -16,7 +16,6 @@ from probe.assets.tables import load_table
 from probe.cli.agents import make_agent
 from probe.episodes.files import line_of
 from probe.episodes.play import play
-from probe.episodes.turns import Turn
 from probe.render.renderer import Renderer
 from probe.runs.table import TablePlace
 

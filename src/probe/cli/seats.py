@@ -119,7 +119,6 @@ def _line(when: str, found: Estimate, price: Price | None) -> str:
     if price is not None:
         dollars = found.tokens_in * price.tokens_in + found.tokens_out * price.tokens_out
         cost = f", {dollars / 1e6:,.2f} US dollars"
-    return (
-        f"{when}: {found.replies:,} replies, {found.pictures:,} pictures sent, about "
-        f"{found.tokens_in / 1e6:,.1f} million tokens in and {found.tokens_out / 1e6:,.2f} out{cost}."
-    )
+    asked = f"{found.replies:,} replies, {found.pictures:,} pictures sent"
+    tokens = f"{found.tokens_in / 1e6:,.1f} million tokens in and {found.tokens_out / 1e6:,.2f} out"
+    return f"{when}: {asked}, about {tokens}{cost}."
