@@ -9,7 +9,7 @@ import pytest
 from probe.bench.estimate import PICTURE_TOKENS, estimate
 from probe.bench.models import known_models, settings_of
 from probe.bench.prices import read_prices
-from probe.cli.seats import Seats, SeatRefused, take_seats
+from probe.cli.seats import SeatRefused, Seats, take_seats
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.luck import NO_NOISE
 from probe.errors import BadData

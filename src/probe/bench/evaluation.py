@@ -10,10 +10,10 @@ from inspect_ai import eval as run_harness
 from inspect_ai.model import Model, get_model
 
 from probe.bench.harness import harness_task
-from probe.bench.plan import Plan
+from probe.bench.plan import Plan, take_up
 from probe.bench.scoring import MISSING
 from probe.bench.seating import ROLE, Seating
-from probe.episodes.folder import reserved, start_folder
+from probe.episodes.folder import reserved
 from probe.errors import ModelFailed
 
 LOGS = "logs"
@@ -47,7 +47,8 @@ def evaluate(plan: Plan, chosen: Chosen, display: Literal["rich", "plain", "none
         OutputFailed: It can't be written.
     """
     seating, model = Seating(plan), _model(chosen)
-    start_folder(plan.out, plan.suite)
+    # Before anything is asked; each sample would raise it otherwise.
+    take_up(plan, plan.order(str(model), chosen.pointer or ""))
     with reserved(plan.out), closing(seating):
         (log,) = run_harness(
             harness_task(plan, seating),

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from probe.assets.library import Library
-from probe.bench.prices import Prices
+from probe.bench.prices import Price, Prices
 from probe.chat.prompts import Arm
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.files import line_of, read_records, set_aside_cut
@@ -65,7 +65,7 @@ class Plan:
     pointer: Pointer = "oracle"
     convention: Convention = "pixels"
     workers: int = 4
-    prices: Prices = field(default_factory=dict)
+    prices: Prices = field(default_factory=dict[str, Price])
     called: str | None = None
 
     def order(self, model: str, pointer: str) -> Order:

@@ -116,7 +116,8 @@ class Seating:
     async def _played(self, job: Job, order: Order, listener: Listener, model: Model) -> Left:
         assert self._tables is not None
         plan = self._plan
-        async with self._tables.seat(partial(self._point, model, {})) as sitting:
+        known: dict[Asked, str] = {}
+        async with self._tables.seat(partial(self._point, model, known)) as sitting:
             shown = await sitting.sit(job)
             question = question_of(job.task)
             first = opening(plan.arm, plan.points, question, shown.pictures)

@@ -7,7 +7,7 @@ from contextlib import asynccontextmanager
 
 from anyio import CapacityLimiter, Semaphore
 
-from probe.bench.process import AskPointer, TableDied, TableProcess
+from probe.bench.process import AskPointer, TableProcess
 from probe.episodes.turns import Call
 from probe.errors import ProbeError
 from probe.runs.crew import TRIES
@@ -149,6 +149,6 @@ class Sitting:
                 response = await self._process.request(request, self._ask)
                 if isinstance(response, Broken):
                     return response
-        except TableDied as error:
+        except ProbeError as error:
             return Broken(str(error))
         return response

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from inspect_ai import Task as HarnessTask
 from inspect_ai import task
@@ -40,19 +40,15 @@ def agentic(
     prices: str | None = None,
 ) -> HarnessTask:
     """Questions about a table, with the five tools to move things on it."""
-    return _task(
-        "agentic",
-        suite,
-        out,
-        epochs,
-        points,
-        workers,
-        prices,
+    plan = _plan("agentic", suite, out, epochs, points, workers, prices)
+    plan = replace(
+        plan,
         noise=NOISES[noise],
         conditions=Conditions(lighting=lighting),
         pointer=pointer,
         convention=pointing,
     )
+    return harness_task(plan)
 
 
 @task(name=f"{_SPACE}direct")
@@ -66,8 +62,8 @@ def direct(
     prices: str | None = None,
 ) -> HarnessTask:
     """The same questions, from the first picture alone."""
-    conditions = Conditions(lighting=lighting)
-    return _task("direct", suite, out, epochs, points, workers, prices, conditions=conditions)
+    plan = _plan("direct", suite, out, epochs, points, workers, prices)
+    return harness_task(replace(plan, conditions=Conditions(lighting=lighting)))
 
 
 @task(name=f"{_SPACE}blind")
@@ -80,7 +76,7 @@ def blind(
     prices: str | None = None,
 ) -> HarnessTask:
     """The same questions, without any picture."""
-    return _task("blind", suite, out, epochs, points, workers, prices)
+    return harness_task(_plan("blind", suite, out, epochs, points, workers, prices))
 
 
 @task(name=f"{_SPACE}oracle_view")
@@ -93,10 +89,10 @@ def oracle_view(
     prices: str | None = None,
 ) -> HarnessTask:
     """The same questions, with pictures that show the evidence."""
-    return _task("oracle-view", suite, out, epochs, points, workers, prices)
+    return harness_task(_plan("oracle-view", suite, out, epochs, points, workers, prices))
 
 
-def _task(
+def _plan(
     arm: Arm,
     suite: str,
     out: str,
@@ -104,11 +100,10 @@ def _task(
     points: Points,
     workers: int,
     prices: str | None,
-    **more: Any,
-) -> HarnessTask:
+) -> Plan:
     asked = find_suite(suite)
     assets, cache = _folders()
-    plan = Plan(
+    return Plan(
         arm,
         asked,
         asked.tasks,
@@ -119,9 +114,7 @@ def _task(
         points,
         workers=workers,
         prices=read_prices(Path(prices)) if prices else {},
-        **more,
     )
-    return harness_task(plan)
 
 
 def _folders() -> tuple[Path | None, Path]:

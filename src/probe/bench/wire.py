@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import json
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, cast
 
 from inspect_ai.model import (
     ChatMessage,
@@ -97,5 +97,7 @@ _LEFT_OUT = {"prefixItems", "minItems", "maxItems", "exclusiveMaximum", "default
 
 def _part(value: Any) -> Any:
     if isinstance(value, dict):
-        return _expressible(value)
-    return [_part(each) for each in value] if isinstance(value, list) else value
+        return _expressible(cast("dict[str, Any]", value))
+    if isinstance(value, list):
+        return [_part(each) for each in cast("list[Any]", value)]
+    return value

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import json
-from typing import Any
+from typing import Any, cast
 
 from probe.chat.coordinates import told
 from probe.episodes.seat import Points
@@ -25,11 +24,11 @@ def _in_thousandths(schema: Any) -> Any:
     if isinstance(schema, str):
         return told(schema, "0-1000")
     if isinstance(schema, list):
-        return [_in_thousandths(part) for part in schema]
+        return [_in_thousandths(part) for part in cast("list[Any]", schema)]
     if not isinstance(schema, dict):
         return schema
-    parts: dict[str, Any] = json.loads(json.dumps(schema))
+    parts = dict(cast("dict[str, Any]", schema))
     if parts.get("exclusiveMaximum") == PICTURE_PX:
-        parts = {"maximum": 1000, **parts}
         del parts["exclusiveMaximum"]
+        parts = {"maximum": 1000, **parts}
     return {name: _in_thousandths(part) for name, part in parts.items()}
