@@ -9,7 +9,8 @@ from PIL import Image
 from probe.types import Array
 
 QUALITY = 90
-"""A table as PNG has 1.8 MB, as JPEG 0.35 (in base64); many servers limit a whole request."""
+"""A table as PNG has 1.8 MB, as JPEG 0.35 (in base64); many servers limit a whole request,
+and some clients of the tools refuse results over 1 MB."""
 
 
 def jpeg(picture: Array) -> bytes:
