@@ -16,6 +16,9 @@ from probe.tasks.grading import Score
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
+PATIENCE = 15
+"""Seconds for one attempt: a busy machine must not be taken for a server that hangs."""
+
 SUITE = demo()
 FIRST, BROKEN, MUTE, TWICE, DOWN, SLOW = SUITE.tasks
 
@@ -34,7 +37,7 @@ class Misfortunes:
         if task is FIRST and hits == 1:
             return Reply(status=429)
         if task is SLOW and hits == 1:
-            return Reply(words="too late", wait=8.0)
+            return Reply(words="too late", wait=1.6 * PATIENCE)
         if task is MUTE:
             return Reply("")
         return self.move(task, replies_so_far(body))
@@ -54,7 +57,7 @@ def played(tmp_path_factory):
     out = tmp_path_factory.mktemp("faults")
     script = Misfortunes()
     with serving(script) as server:
-        log = sit_in(plan(out, "agentic", SUITE), server.url, max_retries=1, attempt_timeout=3)
+        log = sit_in(plan(out, "agentic", SUITE), server.url, max_retries=1, attempt_timeout=PATIENCE)
     return log, kept(out), script
 
 
