@@ -43,7 +43,10 @@ class Misfortunes:
         return self.move(task, replies_so_far(body))
 
     def move(self, task, turn: int) -> Reply:
-        last = answer(task.answer)
+        # Find's right letter would have to be looked at, and painted tables can't be drawn.
+        last = answer("A" if task.kind == "find" and task.answer != "A" else task.answer)
+        if task.kind == "find" and task.answer == "A":
+            last = answer("B")
         if task is BROKEN:
             broken = [("find_object", '{"description": '), ("juggle", "{}"), last]
             return Reply(calls=(broken[turn],))
@@ -57,7 +60,9 @@ def played(tmp_path_factory):
     out = tmp_path_factory.mktemp("faults")
     script = Misfortunes()
     with serving(script) as server:
-        log = sit_in(plan(out, "agentic", SUITE), server.url, max_retries=1, attempt_timeout=PATIENCE)
+        log = sit_in(
+            plan(out, "agentic", SUITE), server.url, max_retries=1, attempt_timeout=PATIENCE
+        )
     return log, kept(out), script
 
 

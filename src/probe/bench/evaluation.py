@@ -6,7 +6,8 @@ from contextlib import closing
 from dataclasses import dataclass
 from typing import Literal
 
-from inspect_ai import eval as run_harness
+# One of its many parameters has a type of an extra that isn't installed.
+from inspect_ai import eval as run_harness  # pyright: ignore[reportUnknownVariableType]
 from inspect_ai.model import Model, get_model
 
 from probe.bench.harness import harness_task

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Awaitable, Callable
 from dataclasses import replace
 from multiprocessing import get_context
-from multiprocessing.connection import Connection, wait
+from multiprocessing.connection import wait
 from multiprocessing.process import BaseProcess
 from typing import cast
 
@@ -41,7 +41,7 @@ class TableProcess:
         self._limiter = limiter
         self._pipe, theirs = _SPAWN.Pipe()
         self._asking, asking = _SPAWN.Pipe()
-        told = replace(place, asking=cast("Connection", asking)) if pointing else place
+        told = replace(place, asking=asking) if pointing else place
         self._pipes = [self._pipe, self._asking] if pointing else [self._pipe]
         self._process: BaseProcess = _SPAWN.Process(target=serve, args=(told, theirs), daemon=True)
         self._process.start()

@@ -38,8 +38,10 @@ def tool_infos(points: Points) -> list[ToolInfo]:
 def first_messages(told_first: tuple[Message, Message]) -> list[ChatMessage]:
     """The rules, and the question with its pictures."""
     rules, question = told_first
-    content = [ContentText(text=question.text), *map(_image, question.pictures)]
-    return [ChatMessageSystem(content=rules.text), ChatMessageUser(content=content)]
+    content: list[Content] = [ContentText(text=question.text)]
+    content += map(_image, question.pictures)
+    first: list[ChatMessage] = [ChatMessageSystem(content=rules.text)]
+    return [*first, ChatMessageUser(content=content)]
 
 
 def result_message(call: ToolCall, came: Told, points: Points) -> ChatMessageTool:

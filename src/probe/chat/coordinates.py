@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from typing import Any, cast
+from typing import Any, TypeGuard, cast
 
 from probe.episodes.seat import Points
 from probe.episodes.turns import Call
@@ -73,7 +73,7 @@ def _converted(call: Call, factor: float, digits: int) -> Call:
     return Call.of(call.name, said, call.words)
 
 
-def _is_place(value: object) -> bool:
+def _is_place(value: object) -> TypeGuard[list[float]]:
     if not isinstance(value, list):
         return False
     numbers = cast("list[object]", value)

@@ -58,7 +58,7 @@ def _run(arguments: list[str]) -> None:
             module = import_module(f"probe.cli.{command.module}")
             app.command(module.app if command.nested else getattr(module, name), name=name)
         else:
-            app.command(_named(command), name=name)
+            app.command(name=name)(_named(command))
     app.cli(prog="probe", description="Questions that only moving things can answer.")
 
 

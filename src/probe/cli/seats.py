@@ -11,7 +11,7 @@ from pathlib import Path
 from probe.assets.library import open_library
 from probe.bench.estimate import PICTURE_TOKENS, Estimate, estimate
 from probe.bench.models import settings_of
-from probe.bench.prices import Price, read_prices
+from probe.bench.prices import Price, Prices, read_prices
 from probe.chat.prompts import Arm
 from probe.cli.surroundings import assets_folder, cache_folder, everything
 from probe.episodes.conditions import Conditions
@@ -63,7 +63,7 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
             "With a model, scenes stay as they were frozen. Leave out --table, --camera and "
             "--pose-jitter."
         )
-    prices = read_prices(seats.prices) if seats.prices else {}
+    prices: Prices = read_prices(seats.prices) if seats.prices else {}
     price = prices.get(seats.model) or prices.get(settings_of(seats.model).id)
     if dry_run:
         _tell(suite, seats, price)
