@@ -35,5 +35,5 @@ def test_arms_of_a_model_are_apart():
 
 
 def test_rows_tell_tokens_and_cost():
-    row = row_of(TASK, RECORD, Score(False, False, "wrong"), suite="demo", arm=RECORD.arm)
+    row = row_of(TASK, RECORD, Score(True, True, "right"), suite="demo", arm=RECORD.arm)
     assert (row.arm, row.tokens_in, row.tokens_out, row.cost) == ("direct", 100, 20, 0.25)
