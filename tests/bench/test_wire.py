@@ -1,0 +1,92 @@
+"""What a server gets is what the record tells: asking and training see the same messages."""
+
+from __future__ import annotations
+
+import base64
+
+import pytest
+
+from bench.painted import demo, plan
+from bench.sitting_in import GRASP, LOOK, answer, kept, replies_so_far, sit_in
+from model_server import Reply, serving
+from probe.chat.messages import messages
+
+pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
+
+SUITE = demo(1)
+(TASK,) = SUITE.tasks
+PLACE = ("find_object", '{"description": "the thing at (625, 475)"}')
+
+
+def script(number: int, body: dict) -> Reply:
+    """Forgets to call; calls a broken one after one with a picture; answers."""
+    turn = replies_so_far(body)
+    if turn == 0:
+        return Reply("I wonder.")
+    two = Reply("Look.", calls=(PLACE, ("push", "{}")))
+    return (two, Reply(calls=(GRASP, LOOK)), Reply(calls=(answer("E"),)))[turn - 1]
+
+
+def pictures_in(content) -> list[bytes]:
+    if isinstance(content, str):
+        return []
+    urls = [part["image_url"]["url"] for part in content if part["type"] == "image_url"]
+    return [base64.b64decode(url.partition(",")[2]) for url in urls]
+
+
+def words_in(content) -> str:
+    if isinstance(content, str):
+        return content
+    return "\n".join(part["text"] for part in content if part["type"] == "text")
+
+
+@pytest.mark.parametrize("points", ["pixels", "0-1000"])
+def test_the_last_request_is_the_record_told(tmp_path, points):
+    with serving(script) as server:
+        log = sit_in(plan(tmp_path, "agentic", SUITE, points=points), server.url)
+    assert log.status == "success"
+    record = kept(tmp_path)[TASK.id]
+    sent = server.bodies[-1]["messages"]
+    pictures = [picture for message in sent for picture in pictures_in(message["content"])]
+    first, found, grasped, looked = pictures
+    later = [found, None, grasped, looked, None]
+    told = messages(record, [first], later)
+    assert len(told) == len(sent) + 2  # the answer and its result come after the last request
+    for ours, theirs in zip(told, sent, strict=False):
+        assert ours.role == theirs["role"]
+        assert ours.text == words_in(theirs["content"] or "")
+        assert list(ours.pictures) == pictures_in(theirs["content"] or "")
+        names = [
+            (c["function"]["name"], c["function"]["arguments"])
+            for c in theirs.get("tool_calls", [])
+        ]
+        assert [(call.name, call.arguments) for _, call in ours.calls] == names
+    if points == "0-1000":
+        # 625 of 1000 is pixel 640, on the ball.
+        assert record.steps[0].call.arguments == '{"description": "the thing at (640, 486.4)"}'
+        assert record.steps[0].status == "done"
+    assert [tool["function"]["name"] for tool in server.bodies[0]["tools"]][0] == "perceive_scene"
+
+
+def test_answers_in_words(tmp_path):
+    said = ["Hm.", f"So it is.\n**ANSWER: {TASK.answer}**"]
+    with serving(lambda number, body: Reply(said[replies_so_far(body)])) as server:
+        log = sit_in(plan(tmp_path, "direct", SUITE), server.url)
+    record = kept(tmp_path)[TASK.id]
+    assert record.answer and record.answer.choice == TASK.answer
+    assert record.arm == "direct" and record.steps == ()
+    assert [reply.words for reply in record.seat.replies] == said
+    assert log.samples[0].scores["probe"].value == "C"
+    assert len(pictures_in(server.bodies[0]["messages"][1]["content"])) == 1
+    assert "tools" not in server.bodies[0]
+
+
+def test_who_never_answers_is_wrong_and_refused_pictures_are_missing(tmp_path):
+    with serving(lambda number, body: Reply("I can't say.")) as server:
+        sit_in(plan(tmp_path / "mute", "blind", SUITE), server.url)
+    record = kept(tmp_path / "mute")[TASK.id]
+    assert record.end == "stopped" and record.answer is None and len(server.bodies) == 2
+    with serving(lambda number, body: Reply(status=400)) as server:
+        sit_in(plan(tmp_path / "refused", "direct", SUITE), server.url, max_retries=0)
+    record = kept(tmp_path / "refused")[TASK.id]
+    assert record.end == "fault" and "400" in record.fault
