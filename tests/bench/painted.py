@@ -58,7 +58,9 @@ class PaintedKeeper(TableKeeper):
 
     def _stills(self, job: Job):
         count = {"blind": 0, "direct": 1, "oracle-view": 2}[self._arm]
-        return [paint(BLOCKS).rgb] * count
+        picture = paint(BLOCKS).rgb
+        assert picture is not None
+        return [picture] * count
 
 
 @dataclass(frozen=True)
@@ -81,6 +83,6 @@ def demo(count: int = 6) -> Suite:
 
 def plan(out: Path, arm: Any, suite: Suite, **more: Any) -> Plan:
     """One run of each task, at two tables."""
-    settings = {"epochs": 1, "workers": 2, "cache": out / "deaths"} | more
+    settings: dict[str, Any] = {"epochs": 1, "workers": 2, "cache": out / "deaths"} | more
     library = partial(open_library, "procedural", None, out / "cache")
     return Plan(arm, suite, suite.tasks, out, library, **settings)

@@ -18,6 +18,8 @@ from probe.bench.plan import Plan
 from probe.bench.seating import Seating
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.seat import Seat
 from probe.runs.table import TablePlace
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
@@ -62,8 +64,23 @@ def sit_in(plan: Plan, url: str, place: type[TablePlace] = PaintedPlace, **confi
     return log
 
 
-def kept(out: Path):
+def kept(out: Path) -> dict[str, EpisodeRecord]:
     return {record.task: record for record in read_records(out / RECORDS)}
+
+
+def seat_of(record: EpisodeRecord) -> Seat:
+    assert record.seat is not None
+    return record.seat
+
+
+def values_of(log: EvalLog) -> dict[str, Any]:
+    """What each sample of one epoch is worth in the harness's log."""
+    return {str(it.id): (it.scores or {})["probe"].value for it in log.samples or []}
+
+
+def metrics_of(log: EvalLog) -> dict[str, float]:
+    assert log.results is not None
+    return {name: it.value for name, it in log.results.scores[0].metrics.items()}
 
 
 Script = Callable[[int, dict[str, Any]], Reply]
