@@ -9,8 +9,8 @@ import pytest
 from probe.bench.estimate import PICTURE_TOKENS, estimate
 from probe.bench.models import known_models, settings_of
 from probe.bench.prices import read_prices
-from probe.cli.seats import SeatRefused, Seats, take_seats
-from probe.episodes.conditions import AS_FROZEN, Conditions
+from probe.cli.seats import Seats, take_seats
+from probe.episodes.conditions import AS_FROZEN
 from probe.episodes.luck import NO_NOISE
 from probe.errors import BadData
 from probe.runs.plan import Shard
@@ -48,12 +48,6 @@ def test_a_dry_run_asks_nothing_and_says_what_it_would_cost(tmp_path, capsys):
     assert "6 tasks, 3 runs each: 18 episodes." in said
     assert "720 replies" in said and "US dollars" in said and "nothing was asked" in said
     assert not (tmp_path / "out").exists()
-
-
-def test_scenes_stay_as_they_are_with_a_model(tmp_path):
-    with pytest.raises(SeatRefused, match="Leave out --table"):
-        seats = replace(SEATS, conditions=Conditions(table="other"))
-        take_seats(SUITE, seats, tmp_path, dry_run=True)
 
 
 def test_prices_are_checked(tmp_path):

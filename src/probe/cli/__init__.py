@@ -32,6 +32,7 @@ COMMANDS: dict[str, _Command] = {
     "rescore": _Command("rescore", "Grade a run's records again and write rows and scores."),
     "robustness": _Command("robustness", "Compare runs of the same tasks under other conditions."),
     "serve": _Command("serve", "Let another program use the tools on one task, over MCP."),
+    "export": _Command("export", "Write a suite as a data set for other programs."),
     "human": _Command("human", "Let people answer in a browser, with what agents see and can do."),
     "assets": _Command("assets", "What the object library holds, and how to add to it.", True),
     "suite": _Command("suite", "Build and show frozen suites of tasks.", True),

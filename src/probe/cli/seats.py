@@ -14,18 +14,15 @@ from probe.bench.models import settings_of
 from probe.bench.prices import Price, Prices, read_prices
 from probe.chat.prompts import Arm
 from probe.cli.surroundings import assets_folder, cache_folder, everything
+from probe.cli.varying import varied
 from probe.episodes.conditions import Conditions
 from probe.episodes.luck import Noise
 from probe.episodes.seat import Points
-from probe.errors import MissingExtra, ProbeError
+from probe.errors import MissingExtra
 from probe.runs.plan import Shard
 from probe.runs.vary import changes_scenes
 from probe.tasks.suite import Suite, check_objects
 from probe.toolshed.toolshed import TURNS
-
-
-class SeatRefused(ProbeError):
-    """What was asked for doesn't go together; the message says what would."""
 
 
 @dataclass(frozen=True)
@@ -55,25 +52,22 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
 
     Raises:
         MissingExtra: The harness isn't installed.
-        SeatRefused: The conditions can't be met with a model.
         BadData: The folder is about something else, or prices can't be read.
     """
-    if changes_scenes(seats.conditions):
-        raise SeatRefused(
-            "With a model, scenes stay as they were frozen. Leave out --table, --camera and "
-            "--pose-jitter."
-        )
     prices: Prices = read_prices(seats.prices) if seats.prices else {}
     price = prices.get(seats.model) or prices.get(settings_of(seats.model).id)
     if dry_run:
         _tell(suite, seats, price)
         return
-    check_objects(suite, everything())
+    things = everything()
+    check_objects(suite, things)
     try:
         from probe.bench.evaluation import Chosen, evaluate
         from probe.bench.plan import Plan
     except ImportError as error:
         raise MissingExtra("A model in the seat", "bench") from error
+    if changes_scenes(seats.conditions):
+        suite = varied(suite, seats.conditions, things, out)
     settings = settings_of(seats.model)
     pointing = settings if seats.pointer == "self" else settings_of(seats.pointer)
     assets = assets_folder()

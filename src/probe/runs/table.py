@@ -20,18 +20,17 @@ from probe.chat.prompts import arm_named
 from probe.episodes.episode import Episode
 from probe.episodes.files import line_of, record_of
 from probe.episodes.grading import grade_episode, needs_labels
-from probe.episodes.oracle_view import oracle_view
 from probe.episodes.play import open_episode, score
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Call
 from probe.errors import ModelFailed
 from probe.perception.choice import Perceiver, ideal, pointing
 from probe.perception.points import Convention
-from probe.render.lighting import light_of
-from probe.render.photograph import load_scene, photograph
+from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, Order
 from probe.runs.sights import sight_of
+from probe.runs.stills import stills
 from probe.runs.table_talk import (
     Asked,
     Broken,
@@ -47,7 +46,6 @@ from probe.runs.table_talk import (
 )
 from probe.runs.work import failed
 from probe.tasks.grading import Score
-from probe.tasks.marks import drawn
 from probe.tasks.task import Task
 from probe.types import Array
 
@@ -132,18 +130,8 @@ class TableKeeper:
 
     def _stills(self, job: Job) -> Sequence[Array]:
         """What a model without tools is shown."""
-        if self._arm == "blind":
-            return ()
-        task, things = job.task, self._things
-        if self._arm == "oracle-view":
-            frames = oracle_view(task, things, self._renderer).frames
-            return [frame.rgb for frame in frames if frame.rgb is not None]
-        sight = sight_of(task, self._order.conditions, things.assets)
-        load_scene(self._renderer, task.scene, things, load_table(task.scene.table, things.assets))
-        light = light_of(sight.lighting, things.assets)
-        frame = photograph(self._renderer, task.scene, camera=sight.camera, light=light)
-        assert frame.rgb is not None
-        return (drawn(frame.rgb, task.marks),)
+        sight = sight_of(job.task, self._order.conditions, self._things.assets)
+        return stills(self._arm, job.task, sight, self._things, self._renderer)
 
     def _call(self, call: Call) -> Told | Broken:
         assert self._episode is not None, "a call needs a table that is set"
