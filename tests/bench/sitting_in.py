@@ -21,8 +21,6 @@ from probe.episodes.folder import RECORDS
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.seat import Seat
 from probe.runs.table import TablePlace
-from probe.tasks.suite import Suite
-from probe.tasks.task import Task
 
 NAME = "openai-api/local/scripted"
 
@@ -33,13 +31,6 @@ LOOK = ("perceive_scene", "{}")
 
 def answer(letter: str) -> tuple[str, str]:
     return "answer_question", json.dumps({"choice": letter})
-
-
-def task_of(body: dict[str, Any], suite: Suite) -> Task:
-    """Which task a request is about."""
-    text = json.dumps(body["messages"], ensure_ascii=False)
-    (found,) = [task for task in suite.tasks if json.dumps(task.question)[1:-1] in text]
-    return found
 
 
 def replies_so_far(body: dict[str, Any]) -> int:

@@ -8,8 +8,9 @@ import math
 import pytest
 
 from bench.painted import demo, plan
-from bench.sitting_in import FIND, GRASP, LOOK, answer, kept, replies_so_far, sit_in, task_of
+from bench.sitting_in import FIND, GRASP, LOOK, answer, kept, replies_so_far, sit_in
 from model_server import Reply, serving
+from policy_server import task_of
 from probe.scores.marking import roster_of_tasks, row_of
 from probe.scores.summary import summarise
 from probe.tasks.grading import Score

@@ -93,6 +93,18 @@ def test_answers_in_words(tmp_path):
     assert "tools" not in server.bodies[0]
 
 
+def test_a_limit_of_tokens_ends_an_episode_without_an_answer(tmp_path):
+    with serving(script) as server:
+        log = sit_in(plan(tmp_path, "agentic", SUITE), server.url, token_limit=300)
+    record = kept(tmp_path)[TASK.id]
+    assert record.end == "stopped" and record.answer is None and record.steps
+    assert values_of(log) == {TASK.id: "I"}
+    assert log.samples and log.samples[0].limit and log.samples[0].limit.type == "token"
+    with serving(script) as server:
+        again = sit_in(plan(tmp_path, "agentic", SUITE), server.url, token_limit=300)
+    assert server.bodies == [] and values_of(again) == {TASK.id: "I"}
+
+
 def test_who_never_answers_is_wrong_and_refused_pictures_are_missing(tmp_path):
     with serving(lambda number, body: Reply("I can't say.")) as server:
         sit_in(plan(tmp_path / "mute", "blind", SUITE), server.url)

@@ -49,7 +49,8 @@ def evaluate(plan: Plan, chosen: Chosen, display: Literal["rich", "plain", "none
     """
     seating, model = Seating(plan), _model(chosen)
     # Before anything is asked; each sample would raise it otherwise.
-    take_up(plan, plan.order(str(model), chosen.pointer or ""))
+    pointer = "self" if plan.pointer == "self" else chosen.pointer or ""
+    take_up(plan, plan.order(str(model), pointer))
     with reserved(plan.out), closing(seating):
         (log,) = run_harness(
             harness_task(plan, seating),

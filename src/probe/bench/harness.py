@@ -56,6 +56,8 @@ def _seat(seating: Seating) -> Solver:
         async def solve(state: TaskState, generate: Generate) -> TaskState:
             played = await seating.play(str(state.sample_id), state.epoch - 1, get_model())
             _show(state, played)
+            if played.limit is not None:
+                raise played.limit
             state.completed = True
             return state
 

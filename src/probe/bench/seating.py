@@ -72,15 +72,16 @@ class Seating:
             async with self._tables.seat(_nobody) as sitting:
                 return Played(await sitting.grade(Grade(job, line)), None)
         listener = self._listener(job, model)
+        limit = None
         try:
-            left = await self._played(job, order, listener, model)
+            left, limit = await self._played(job, order, listener, model)
         except TableLost as error:
             # What was done at the lost table can't be told any more.
             seat = replace(listener.seat(order.arm, order.points), replies=())
             record = replace(failed(job, order, str(error)), seat=seat)
             left = Left(line_of(record), None)
         await run_sync(add_line, self._plan.out, left.line)
-        return Played(left, listener)
+        return Played(left, listener, limit)
 
     def close(self) -> None:
         """End the processes that nobody uses."""
@@ -113,7 +114,10 @@ class Seating:
         tools = tool_infos(plan.points) if plan.arm == "agentic" else []
         return Listener(model, tools, [], CachePolicy(expiry=None, scopes=scopes), price)
 
-    async def _played(self, job: Job, order: Order, listener: Listener, model: Model) -> Left:
+    async def _played(
+        self, job: Job, order: Order, listener: Listener, model: Model
+    ) -> tuple[Left, LimitExceededError | None]:
+        """What came of an episode, and which limit of the user's ended it, if one did."""
         assert self._tables is not None
         plan = self._plan
         known: dict[Asked, str] = {}
@@ -122,29 +126,16 @@ class Seating:
             question = question_of(job.task)
             first = opening(plan.arm, plan.points, question, shown.pictures)
             listener.messages += first_messages(first)
-            answer, fault = None, None
+            answer, fault, limit = None, None, None
             try:
                 answer = await self._answered(job, listener, sitting)
-            except LimitExceededError:
+            except LimitExceededError as error:
                 # The user's own limit: an episode without an answer, not a fault of ours.
-                await self._hand_in(order, listener, sitting, None, None)
-                raise
+                limit = error
             except ModelFailed as error:
                 fault = str(error)
             seat = listener.seat(order.arm, order.points, sitting.failures)
-            return await sitting.leave(Leave(seat, answer, fault))
-
-    async def _hand_in(
-        self,
-        order: Order,
-        listener: Listener,
-        sitting: Sitting,
-        answer: Answer | None,
-        fault: str | None,
-    ) -> None:
-        seat = listener.seat(order.arm, order.points, sitting.failures)
-        left = await sitting.leave(Leave(seat, answer, fault))
-        await run_sync(add_line, self._plan.out, left.line)
+            return await sitting.leave(Leave(seat, answer, fault)), limit
 
     async def _answered(self, job: Job, listener: Listener, sitting: Sitting) -> Answer | None:
         plan = self._plan
@@ -179,12 +170,16 @@ class Played:
     Args:
         left: Its record and worth.
         listener: The conversation; None if it was played before.
+        limit: Of the harness, set by the user, that ended it.
     """
 
-    def __init__(self, left: Left, listener: Listener | None) -> None:
+    def __init__(
+        self, left: Left, listener: Listener | None, limit: LimitExceededError | None = None
+    ) -> None:
         self.record: EpisodeRecord = record_of(left.line)
         self.score: Score | None = left.score
         self.listener = listener
+        self.limit = limit
 
 
 async def _nobody(asked: Asked) -> Unanswered:

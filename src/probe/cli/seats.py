@@ -11,6 +11,7 @@ from pathlib import Path
 from probe.assets.library import open_library
 from probe.bench.estimate import PICTURE_TOKENS, Estimate, estimate
 from probe.bench.models import settings_of
+from probe.bench.plan import Plan
 from probe.bench.prices import Price, Prices, read_prices
 from probe.chat.prompts import Arm
 from probe.cli.surroundings import assets_folder, cache_folder, everything
@@ -22,6 +23,7 @@ from probe.errors import MissingExtra
 from probe.runs.plan import Shard
 from probe.runs.vary import changes_scenes
 from probe.tasks.suite import Suite, check_objects
+from probe.tasks.task import Task
 from probe.toolshed.toolshed import TURNS
 
 
@@ -46,6 +48,10 @@ class Seats:
         """How the model counts places."""
         return self.points or settings_of(self.model).points
 
+    def tasks_of(self, suite: Suite) -> tuple[Task, ...]:
+        """Those that this shard runs, all their epochs."""
+        return tuple(suite.tasks[self.shard.number :: self.shard.count])
+
 
 def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
     """Run a suite with a model, or say what that would ask of it.
@@ -61,23 +67,30 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
         return
     things = everything()
     check_objects(suite, things)
-    try:
-        from probe.bench.evaluation import Chosen, evaluate
-        from probe.bench.plan import Plan
-    except ImportError as error:
-        raise MissingExtra("A model in the seat", "bench") from error
     if changes_scenes(seats.conditions):
         suite = varied(suite, seats.conditions, things, out)
-    settings = settings_of(seats.model)
-    pointing = settings if seats.pointer == "self" else settings_of(seats.pointer)
+    try:
+        from probe.bench.evaluation import Chosen, evaluate
+    except ImportError as error:
+        raise MissingExtra("A model in the seat", "bench") from error
+    plan = _plan(suite, seats, out, price)
+    key = os.environ.get("OPENAI_API_KEY") or "none"
+    pointer = settings_of(seats.pointer).id if plan.pointer == "role" else None
+    chosen = Chosen(settings_of(seats.model).id, seats.endpoint, key, pointer)
+    missing = evaluate(plan, chosen, "rich" if sys.stdout.isatty() else "plain")
+    if missing:
+        print(f"{missing} episodes are missing; the same command tries them again.")
+
+
+def _plan(suite: Suite, seats: Seats, out: Path, price: Price | None) -> Plan:
+    pointing = settings_of(seats.model if seats.pointer == "self" else seats.pointer)
     assets = assets_folder()
-    pool = "all" if assets else "procedural"
-    plan = Plan(
+    return Plan(
         arm=seats.arm,
         suite=suite,
-        tasks=tuple(suite.tasks[seats.shard.number :: seats.shard.count]),
+        tasks=seats.tasks_of(suite),
         out=out,
-        library=partial(open_library, pool, assets, cache_folder()),
+        library=partial(open_library, "all" if assets else "procedural", assets, cache_folder()),
         cache=cache_folder() / "light",
         epochs=seats.epochs,
         points=seats.counting,
@@ -89,16 +102,10 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
         prices={seats.model: price} if price else {},
         called=seats.model,
     )
-    key = os.environ.get("OPENAI_API_KEY") or "none"
-    pointer = pointing.id if plan.pointer == "role" else None
-    display = "rich" if sys.stdout.isatty() else "plain"
-    missing = evaluate(plan, Chosen(settings.id, seats.endpoint, key, pointer), display)
-    if missing:
-        print(f"{missing} episodes are missing; the same command tries them again.")
 
 
 def _tell(suite: Suite, seats: Seats, price: Price | None) -> None:
-    tasks = suite.tasks[seats.shard.number :: seats.shard.count]
+    tasks = seats.tasks_of(suite)
     usual = estimate(seats.arm, seats.counting, tasks, seats.epochs)
     print(f"{len(tasks)} tasks, {seats.epochs} runs each: {usual.episodes} episodes.")
     print(_line("If they are of usual length", usual, price))
