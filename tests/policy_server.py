@@ -60,11 +60,11 @@ class Policy:
         task = task_of(body, self._suite)
         agent = agent_in_run_0(self._name, task, 0, self._library, self._renderer)
         question, history = question_of(task), history_of(body)
-        for turn in range(len(history) + 1):
-            call = agent.act(question, history[:turn])
-            if call is None:
-                return Reply(GIVES_UP)
-        assert call is not None
+        call = agent.act(question, ())
+        for turn in range(len(history)):
+            call = agent.act(question, history[: turn + 1])
+        if call is None:
+            return Reply(GIVES_UP)
         return Reply(call.words or None, calls=((call.name, call.arguments),))
 
 

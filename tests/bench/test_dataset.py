@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 from functools import partial
+from pathlib import Path
+from typing import Any
 
 import pytest
 from PIL import Image as Pillow
@@ -22,10 +24,11 @@ from probe.tasks.suite_file import CANARY, write_suite
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
 
-def load(folder, cache):
+def load(folder: Path, cache: Path) -> tuple[Any, list[Any]]:
+    """The data set, and its rows with pictures as files."""
     from datasets import Image, load_dataset
 
-    table = load_dataset(str(folder), split="test", cache_dir=str(cache))
+    table: Any = load_dataset(str(folder), split="test", cache_dir=str(cache))
     return table, list(table.cast_column("image", Image(decode=False)))
 
 

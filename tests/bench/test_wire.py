@@ -20,6 +20,7 @@ from bench.sitting_in import (
 )
 from model_server import Reply, serving
 from probe.chat.messages import messages
+from probe.toolshed.tools import tool_schemas
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
@@ -75,8 +76,19 @@ def test_the_last_request_is_the_record_told(tmp_path, points):
         # 625 of 1000 is pixel 640, on the ball.
         assert record.steps[0].call.arguments == '{"description": "the thing at (640, 486.4)"}'
         assert record.steps[0].status == "done"
+
+
+def test_tools_go_out_as_the_toolshed_words_them(tmp_path):
+    with serving(lambda number, body: Reply(calls=(answer("E"),))) as server:
+        sit_in(plan(tmp_path, "agentic", SUITE), server.url)
     tools: Any = server.bodies[0]["tools"]
-    assert tools[0]["function"]["name"] == "perceive_scene"
+    for sent, ours in zip([it["function"] for it in tools], tool_schemas(), strict=True):
+        assert (sent["name"], sent["description"]) == (ours.name, ours.description)
+        theirs, mine = sent["parameters"], ours.parameters
+        assert sorted(theirs.get("required", [])) == sorted(mine.get("required", []))
+        assert list(theirs["properties"]) == list(mine["properties"])
+        for name, part in mine["properties"].items():
+            assert theirs["properties"][name]["description"] == part["description"]
 
 
 def test_answers_in_words(tmp_path):

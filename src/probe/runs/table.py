@@ -16,7 +16,7 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.tables import load_table
 from probe.chat.pictures import jpeg
-from probe.chat.prompts import arm_named
+from probe.chat.prompts import Arm, arm_named
 from probe.episodes.episode import Episode
 from probe.episodes.files import line_of, record_of
 from probe.episodes.grading import grade_episode, needs_labels
@@ -84,7 +84,7 @@ class TableKeeper:
         self._order = place.order
         self._things = things
         self._renderer = renderer
-        self._arm = arm_named(place.order.arm)
+        self._arm: Arm = arm_named(place.order.arm)
         self._job: Job | None = None
         self._episode: Episode | None = None
 
