@@ -64,7 +64,7 @@ class Sizes:
         out: Folder; by default a new one.
     """
 
-    suite: str = "demo"
+    suite: tyro.conf.Positional[str] = "demo"
     direct: int = 6
     agentic: int = 2
     epochs: int = 1
