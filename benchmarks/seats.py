@@ -167,7 +167,7 @@ def troubled(plan: Plan, script: Script) -> None:
     asked = {task_of(body, plan.suite).id for body in server.bodies}
     again = {it.task for it in records if it.end == "fault"}
     print(f"  then without: {len(server.bodies)} requests, {metrics_of(log)}")
-    check(asked == again, "only what was missing is asked again")
+    check(asked <= again, "only what was missing is asked again")
     check(all(it.end != "fault" for it in records_of(plan)), "all episodes have an end")
     check(metrics_of(log)["missing"] == 0 <= metrics_of(log)["macro"], "there is a number")
 
