@@ -1,4 +1,4 @@
-"""A local server that speaks OpenAI's chat protocol and answers as a script says."""
+"""A local server that answers as a script says, in the protocol in which it is asked."""
 
 from __future__ import annotations
 
@@ -13,12 +13,16 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 @dataclass(frozen=True)
 class Reply:
-    """What one request gets: words, a refusal, or an error's status; after a wait in seconds."""
+    """What one request gets: words, a refusal, or an error's status; after a wait in seconds.
+
+    Calls are names and arguments, the latter as they stand on the wire.
+    """
 
     words: str | None = None
     refusal: str | None = None
     status: int = 200
     wait: float = 0.0
+    calls: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass
@@ -27,6 +31,97 @@ class Served:
 
     url: str
     bodies: list[dict[str, object]] = field(default_factory=list[dict[str, object]])
+
+
+def said(path: str, number: int, reply: Reply) -> dict[str, object]:
+    """A reply as the protocol of an address has it."""
+    if path.endswith("/responses"):
+        return in_responses(number, reply)
+    if path.endswith("/messages"):
+        return in_messages(number, reply)
+    if "generateContent" in path:
+        return in_contents(reply)
+    return in_chat(number, reply)
+
+
+def in_chat(number: int, reply: Reply) -> dict[str, object]:
+    """OpenAI's chat completions."""
+    message: dict[str, object] = {
+        "role": "assistant", "content": reply.words, "refusal": reply.refusal
+    }  # fmt: skip
+    if reply.calls:
+        message["tool_calls"] = [
+            {
+                "id": f"r{number}c{n}",
+                "type": "function",
+                "function": {"name": name, "arguments": text},
+            }
+            for n, (name, text) in enumerate(reply.calls)
+        ]
+    choice = {
+        "index": 0,
+        "message": message,
+        "finish_reason": "tool_calls" if reply.calls else "stop",
+    }
+    usage = {"prompt_tokens": 100, "completion_tokens": 10, "total_tokens": 110}
+    return {
+        "id": "x", "object": "chat.completion", "created": 0, "model": "m",
+        "choices": [choice], "usage": usage,
+    }  # fmt: skip
+
+
+def in_responses(number: int, reply: Reply) -> dict[str, object]:
+    """OpenAI's responses."""
+    output: list[object] = [
+        {
+            "type": "function_call", "id": f"fc_{number}_{n}", "call_id": f"r{number}c{n}",
+            "name": name, "arguments": text, "status": "completed",
+        }
+        for n, (name, text) in enumerate(reply.calls)
+    ]  # fmt: skip
+    if reply.words:
+        content = [{"type": "output_text", "text": reply.words, "annotations": []}]
+        output.insert(0, {
+            "type": "message", "id": f"msg_{number}", "role": "assistant",
+            "status": "completed", "content": content,
+        })  # fmt: skip
+    usage = {
+        "input_tokens": 100, "output_tokens": 10, "total_tokens": 110,
+        "input_tokens_details": {"cached_tokens": 0, "cache_write_tokens": 0},
+        "output_tokens_details": {"reasoning_tokens": 0},
+    }  # fmt: skip
+    return {
+        "id": f"resp_{number}", "object": "response", "created_at": 0, "model": "m",
+        "status": "completed", "output": output, "usage": usage, "error": None,
+        "incomplete_details": None, "instructions": None, "metadata": {},
+        "parallel_tool_calls": False, "temperature": 1, "tool_choice": "auto", "tools": [],
+        "top_p": 1,
+    }  # fmt: skip
+
+
+def in_messages(number: int, reply: Reply) -> dict[str, object]:
+    """Anthropic's messages."""
+    content: list[object] = [{"type": "text", "text": reply.words}] if reply.words else []
+    content += [
+        {"type": "tool_use", "id": f"r{number}c{n}", "name": name, "input": json.loads(text)}
+        for n, (name, text) in enumerate(reply.calls)
+    ]
+    return {
+        "id": f"msg_{number}", "type": "message", "role": "assistant", "model": "m",
+        "content": content, "stop_reason": "tool_use" if reply.calls else "end_turn",
+        "stop_sequence": None, "usage": {"input_tokens": 100, "output_tokens": 10},
+    }  # fmt: skip
+
+
+def in_contents(reply: Reply) -> dict[str, object]:
+    """Google's generateContent."""
+    parts: list[object] = [{"text": reply.words}] if reply.words else []
+    parts += [
+        {"functionCall": {"name": name, "args": json.loads(text)}} for name, text in reply.calls
+    ]
+    candidate = {"content": {"role": "model", "parts": parts}, "finishReason": "STOP", "index": 0}
+    usage = {"promptTokenCount": 100, "candidatesTokenCount": 10, "totalTokenCount": 110}
+    return {"candidates": [candidate], "usageMetadata": usage, "modelVersion": "m"}
 
 
 @contextmanager
@@ -43,12 +138,7 @@ def serving(script: Callable[[int, dict[str, object]], Reply]) -> Generator[Serv
                 served.bodies.append(body)
             reply = script(number, body)
             time.sleep(reply.wait)
-            message = {"role": "assistant", "content": reply.words, "refusal": reply.refusal}
-            choice = {"index": 0, "message": message, "finish_reason": "stop"}
-            whole: dict[str, object] = {
-                "id": "x", "object": "chat.completion", "created": 0, "model": "m",
-                "choices": [choice],
-            }  # fmt: skip
+            whole = said(self.path, number, reply)
             if reply.status != 200:
                 whole = {"error": {"message": f"status {reply.status}", "type": "x"}}
             content = json.dumps(whole).encode()

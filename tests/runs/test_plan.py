@@ -18,5 +18,6 @@ def test_what_is_done_moves_nothing_to_another_shard():
     order = Order("a", shard=Shard(1, 2))
     jobs = order.jobs(TASKS)
     first = jobs[0].task.id
-    assert order.jobs(TASKS, {(first, "a", 0), (TASKS[0].id, "a", 0)}) == jobs[1:]
-    assert order.jobs(TASKS, {(first, "b", 0), (first, "a", 1)}) == jobs
+    assert order.jobs(TASKS, {(first, "a", "", 0), (TASKS[0].id, "a", "", 0)}) == jobs[1:]
+    others = {(first, "b", "", 0), (first, "a", "", 1), (first, "a", "direct", 0)}
+    assert order.jobs(TASKS, others) == jobs

@@ -3,36 +3,71 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
 
-import tyro
-
-from probe.cli.assets import app as assets_app
-from probe.cli.demo import demo
-from probe.cli.human import human
-from probe.cli.merge import merge
-from probe.cli.report import report
-from probe.cli.rescore import rescore
-from probe.cli.robustness import robustness
-from probe.cli.run import run
-from probe.cli.scene import scene
-from probe.cli.serve import serve
-from probe.cli.suite import app as suite_app
-from probe.cli.tools import app as tools_app
 from probe.errors import ProbeError
 
-app = tyro.extras.SubcommandApp()
-for command in (demo, scene, run, merge, report, rescore, robustness, serve, human):
-    app.command(command)
-app.command(assets_app, name="assets")
-app.command(suite_app, name="suite")
-app.command(tools_app, name="tools")
+
+@dataclass(frozen=True)
+class _Command:
+    """Where a command is, and what the list of commands says of it.
+
+    Modules are imported when their command is called: each needs other libraries, all of them
+    together take seconds.
+    """
+
+    module: str
+    words: str
+    nested: bool = False
+
+
+COMMANDS: dict[str, _Command] = {
+    "demo": _Command("demo", "Let the scripted agent solve the six demo tasks."),
+    "scene": _Command("scene", "Settle a cluttered table from a seed and photograph it."),
+    "run": _Command("run", "Let an agent or a model work on a suite."),
+    "merge": _Command("merge", "Join folders of records that `probe run --shard` wrote."),
+    "report": _Command("report", "Grade records and write a page of scores and replays."),
+    "rescore": _Command("rescore", "Grade a run's records again and write rows and scores."),
+    "robustness": _Command("robustness", "Compare runs of the same tasks under other conditions."),
+    "serve": _Command("serve", "Let another program use the tools on one task, over MCP."),
+    "export": _Command("export", "Write a suite as a data set for other programs."),
+    "human": _Command("human", "Let people answer in a browser, with what agents see and can do."),
+    "assets": _Command("assets", "What the object library holds, and how to add to it.", True),
+    "suite": _Command("suite", "Build and show frozen suites of tasks.", True),
+    "tools": _Command("tools", "How often the tools work, alone, on true targets.", True),
+}
 
 
 def main() -> None:
     """Run the command line; expected failures become one line and exit status 1."""
     try:
-        app.cli(prog="probe", description="Questions that only moving things can answer.")
+        _run(sys.argv[1:])
     except ProbeError as failure:
         sys.exit(f"probe: {failure}")
     except KeyboardInterrupt:
         sys.exit("probe: interrupted")
+
+
+def _run(arguments: list[str]) -> None:
+    import tyro
+
+    app = tyro.extras.SubcommandApp()
+    wanted = arguments[0] if arguments else ""
+    for name, command in COMMANDS.items():
+        if name == wanted:
+            module = import_module(f"probe.cli.{command.module}")
+            app.command(module.app if command.nested else getattr(module, name), name=name)
+        else:
+            app.command(name=name)(_named(command))
+    app.cli(prog="probe", description="Questions that only moving things can answer.")
+
+
+def _named(command: _Command) -> Callable[[], None]:
+    """Stands in the list for a command that isn't called."""
+
+    def stub() -> None: ...
+
+    stub.__doc__ = command.words
+    return stub

@@ -50,9 +50,9 @@ def arm_of(agent: str) -> str:
 
 
 def marked(suite: str, graded: Graded, arm: str | None = None) -> Row:
-    """The row of a graded record; without a given arm, it is the one that its agent is usual in."""
+    """The row of a graded record; without a given arm, in the record's or its agent's usual one."""
     task, record, score = graded
-    return row_of(task, record, score, suite=suite, arm=arm or arm_of(record.agent))
+    return row_of(task, record, score, suite=suite, arm=arm or record.arm or arm_of(record.agent))
 
 
 def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:

@@ -1,4 +1,4 @@
-"""`probe run`: let an agent work on a suite."""
+"""`probe run`: let an agent or a model work on a suite."""
 
 from __future__ import annotations
 
@@ -7,15 +7,21 @@ from typing import Annotated
 
 import tyro
 
+from probe.chat.prompts import Arm
 from probe.cli.agents import AgentName, make_agent
 from probe.cli.running import run_order
+from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import everything
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
 from probe.episodes.luck import NOISES, NoiseName
+from probe.episodes.seat import Points
 from probe.runs.plan import Order, Shard
 from probe.tasks.suite_file import find_suite
+
+_TABLES = 4
+"""Samples of a model at a time, if nobody says otherwise: models take their time."""
 
 
 def run(
@@ -24,22 +30,59 @@ def run(
     out: Path = Path("outputs/run"),
     runs: int = 1,
     noise: NoiseName = "none",
-    workers: int = 1,
+    workers: int | None = None,
     shard: str = "0/1",
     conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
+    model: str | None = None,
+    arm: Arm = "agentic",
+    epochs: int = 3,
+    points: Points | None = None,
+    pointer: str = "oracle",
+    endpoint: str | None = None,
+    prices: Path | None = None,
+    dry_run: bool = False,
 ) -> None:
     """Let an agent work on every task of a suite; goes on where an earlier run stopped.
 
     Args:
-        suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
-        agent: Who acts; none of these needs a model.
+        suite: "v1", "demo" or a file that `probe suite build` wrote.
+        agent: Who acts, without a model.
         out: Folder for the records.
-        runs: Episodes of each task.
+        runs: Episodes of each task, for agents without a model.
         noise: How far the hand errs; "paper" fails as often as the paper's.
-        workers: Processes that run episodes.
+        workers: Processes that run episodes; by default 1, for a model 4.
         shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
         conditions: In what episodes differ from their tasks; see docs/run.md.
+        model: A model that acts instead, by a name of docs/models.md or the harness's own.
+        arm: How the model may answer: with tools, or at once from what it is shown.
+        epochs: Episodes of each task, for a model.
+        points: How the model counts places in pictures; by default what suits it.
+        pointer: Who points for perception: "oracle" for nobody, "self" for the model, or the
+            name of another.
+        endpoint: Address of a server that speaks OpenAI's protocol, up to and with its version.
+        prices: A file that says what tokens cost.
+        dry_run: Only say how much would be asked of the model.
     """
-    order = Order(agent, runs, NOISES[noise], conditions, Shard(*parse_shard(shard)))
-    run_order(find_suite(suite), order, make_agent, everything(), out, workers)
+    asked = find_suite(suite)
+    part = Shard(*parse_shard(shard))
+    if model is None:
+        order = Order(agent, runs, NOISES[noise], conditions, part)
+        run_order(asked, order, make_agent, everything(), out, workers or 1)
+    else:
+        seats = Seats(
+            model,
+            arm,
+            epochs,
+            points,
+            pointer,
+            endpoint,
+            prices,
+            NOISES[noise],
+            conditions,
+            part,
+            workers or _TABLES,
+        )
+        take_seats(asked, seats, out, dry_run=dry_run)
+        if dry_run:
+            return
     print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")

@@ -6,18 +6,14 @@ from contextlib import closing
 from functools import partial
 from pathlib import Path
 
-from rich.progress import track
-
 from probe.assets.library import Library, open_library
 from probe.cli.bars import bar
 from probe.cli.surroundings import cache_folder
-from probe.episodes.conditions import Conditions
+from probe.cli.varying import varied
 from probe.episodes.folder import RECORDS
-from probe.render.renderer import Renderer
 from probe.runs.plan import Order
 from probe.runs.run import Beginning, begun, work
-from probe.runs.variation import Variation, earlier, keep_varied, read_variation
-from probe.runs.vary import changes_scenes, vary
+from probe.runs.vary import changes_scenes
 from probe.runs.work import AgentOf, Workplace
 from probe.tasks.suite import Suite, check_objects
 
@@ -40,7 +36,7 @@ def run_order(
     """
     check_objects(suite, things)
     if changes_scenes(order.conditions):
-        suite = _varied(suite, order.conditions, things, out)
+        suite = varied(suite, order.conditions, things, out)
     pool = "all" if things.assets else "procedural"
     library = partial(open_library, pool, things.assets, things.cache)
     place = Workplace(order, library, agent_of, cache_folder() / "light")
@@ -57,22 +53,6 @@ def run_order(
                     progress.console.print(f"{job.task.id}, run {job.run} is missing: {fault}")
                 more = f", {faults} missing" if faults else ""
                 progress.update(line, advance=1, description=doing + more)
-
-
-def _varied(base: Suite, conditions: Conditions, things: Library, out: Path) -> Suite:
-    """The suite under other conditions, as the folder has it or made now; says what is amiss."""
-    suite = earlier(out, base, conditions)
-    if suite is None:
-        with Renderer() as renderer:
-            made = vary(base.tasks, conditions, things, renderer)
-            total = len(base.tasks)
-            found = list(track(made, f"Preparing tables ({conditions.label})", total=total))
-        suite = keep_varied(out, base, conditions, found)
-    notes = (read_variation(out) or Variation(base="", conditions="", notes={})).notes
-    for task, note in notes.items():
-        print(f"{task}: {note}")
-    print(f"{len(notes)} of {len(base.tasks)} tasks are no longer what was certified; all are run.")
-    return suite
 
 
 def _tell(beginning: Beginning, out: Path) -> None:

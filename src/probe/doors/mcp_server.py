@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import io
 import os
 import signal
 
@@ -14,18 +13,14 @@ from fastmcp.tools import Tool
 from fastmcp.tools.base import ToolResult as Told
 from fastmcp.utilities.types import Image
 from mcp_types import CallToolRequestParams, ContentBlock, TextContent
-from PIL import Image as Pixels
 
 from probe import __version__
+from probe.chat.pictures import jpeg
 from probe.doors.session import Session
 from probe.doors.words import instructions, question_text
 from probe.episodes.turns import Call, Question
 from probe.toolshed.result import ToolResult
 from probe.toolshed.tools import tool_schemas
-from probe.types import Array
-
-JPEG_QUALITY = 90
-"""Some clients refuse results over 1 MB; a table as PNG has 1.8, as JPEG 0.35 (in base64)."""
 
 QUESTION, FIRST_PICTURE = "probe://question", "probe://first-picture"
 
@@ -92,7 +87,7 @@ def _server(session: Session, question: Question) -> FastMCP:
     )
 
     async def first_picture() -> bytes:
-        return _jpeg(await asyncio.wrap_future(session.first_picture()))
+        return jpeg(await asyncio.wrap_future(session.first_picture()))
 
     async def ask() -> list[Message]:
         picture = Image(data=await first_picture(), format="jpeg")
@@ -109,12 +104,6 @@ def _server(session: Session, question: Question) -> FastMCP:
 def _told(result: ToolResult) -> Told:
     content: list[ContentBlock] = [TextContent(type="text", text=result.text)]
     if result.picture is not None:
-        content.append(Image(data=_jpeg(result.picture), format="jpeg").to_image_content())
+        content.append(Image(data=jpeg(result.picture), format="jpeg").to_image_content())
     # To a client, an error is a call that did nothing; a grasp that failed is a result.
     return Told(content, is_error=result.status in ("malformed", "refused"))
-
-
-def _jpeg(picture: Array) -> bytes:
-    buffer = io.BytesIO()
-    Pixels.fromarray(picture).save(buffer, "JPEG", quality=JPEG_QUALITY, subsampling=0)
-    return buffer.getvalue()

@@ -9,6 +9,7 @@ import pydantic
 from probe.episodes.conditions_document import ConditionsDocument, SightDocument
 from probe.episodes.luck import Noise
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
+from probe.episodes.seat_document import SeatDocument
 from probe.episodes.turns import Call, Question
 from probe.scene.document import SceneDocument
 from probe.scene.sight import Sight
@@ -84,6 +85,8 @@ class EpisodeDocument(_Document):
     # Records of before there were conditions are of none.
     conditions: ConditionsDocument = ConditionsDocument()
     sight: SightDocument | None = None
+    # None of agents that are no models, and in records of before there were any.
+    seat: SeatDocument | None = None
 
     @staticmethod
     def of(record: EpisodeRecord, *, timed: bool = True) -> EpisodeDocument:
@@ -104,6 +107,7 @@ class EpisodeDocument(_Document):
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
             conditions=ConditionsDocument.of(record.conditions),
             sight=SightDocument.of(record.sight),
+            seat=record.seat and SeatDocument.of(record.seat),
         )
 
     def record(self) -> EpisodeRecord:
@@ -123,6 +127,7 @@ class EpisodeDocument(_Document):
             noise=Noise(self.noise.grasp, self.noise.push),
             conditions=self.conditions.conditions(),
             sight=self.sight.sight() if self.sight else Sight(),
+            seat=self.seat and self.seat.seat(),
         )
 
 

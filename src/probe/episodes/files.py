@@ -22,6 +22,15 @@ def line_of(record: EpisodeRecord, *, timed: bool = True) -> bytes:
     return EpisodeDocument.of(record, timed=timed).model_dump_json().encode() + b"\n"
 
 
+def record_of(line: bytes) -> EpisodeRecord:
+    """The record of a line that line_of wrote.
+
+    Raises:
+        BadData: It is no record of this version.
+    """
+    return _read("record", line)
+
+
 def write_records(path: Path, records: Sequence[EpisodeRecord]) -> None:
     """Write a whole file of records or none.
 

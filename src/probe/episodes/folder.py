@@ -85,19 +85,19 @@ def add_line(out: Path, line: bytes) -> None:
 
 
 def in_order(records: Iterable[EpisodeRecord], suite: Suite) -> list[EpisodeRecord]:
-    """Records by task, agent and run, however they were written; faults before their repetition."""
+    """Records by task, agent, arm and run, in any order before; faults before their repetition."""
     places = {task.id: place for place, task in enumerate(suite.tasks)}
 
-    def place(record: EpisodeRecord) -> tuple[int, str, str, int, bool]:
+    def place(record: EpisodeRecord) -> tuple[int, str, str, str, int, bool]:
         known = places.get(record.task, len(places))
-        return known, record.task, record.agent, record.run, record.end != "fault"
+        return known, record.task, record.agent, record.arm, record.run, record.end != "fault"
 
     return sorted(records, key=place)
 
 
 def standing(records: Iterable[EpisodeRecord]) -> list[EpisodeRecord]:
     """Of records in order the last of each run: no faults that were made good since."""
-    last = {(record.task, record.agent, record.run): record for record in records}
+    last = {(it.task, it.agent, it.arm, it.run): it for it in records}
     return list(last.values())
 
 
@@ -127,8 +127,12 @@ def add_run(out: Path, record: EpisodeRecord) -> None:
     path = out / RECORDS
     with alone(out):
         earlier = read_records(path) if path.exists() else []
-        mine = [r.run for r in earlier if (r.task, r.agent) == (record.task, record.agent)]
+        mine = [r.run for r in earlier if _whose(r) == _whose(record)]
         append_record(path, replace(record, run=max(mine, default=-1) + 1))
+
+
+def _whose(record: EpisodeRecord) -> tuple[str, str, str]:
+    return record.task, record.agent, record.arm
 
 
 @contextmanager

@@ -6,19 +6,22 @@ answer: their number tells nothing. Nothing is moved, so that marks keep their p
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from probe.assets.library import Library
+from probe.render.lighting import light_of
 from probe.render.photograph import labels_of, load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
+from probe.scene.sight import Sight
 from probe.tasks.marks import drawn
 from probe.tasks.task import Task
-from probe.types import Array, Frame
+from probe.types import Array, Camera, Frame
 
 HIDDEN_SHARE = 0.30
 """Things of which less than this shows can't be named, and come to light in Find and Count."""
@@ -47,20 +50,25 @@ class OracleView:
         return self.first, self.revealed
 
 
-def oracle_view(task: Task, library: Library, renderer: Renderer) -> OracleView:
-    """Draw a task's evidence; replaces what the renderer had loaded."""
+def oracle_view(
+    task: Task, library: Library, renderer: Renderer, sight: Sight | None = None
+) -> OracleView:
+    """Draw a task's evidence, as always or in another sight; replaces what was loaded before."""
+    sight = sight or Sight()
     load_scene(renderer, task.scene, library, library.table(task.scene.table))
-    first = photograph(renderer, task.scene)
+    light = light_of(sight.lighting, library.assets)
+    first = photograph(renderer, task.scene, camera=sight.camera, light=light)
     assert first.rgb is not None
-    removed = tuple(sorted(vanishing(task, renderer)))
+    removed = tuple(sorted(vanishing(task, renderer, sight.camera)))
+    rest = task.scene.without(*removed)
     return OracleView(
         replace(first, rgb=drawn(first.rgb, task.marks)),
-        photograph(renderer, task.scene.without(*removed)),
+        photograph(renderer, rest, camera=sight.camera, light=light),
         removed,
     )
 
 
-def vanishing(task: Task, renderer: Renderer) -> set[int]:
+def vanishing(task: Task, renderer: Renderer, camera: Camera | None = None) -> set[int]:
     """Instances without which a task's evidence shows; the renderer must have them loaded.
 
     Beneath: the cover. Reduce: what is named. Compare and Size: all that lies over a marked thing.
@@ -71,14 +79,15 @@ def vanishing(task: Task, renderer: Renderer) -> set[int]:
         return {task.cover}
     if task.named:
         return set(task.named)
-    outlines = renderer.outlines(task.scene.objects, top_camera())
+    outlines = renderer.outlines(task.scene.objects, camera or top_camera())
+    see = partial(labels_of, renderer, camera=camera)
     if task.marks:
-        return _over(task.scene, set(task.targets), set(task.targets), outlines, renderer)
+        return _over(task.scene, set(task.targets), set(task.targets), outlines, see)
     kept = set(task.targets)
-    gone = _over(task.scene, kept, kept, outlines, renderer)
-    counts = np.bincount(labels_of(renderer, task.scene).ravel(), minlength=max(outlines) + 1)
+    gone = _over(task.scene, kept, kept, outlines, see)
+    counts = np.bincount(see(task.scene).ravel(), minlength=max(outlines) + 1)
     faint = {n for n, mask in outlines.items() if counts[n] < HIDDEN_SHARE * mask.sum()}
-    return gone | _over(task.scene.without(*gone), faint - gone, kept | faint, outlines, renderer)
+    return gone | _over(task.scene.without(*gone), faint - gone, kept | faint, outlines, see)
 
 
 def _over(
@@ -86,12 +95,12 @@ def _over(
     wanted: Collection[int],
     kept: Collection[int],
     outlines: dict[int, Array],
-    renderer: Renderer,
+    see: Callable[[Scene], Array],
 ) -> set[int]:
     """All that hides some of the wanted things, layer by layer; what is kept stays."""
     gone: set[int] = set()
     while True:
-        labels = labels_of(renderer, scene.without(*gone))
+        labels = see(scene.without(*gone))
         over = {
             int(number)
             for one in wanted

@@ -144,9 +144,26 @@ def open_episode(
     renderer: Renderer,
     run: int = 0,
     noise: Noise = NO_NOISE,
+    conditions: Conditions = AS_FROZEN,
+    sight: Sight | None = None,
+    perceiver: Perceiver = ideal,
 ) -> Episode:
-    """A fresh episode with pictures, for somebody who acts from outside; see play()."""
-    tools, station = set_table(task, library, table, renderer, pictures=True, noise=noise, run=run)
+    """A fresh episode with pictures, for somebody who acts from outside; see play().
+
+    Its record doesn't tell of conditions and sight: whoever keeps it adds them.
+    """
+    tools, station = set_table(
+        task,
+        library,
+        table,
+        renderer,
+        pictures=True,
+        perceiver=perceiver,
+        noise=noise,
+        conditions=conditions,
+        sight=sight,
+        run=run,
+    )
     question = question_of(task, tools.first_picture())
     return Episode(task.id, question, tools, station, agent_name=agent_name, run=run, noise=noise)
 

@@ -7,6 +7,7 @@ from typing import Literal
 
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.luck import NO_NOISE, Noise
+from probe.episodes.seat import Seat
 from probe.episodes.turns import Call, Question
 from probe.scene.scene import Scene
 from probe.scene.sight import Sight
@@ -68,6 +69,7 @@ class EpisodeRecord:
         noise: How far the hand erred; with the task's seed and the run it gives the same luck.
         conditions: In what the run differed from its tasks.
         sight: From where and in which light the table was seen.
+        seat: How a model took part; None if none did.
     """
 
     task: str
@@ -83,6 +85,12 @@ class EpisodeRecord:
     noise: Noise = NO_NOISE
     conditions: Conditions = AS_FROZEN
     sight: Sight = field(default_factory=Sight)
+    seat: Seat | None = None
+
+    @property
+    def arm(self) -> str:
+        """How a model was allowed to answer; empty for other agents, whose names say it."""
+        return self.seat.arm if self.seat else ""
 
     @property
     def scenes(self) -> tuple[Scene, ...]:

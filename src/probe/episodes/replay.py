@@ -25,6 +25,7 @@ _FIELDS = (
     "noise",
     "conditions",
     "sight",
+    "seat",
 )
 _PARTS = ("call", "status", "text", "point_px", "after")
 
@@ -69,7 +70,13 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> Episo
         agent_name=record.agent,
         run=record.run,
     )
-    return replace(again, noise=record.noise, conditions=record.conditions, sight=record.sight)
+    return replace(
+        again,
+        noise=record.noise,
+        conditions=record.conditions,
+        sight=record.sight,
+        seat=record.seat,
+    )
 
 
 def resume(record: EpisodeRecord, episode: Episode) -> tuple[Turn, ...]:

@@ -145,5 +145,9 @@ def detail_of(played: Played) -> dict[str, Any]:
             }
             for step, picture in zip(record.steps, played.pictures[1:], strict=True)
         ],
+        # What a model said without calling a tool: all of it, where it has none.
+        "said": [reply.words for reply in record.seat.replies if reply.words]
+        if record.seat
+        else [],
         "seconds": [played.row.seconds_agent, played.row.seconds_tools],
     }

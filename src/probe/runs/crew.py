@@ -56,7 +56,7 @@ class _Worker(Generic[Job]):
 
 
 def carry_out(
-    opening: Opening[Job], jobs: Sequence[Job], workers: int
+    opening: Opening[Job, bytes], jobs: Sequence[Job], workers: int
 ) -> Generator[tuple[Job, bytes | Lost]]:
     """Do jobs in worker processes; yields each with what came of it, as it is known.
 
@@ -80,7 +80,7 @@ def carry_out(
 
 
 class _Crew(Generic[Job]):
-    def __init__(self, opening: Opening[Job], waiting: deque[tuple[Job, int]]) -> None:
+    def __init__(self, opening: Opening[Job, bytes], waiting: deque[tuple[Job, int]]) -> None:
         self.workers: list[_Worker[Job]] = []
         self._opening = opening
         self._waiting = waiting
@@ -134,7 +134,7 @@ class _Crew(Generic[Job]):
     def _bury(self, worker: _Worker[Job]) -> tuple[Job, Lost] | None:
         """Replace a dead worker; its job is begun anew, or lost."""
         self._part_with(worker)
-        how = _death(worker.process.exitcode)
+        how = death(worker.process.exitcode)
         job = worker.job
         if job is None:
             self._stillborn += 1
@@ -157,7 +157,8 @@ class _Crew(Generic[Job]):
             worker.process.join()
 
 
-def _death(exitcode: int | None) -> str:
+def death(exitcode: int | None) -> str:
+    """How a process ended, in words that follow "a process"."""
     if exitcode is None or exitcode >= 0:
         return f"ended with status {exitcode}"
     return f"was killed by signal {-exitcode} ({signal.Signals(-exitcode).name})"

@@ -25,7 +25,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
     if (out / SUITE).exists() or (out / RECORDS).exists():
         raise BadData(out, "holds a run", "Choose a new folder")
     suite = read_suite(parts[0] / SUITE)
-    found: dict[tuple[str, str, int], Path] = {}
+    found: dict[tuple[str, str, str, int], Path] = {}
     first: EpisodeRecord | None = None
     kept = list[EpisodeRecord]()
     for part in parts:
@@ -52,12 +52,12 @@ def _check(
     part: Path,
     record: EpisodeRecord,
     first: EpisodeRecord,
-    found: dict[tuple[str, str, int], Path],
+    found: dict[tuple[str, str, str, int], Path],
 ) -> None:
     """Refuse a record that doesn't go with those before it; note it otherwise."""
     if (record.noise, record.conditions) != (first.noise, first.conditions):
         raise BadData(part, "was run under other conditions", "Merge runs under the same ones")
-    key = record.task, record.agent, record.run
+    key = record.task, record.agent, record.arm, record.run
     if key in found:
         reason = f"{record.task}, {record.agent}, run {record.run} is in {found[key]} too"
         raise BadData(part, reason, "Leave one of the two out")

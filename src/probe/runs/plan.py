@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.luck import NO_NOISE, Noise
+from probe.episodes.seat import Points
 from probe.tasks.task import Task
 
 
@@ -45,6 +46,8 @@ class Order:
         noise: How far the hand errs.
         conditions: In what episodes differ from their tasks.
         shard: Which part of them.
+        arm: How a model is allowed to answer; empty for other agents.
+        points: How a model counts places in pictures.
     """
 
     agent: str
@@ -52,13 +55,17 @@ class Order:
     noise: Noise = NO_NOISE
     conditions: Conditions = AS_FROZEN
     shard: Shard = Shard()
+    arm: str = ""
+    points: Points = "pixels"
 
-    def jobs(self, tasks: Sequence[Task], done: Collection[tuple[str, str, int]] = ()) -> list[Job]:
+    def jobs(
+        self, tasks: Sequence[Task], done: Collection[tuple[str, str, str, int]] = ()
+    ) -> list[Job]:
         """What is left to do, in order of task and run.
 
         Args:
             tasks: Of the suite.
-            done: Task, agent and run of episodes that needn't be run again.
+            done: Task, agent, arm and run of episodes that needn't be run again.
         """
         mine = self.shard.of([Job(task, run) for task in tasks for run in range(self.runs)])
-        return [job for job in mine if (job.task.id, self.agent, job.run) not in done]
+        return [job for job in mine if (job.task.id, self.agent, self.arm, job.run) not in done]

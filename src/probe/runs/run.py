@@ -44,13 +44,13 @@ def begun(out: Path, suite: Suite, order: Order) -> Generator[Beginning]:
         OutputFailed: It can't be written.
     """
     check_suite(out, suite)
-    _check_settings(out / RECORDS, _earlier(out), order)
+    check_settings(out / RECORDS, _earlier(out), order)
     if not (out / SUITE).exists():
         write_suite(out / SUITE, suite)
     with reserved(out):
         cut = set_aside_cut(out / RECORDS)
         earlier = _earlier(out)
-        done = {(it.task, it.agent, it.run) for it in earlier if it.end != "fault"}
+        done = {(it.task, it.agent, it.arm, it.run) for it in earlier if it.end != "fault"}
         jobs = order.jobs(suite.tasks, done)
         yield Beginning(tuple(jobs), len(order.jobs(suite.tasks)) - len(jobs), cut)
 
@@ -76,7 +76,12 @@ def work(
         results.close()
 
 
-def _check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) -> None:
+def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) -> None:
+    """See that records were made under the conditions of an order.
+
+    Raises:
+        BadData: They weren't.
+    """
     for record in earlier:
         if record.noise != order.noise:
             raise BadData(path, "was run with another noise", "Choose another folder")
@@ -84,6 +89,14 @@ def _check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) 
             was = record.conditions.label or "none"
             reason = f"was run under other conditions ({was})"
             raise BadData(path, reason, "Choose another folder")
+        if _counts_otherwise(record, order):
+            raise BadData(path, "was run with other --points", "Choose another folder")
+
+
+def _counts_otherwise(record: EpisodeRecord, order: Order) -> bool:
+    """The same model in the same arm, but told to count places in another way."""
+    same = (record.agent, record.arm) == (order.agent, order.arm)
+    return same and record.seat is not None and record.seat.points != order.points
 
 
 def _earlier(out: Path) -> list[EpisodeRecord]:

@@ -15,8 +15,9 @@ from typing import TypeVar
 from probe.errors import ProbeError
 
 Job = TypeVar("Job")
+Result = TypeVar("Result")
 
-Opening = Callable[[], AbstractContextManager[Callable[[Job], bytes]]]
+Opening = Callable[[], AbstractContextManager[Callable[[Job], Result]]]
 """Sets a worker up and gives what does a job; it is sent to the worker, so it has to be of a
 module or a value of such a class. What the doing raises is a fault of this program."""
 
@@ -28,7 +29,7 @@ class Ready:
     problem: str | None = None
 
 
-def serve(opening: Opening[Job], pipe: Connection) -> None:
+def serve(opening: Opening[Job, Result], pipe: Connection) -> None:
     """Set up once, then do job after job; the function that a worker process runs.
 
     Args:

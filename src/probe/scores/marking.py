@@ -47,7 +47,7 @@ def row_of(
         score: What it is worth by the task's rules.
         suite: Name of the suite.
         arm: How the agent was allowed to answer; the row's arm says under which conditions, too.
-        usage: Of the model, if there was one.
+        usage: Of the model; by default what the record says of it.
     """
     done = [step.call.name for step in record.steps if step.status in ("done", "failed")]
     return Row.model_validate(
@@ -75,10 +75,15 @@ def row_of(
             "manipulated": record.manipulations > 0,
             "seconds_agent": _total(record.seconds.agent, record),
             "seconds_tools": _total(record.seconds.tools, record),
-            **asdict(usage or Usage()),
+            **asdict(usage or _usage(record)),
             **_execution(task, record, score),
         }
     )
+
+
+def _usage(record: EpisodeRecord) -> Usage:
+    seat = record.seat
+    return Usage(seat.tokens_in, seat.tokens_out, seat.cost) if seat else Usage()
 
 
 def under(arm: str, record: EpisodeRecord) -> str:

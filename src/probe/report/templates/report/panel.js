@@ -41,6 +41,12 @@ class Panel {
     this.show(0);
   }
 
+  before() {
+    const words = this.detail.said.map((each) => make("p", { class: "words" }, said(each)));
+    const label = words.length ? [make("p", { class: "label" }, "What it said without a call")] : [];
+    return [make("p", { class: "words" }, "The table as the agent was first shown it."), ...label, ...words];
+  }
+
   header() {
     const { episode, detail } = this;
     const seconds = detail.seconds.filter((value) => value !== null).reduce((a, b) => a + b, 0);
@@ -76,7 +82,7 @@ class Panel {
     this.slider.setAttribute("aria-valuetext", words);
     this.count.textContent = `${this.at} / ${this.last}`;
     this.showPicture(step, words);
-    this.call.replaceChildren(...(step ? this.said(step) : [make("p", { class: "words" }, "The table as the agent was first shown it.")]));
+    this.call.replaceChildren(...(step ? this.said(step) : this.before()));
     [...this.steps.children].forEach((item, place) => {
       if (place === this.at) item.firstChild.setAttribute("aria-current", "step");
       else item.firstChild.removeAttribute("aria-current");

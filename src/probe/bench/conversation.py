@@ -1,0 +1,74 @@
+"""How an episode goes with a model: with tools until it answers, or in words at once."""
+
+from __future__ import annotations
+
+from inspect_ai.model import ChatMessageAssistant
+
+from probe.bench.listening import Listener
+from probe.bench.tables import Sitting
+from probe.bench.wire import call_of, result_message
+from probe.chat.answers import read_answer
+from probe.chat.coordinates import meant
+from probe.chat.messages import pictureless_first
+from probe.chat.prompts import Arm, reminder
+from probe.episodes.seat import Points, Reply
+from probe.runs.table_talk import Told
+from probe.tasks.task import Task
+from probe.toolshed.result import Answer
+
+
+async def with_tools(listener: Listener, sitting: Sitting, points: Points) -> None:
+    """Let a model call tools until the episode ends; it is reminded once in a row to call one.
+
+    Raises:
+        ModelFailed: No reply came.
+        TableLost: The table failed too often.
+    """
+    reminded = False
+    while True:
+        said = await listener.reply()
+        if said.tool_calls:
+            reminded = False
+            if await _carried_out(said, listener, sitting, points):
+                return
+            continue
+        listener.replies.append(Reply(0, said.text))
+        if reminded:
+            return
+        reminded = True
+        listener.say(reminder("agentic"))
+
+
+async def in_words(listener: Listener, arm: Arm, task: Task, points: Points) -> Answer | None:
+    """What a model answers that has no tools; it is reminded once.
+
+    Raises:
+        ModelFailed: No reply came.
+    """
+    letters = "".join(option.letter for option in task.options)
+    for last in (False, True):
+        said = await listener.reply()
+        listener.replies.append(Reply(0, said.text))
+        answer = read_answer(said.text, points, letters)
+        if answer is not None or last:
+            return answer
+        listener.say(reminder(arm))
+    return None
+
+
+async def _carried_out(
+    said: ChatMessageAssistant, listener: Listener, sitting: Sitting, points: Points
+) -> bool:
+    """Do the calls of a reply, one after another; whether the episode has ended."""
+    came: list[Told] = []
+    calls = said.tool_calls or []
+    for call in calls:
+        words = "" if came else said.text
+        came.append(await sitting.call(meant(call_of(call, words), points)))
+        if came[-1].ended:
+            break
+    listener.replies.append(Reply(len(came)))
+    results = [result_message(call, told, points) for call, told in zip(calls, came, strict=False)]
+    order = pictureless_first([told.picture for told in came])
+    listener.messages += [results[index] for index in order]
+    return came[-1].ended

@@ -1,0 +1,69 @@
+"""What a run will ask of a model, before anything is asked. Knows no harness."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from probe.chat.prompts import Arm, system_prompt
+from probe.chat.tools import tools_for
+from probe.episodes.seat import Points
+from probe.tasks.task import Task
+from probe.toolshed.toolshed import TURNS
+
+USUAL_TURNS = 12
+"""Assumed calls in an episode with tools; the most is TURNS."""
+
+PICTURE_TOKENS = 1300
+"""Assumed for one of 1024 x 1024; servers count from about 800 to 1,600."""
+
+RESULT_TOKENS, REPLY_TOKENS = 300, 80
+_CHARACTERS_A_TOKEN = 4
+_FIRST_PICTURES: dict[Arm, int] = {"agentic": 1, "direct": 1, "blind": 0, "oracle-view": 2}
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """Of all episodes together.
+
+    Attributes:
+        episodes: How many.
+        replies: How often the model is asked.
+        pictures: That it is sent, each time anew.
+        tokens_in, tokens_out: About.
+    """
+
+    episodes: int
+    replies: int
+    pictures: int
+    tokens_in: int
+    tokens_out: int
+
+
+def estimate(
+    arm: Arm, points: Points, tasks: Sequence[Task], epochs: int, turns: int = USUAL_TURNS
+) -> Estimate:
+    """About what a run takes; a conversation is sent whole each time, so tokens grow by squares.
+
+    Args:
+        arm: How the model may answer.
+        points: How it counts places.
+        tasks: What is asked.
+        epochs: Runs of each task.
+        turns: Calls in an episode with tools.
+    """
+    asked = min(turns, TURNS) if arm == "agentic" else 1
+    episodes = len(tasks) * epochs
+    fixed = _tokens(system_prompt(arm, points))
+    if arm == "agentic":
+        fixed += _tokens(json.dumps([vars(tool) for tool in tools_for(points)]))
+    questions = sum(_tokens(task.question + str(task.options)) for task in tasks) * epochs
+    pictures = sum(_FIRST_PICTURES[arm] + turn for turn in range(asked)) * episodes
+    grown = sum(turn * (RESULT_TOKENS + REPLY_TOKENS) for turn in range(asked)) * episodes
+    inward = episodes * asked * fixed + asked * questions + pictures * PICTURE_TOKENS + grown
+    return Estimate(episodes, episodes * asked, pictures, inward, episodes * asked * REPLY_TOKENS)
+
+
+def _tokens(text: str) -> int:
+    return len(text) // _CHARACTERS_A_TOKEN

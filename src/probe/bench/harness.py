@@ -1,0 +1,95 @@
+"""A plan as a task of the harness: its samples, solver, limits and scorer."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from inspect_ai import Epochs
+from inspect_ai import Task as HarnessTask
+from inspect_ai.dataset import MemoryDataset, Sample
+from inspect_ai.model import ChatMessageUser, GenerateConfig, get_model
+from inspect_ai.solver import Generate, Solver, TaskState, solver
+
+from probe.bench.plan import Plan
+from probe.bench.scoring import MISSING, RIGHT, STORE, WRONG, accuracy_by_type, graded
+from probe.bench.seating import Played, Seating
+
+RETRIES = 8
+"""How often a request is tried again that the server couldn't take or lost."""
+
+PATIENCE = 600
+"""Seconds that one attempt at a reply may take."""
+
+
+def harness_task(plan: Plan, seating: Seating | None = None) -> HarnessTask:
+    """A task of the harness.
+
+    Args:
+        plan: What is run.
+        seating: Of that plan, if the caller wants to close it.
+    """
+    tasks = len(plan.tasks)
+    return HarnessTask(
+        dataset=MemoryDataset([_sample(plan, task.id) for task in plan.tasks], plan.suite.name),
+        solver=_seat(seating or Seating(plan)),
+        scorer=graded(),
+        metrics=[accuracy_by_type(tasks)],
+        epochs=Epochs(plan.epochs, "mean"),
+        config=GenerateConfig(max_retries=RETRIES, attempt_timeout=PATIENCE),
+        # A sample of ours never raises; one that does all the same mustn't take others with it.
+        fail_on_error=False,
+        name=plan.arm.replace("-", "_"),
+        metadata={"suite": plan.suite.name, "records": str(plan.out), "points": plan.points},
+    )
+
+
+def _sample(plan: Plan, id: str) -> Sample:
+    task = next(task for task in plan.tasks if task.id == id)
+    lines = [task.question, *(f"{option.letter}: {option.text}" for option in task.options)]
+    metadata: dict[str, Any] = {"kind": task.kind, "arm": plan.arm}
+    return Sample(input="\n".join(lines), target=task.answer, id=task.id, metadata=metadata)
+
+
+def _seat(seating: Seating) -> Solver:
+    @solver(name="probe_seat")
+    def seat() -> Solver:
+        async def solve(state: TaskState, generate: Generate) -> TaskState:
+            played = await seating.play(str(state.sample_id), state.epoch - 1, get_model())
+            _show(state, played)
+            if played.limit is not None:
+                raise played.limit
+            state.completed = True
+            return state
+
+        return solve
+
+    return seat()
+
+
+def _show(state: TaskState, played: Played) -> None:
+    """The conversation and its worth, as the harness's log keeps them."""
+    record, listener = played.record, played.listener
+    if listener is not None and listener.messages:
+        state.messages = listener.messages
+        if listener.output is not None:
+            state.output = listener.output
+    else:
+        state.messages.append(ChatMessageUser(content="Played before; see the records."))
+    state.store.set(STORE, _worth(played))
+    state.store.set("end", record.end)
+
+
+def _worth(played: Played) -> dict[str, Any]:
+    record, score = played.record, played.score
+    said = record.answer.choice if record.answer else None
+    if score is None:
+        return {"value": MISSING, "answer": said, "explanation": record.fault}
+    metadata = {
+        "outcome": score.outcome,
+        "letter_correct": score.letter_correct,
+        "manipulations": record.manipulations,
+        "turns": len(record.steps),
+        "faults": list(record.seat.faults) if record.seat else [],
+    }
+    value = RIGHT if score.correct else WRONG
+    return {"value": value, "answer": said, "explanation": score.outcome, "metadata": metadata}

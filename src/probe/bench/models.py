@@ -1,0 +1,52 @@
+"""Models by short names, as data: what suits each. Knows no harness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from importlib.resources import files
+
+import pydantic
+import yaml
+
+from probe.episodes.seat import Points
+from probe.errors import BadData
+from probe.files import fault
+from probe.perception.points import Convention
+
+
+class ModelSettings(pydantic.BaseModel, extra="forbid", frozen=True):
+    """What suits a model.
+
+    Attributes:
+        id: The harness's name for it.
+        points: How it counts places.
+        pointing: How it writes places down when it points for perception.
+        serve: How to start a server of its weights, if they are open.
+    """
+
+    id: str
+    points: Points = "pixels"
+    pointing: Convention = "pixels"
+    serve: str | None = None
+
+
+@lru_cache(1)
+def known_models() -> Mapping[str, ModelSettings]:
+    """All that have short names.
+
+    Raises:
+        BadData: The file breaks its schema.
+    """
+    source = files("probe.bench") / "data/models.yaml"
+    try:
+        found = yaml.safe_load(source.read_text())
+        return pydantic.TypeAdapter(dict[str, ModelSettings]).validate_python(found)
+    except (yaml.YAMLError, pydantic.ValidationError) as error:
+        reason = fault(error, "it") if isinstance(error, pydantic.ValidationError) else str(error)
+        raise BadData("models.yaml", reason, "Correct it") from error
+
+
+def settings_of(name: str) -> ModelSettings:
+    """What suits a model; of one without a short name only its name is known."""
+    return known_models().get(name) or ModelSettings(id=name)

@@ -1,0 +1,111 @@
+"""What a model is to be run on, and the folder that its records go to."""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+from probe.assets.library import Library
+from probe.bench.prices import Price, Prices
+from probe.chat.prompts import Arm
+from probe.episodes.conditions import AS_FROZEN, Conditions
+from probe.episodes.files import line_of, read_records, set_aside_cut
+from probe.episodes.folder import RECORDS, standing, start_folder
+from probe.episodes.luck import NO_NOISE, Noise
+from probe.episodes.seat import Points
+from probe.files import write_text
+from probe.perception.points import Convention
+from probe.runs.plan import Order
+from probe.runs.run import check_settings
+from probe.tasks.suite import Suite
+from probe.tasks.task import Task
+
+Pointer = Literal["oracle", "self", "role"]
+"""Who points for perception: nobody, the model itself, or the one in the role "pointer"."""
+
+REPLIES = "replies.id"
+"""Beside the records: under which name replies are kept that needn't be paid again."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is to be run; a model takes the seat later.
+
+    Attributes:
+        arm: How it may answer.
+        suite: What is asked.
+        tasks: Of them, those that are run here.
+        out: Folder for the records.
+        library: Opens the objects; a value that can be sent to another process.
+        cache: Folder for prepared light.
+        epochs: Runs of each task.
+        points: How the model counts places in pictures.
+        noise: How far the hand errs.
+        conditions: In what episodes differ from their tasks.
+        pointer: Who points for perception.
+        convention: How the one who points writes points down.
+        workers: Tables, and so samples, at a time.
+        prices: Of tokens.
+        called: Name of the model in the records; by default the harness's.
+    """
+
+    arm: Arm
+    suite: Suite
+    tasks: tuple[Task, ...]
+    out: Path
+    library: Callable[[], Library]
+    cache: Path | None = None
+    epochs: int = 3
+    points: Points = "pixels"
+    noise: Noise = NO_NOISE
+    conditions: Conditions = AS_FROZEN
+    pointer: Pointer = "oracle"
+    convention: Convention = "pixels"
+    workers: int = 4
+    prices: Prices = field(default_factory=dict[str, Price])
+    called: str | None = None
+
+    def order(self, model: str, pointer: str) -> Order:
+        """Who acts, and under which conditions.
+
+        Args:
+            model: Name of the model.
+            pointer: Name of the one that points; empty for nobody.
+        """
+        arm = f"{self.arm}, pointer {pointer}" if pointer else self.arm
+        agent = self.called or model
+        return Order(agent, self.epochs, self.noise, self.conditions, arm=arm, points=self.points)
+
+
+Done = Mapping[tuple[str, int], bytes]
+"""Lines of records that are there already, by task and run."""
+
+
+def take_up(plan: Plan, order: Order) -> tuple[Done, str]:
+    """Make or take up the folder of records.
+
+    Returns:
+        What has been done before, and under which name replies are kept.
+
+    Raises:
+        BadData: It is about another suite, was run under other conditions, or can't be read.
+        OutputFailed: It can't be written.
+    """
+    set_aside_cut(plan.out / RECORDS)
+    start_folder(plan.out, plan.suite)
+    path = plan.out / RECORDS
+    earlier = read_records(path) if path.exists() else []
+    check_settings(path, earlier, order)
+    mine = [it for it in earlier if (it.agent, it.arm) == (order.agent, order.arm)]
+    done = {(it.task, it.run): line_of(it) for it in standing(mine) if it.end != "fault"}
+    return done, _name_of_replies(plan.out / REPLIES)
+
+
+def _name_of_replies(path: Path) -> str:
+    """Of this folder alone: a run in another one asks the model anew."""
+    if not path.exists():
+        write_text(path, uuid.uuid4().hex + "\n")
+    return path.read_text().strip()

@@ -1,0 +1,62 @@
+"""Our scores in the harness's own table; all statistics are made of the records instead."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from statistics import fmean
+
+from inspect_ai.scorer import Metric, SampleScore, Score, Scorer, Target, metric, scorer
+from inspect_ai.solver import TaskState
+
+RIGHT, WRONG, MISSING = "C", "I", "missing"
+"""Values of a score; the first two are the harness's own for right and wrong."""
+
+STORE = "probe"
+"""Under which name an episode's worth is in a sample's store."""
+
+
+@metric(scores="unreduced")
+def accuracy_by_type(tasks: int) -> Metric:
+    """Macro average and each type; no number while anything is missing.
+
+    Args:
+        tasks: How many there should be.
+    """
+
+    def compute(scores: list[SampleScore]) -> dict[str, float | int]:
+        runs: dict[str, list[float]] = defaultdict(list)
+        kinds: dict[str, str] = {}
+        missing = 0
+        for score in scores:
+            name = str(score.sample_id)
+            missing += score.score.value == MISSING
+            runs[name].append(float(score.score.value == RIGHT))
+            kinds[name] = str((score.sample_metadata or {}).get("kind", "unknown"))
+        found = _by_kind(runs, kinds)
+        whole = missing == 0 and len(runs) == tasks and len({len(r) for r in runs.values()}) == 1
+        known = {name: value if whole else float("nan") for name, value in found.items()}
+        return {**known, "missing": missing}
+
+    return compute
+
+
+@scorer(metrics=[], name="probe")
+def graded() -> Scorer:
+    """The worth of an episode, as the table's process graded it."""
+
+    async def score(state: TaskState, target: Target) -> Score:
+        found = state.store.get(STORE)
+        if not found:
+            return Score(value=MISSING, explanation="The episode came to no end.")
+        return Score.model_validate(found)
+
+    return score
+
+
+def _by_kind(runs: dict[str, list[float]], kinds: dict[str, str]) -> dict[str, float]:
+    """Mean of a task's runs, then of a type's tasks, then of the types."""
+    tasks: dict[str, list[float]] = defaultdict(list)
+    for name, values in runs.items():
+        tasks[kinds[name]].append(fmean(values))
+    means = {kind: fmean(values) for kind, values in sorted(tasks.items())}
+    return {"macro": fmean(means.values()) if means else 0.0, **means}

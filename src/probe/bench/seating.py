@@ -1,0 +1,186 @@
+"""Seats a model at the tables of a plan: one sample is one episode, its record is written down."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+from anyio import Lock
+from anyio.to_thread import run_sync
+from inspect_ai.model import (
+    CachePolicy,
+    ChatMessageUser,
+    ContentImage,
+    ContentText,
+    Model,
+    get_model,
+)
+from inspect_ai.util import LimitExceededError
+
+from probe.bench.conversation import in_words, with_tools
+from probe.bench.listening import Listener
+from probe.bench.plan import Done, Plan, take_up
+from probe.bench.tables import Sitting, TableLost, Tables
+from probe.bench.wire import data_uri, first_messages, tool_infos
+from probe.chat.messages import opening
+from probe.episodes.files import line_of, record_of
+from probe.episodes.folder import add_line
+from probe.episodes.grading import question_of
+from probe.episodes.record import EpisodeRecord
+from probe.errors import ModelFailed
+from probe.runs.plan import Job, Order
+from probe.runs.table import TablePlace
+from probe.runs.table_talk import Asked, Grade, Leave, Left, Unanswered
+from probe.runs.work import failed
+from probe.tasks.grading import Score
+from probe.toolshed.result import Answer
+
+ROLE = "pointer"
+
+
+class Seating:
+    """Everything of a plan that lives while it is run; nothing is started before the first sample.
+
+    Args:
+        plan: What is run.
+        place_of: Makes what each table's process is told.
+    """
+
+    def __init__(self, plan: Plan, place_of: type[TablePlace] = TablePlace) -> None:
+        self._plan = plan
+        self._place_of = place_of
+        self._tasks = {task.id: task for task in plan.tasks}
+        self._lock: Lock | None = None
+        self._tables: Tables | None = None
+        self._order: Order | None = None
+        self._done: Done = {}
+        self._replies = ""
+
+    async def play(self, task: str, run: int, model: Model) -> Played:
+        """One episode, or what an earlier run made of it.
+
+        Args:
+            task: Its id.
+            run: Number of the run.
+            model: Who acts.
+        """
+        order = await self._open(model)
+        job = Job(self._tasks[task], run)
+        assert self._tables is not None
+        line = self._done.get((task, run))
+        if line is not None:
+            async with self._tables.seat(_nobody) as sitting:
+                return Played(await sitting.grade(Grade(job, line)), None)
+        listener = self._listener(job, model)
+        limit = None
+        try:
+            left, limit = await self._played(job, order, listener, model)
+        except TableLost as error:
+            # What was done at the lost table can't be told any more.
+            seat = replace(listener.seat(order.arm, order.points), replies=())
+            record = replace(failed(job, order, str(error)), seat=seat)
+            left = Left(line_of(record), None)
+        await run_sync(add_line, self._plan.out, left.line)
+        return Played(left, listener, limit)
+
+    def close(self) -> None:
+        """End the processes that nobody uses."""
+        if self._tables is not None:
+            self._tables.close()
+
+    async def _open(self, model: Model) -> Order:
+        """Take up the folder, once."""
+        self._lock = self._lock or Lock()
+        async with self._lock:
+            if self._order is None:
+                plan = self._plan
+                order = plan.order(str(model), self._pointer_name(model))
+                self._done, self._replies = await run_sync(take_up, plan, order)
+                place = self._place_of(order, plan.library, plan.cache, convention=plan.convention)
+                pointing = plan.pointer != "oracle"
+                self._tables = Tables(place, plan.workers, pointing=pointing)
+                self._order = order
+            return self._order
+
+    def _pointer_name(self, model: Model) -> str:
+        if self._plan.pointer == "oracle":
+            return ""
+        return "self" if self._plan.pointer == "self" else str(get_model(role=ROLE))
+
+    def _listener(self, job: Job, model: Model) -> Listener:
+        plan = self._plan
+        scopes = {"folder": self._replies, "episode": f"{job.task.id} {job.run}"}
+        price = plan.prices.get(plan.called or "") or plan.prices.get(str(model))
+        tools = tool_infos(plan.points) if plan.arm == "agentic" else []
+        return Listener(model, tools, [], CachePolicy(expiry=None, scopes=scopes), price)
+
+    async def _played(
+        self, job: Job, order: Order, listener: Listener, model: Model
+    ) -> tuple[Left, LimitExceededError | None]:
+        """What came of an episode, and which limit of the user's ended it, if one did."""
+        assert self._tables is not None
+        plan = self._plan
+        known: dict[Asked, str] = {}
+        async with self._tables.seat(partial(self._point, model, known)) as sitting:
+            shown = await sitting.sit(job)
+            question = question_of(job.task)
+            first = opening(plan.arm, plan.points, question, shown.pictures)
+            listener.messages += first_messages(first)
+            answer, fault, limit = None, None, None
+            try:
+                answer = await self._answered(job, listener, sitting)
+            except LimitExceededError as error:
+                # The user's own limit: an episode without an answer, not a fault of ours.
+                limit = error
+            except ModelFailed as error:
+                fault = str(error)
+            seat = listener.seat(order.arm, order.points, sitting.failures)
+            return await sitting.leave(Leave(seat, answer, fault)), limit
+
+    async def _answered(self, job: Job, listener: Listener, sitting: Sitting) -> Answer | None:
+        plan = self._plan
+        if plan.arm == "agentic":
+            await with_tools(listener, sitting, plan.points)
+            return None
+        return await in_words(listener, plan.arm, job.task, plan.points)
+
+    async def _point(self, model: Model, known: dict[Asked, str], asked: Asked) -> str | Unanswered:
+        """Ask the model that points; the same question twice in an episode gets the same reply."""
+        if asked in known:
+            return known[asked]
+        pointer = model if self._plan.pointer == "self" else get_model(role=ROLE)
+        pictures = [ContentImage(image=data_uri(picture)) for picture in asked.pictures]
+        message = ChatMessageUser(content=[*pictures, ContentText(text=asked.text)])
+        policy = CachePolicy(expiry=None, scopes={"folder": self._replies, "role": ROLE})
+        try:
+            output = await pointer.generate([message], cache=policy)
+        except LimitExceededError:
+            raise
+        except Exception as error:  # whatever a provider's client may raise
+            return Unanswered(f"{pointer.name}: {type(error).__name__}: {error}")
+        if not output.message.text.strip():
+            return Unanswered(f"{pointer.name} says nothing")
+        known[asked] = output.message.text
+        return known[asked]
+
+
+class Played:
+    """An episode that is over.
+
+    Args:
+        left: Its record and worth.
+        listener: The conversation; None if it was played before.
+        limit: Of the harness, set by the user, that ended it.
+    """
+
+    def __init__(
+        self, left: Left, listener: Listener | None, limit: LimitExceededError | None = None
+    ) -> None:
+        self.record: EpisodeRecord = record_of(left.line)
+        self.score: Score | None = left.score
+        self.listener = listener
+        self.limit = limit
+
+
+async def _nobody(asked: Asked) -> Unanswered:
+    return Unanswered("nobody points")

@@ -1,0 +1,154 @@
+"""Tables for samples that run at once: each has a process, and one that dies is replaced."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncGenerator
+from contextlib import asynccontextmanager
+
+from anyio import CapacityLimiter, Semaphore
+
+from probe.bench.process import AskPointer, TableProcess
+from probe.episodes.turns import Call
+from probe.errors import ProbeError
+from probe.runs.crew import TRIES
+from probe.runs.plan import Job
+from probe.runs.table import TablePlace
+from probe.runs.table_talk import Broken, Grade, Leave, Left, Request, Response, Shown, Sit, Told
+
+
+class TableLost(ProbeError):
+    """A table failed as often as it is set anew; the message is the last reason."""
+
+
+class Tables:
+    """A number of processes; who finds none free waits.
+
+    Args:
+        place: What each is told.
+        count: How many.
+        pointing: Whether perception asks a model.
+    """
+
+    def __init__(self, place: TablePlace, count: int, *, pointing: bool = False) -> None:
+        self._place = place
+        self._pointing = pointing
+        self._slots = Semaphore(count)
+        self._limiter = CapacityLimiter(count)
+        self._free: list[TableProcess] = []
+
+    @asynccontextmanager
+    async def seat(self, ask: AskPointer) -> AsyncGenerator[Sitting]:
+        """A seat at a table of one's own, until the block ends."""
+        async with self._slots:
+            sitting = Sitting(self, ask)
+            try:
+                yield sitting
+            except BaseException:
+                sitting.get_up(break_off=True)
+                raise
+            sitting.get_up()
+
+    async def take(self) -> TableProcess:
+        """A process that is free, or a new one.
+
+        Raises:
+            WorkerUnfit: None can be set up.
+            TableDied: It died before it could work.
+        """
+        if self._free:
+            return self._free.pop()
+        made = TableProcess(self._place, pointing=self._pointing, limiter=self._limiter)
+        try:
+            await made.ready()
+        except BaseException:
+            made.kill()
+            raise
+        return made
+
+    def give_back(self, process: TableProcess) -> None:
+        """Somebody else may have it."""
+        self._free.append(process)
+
+    def close(self) -> None:
+        """End the processes that nobody uses."""
+        while self._free:
+            self._free.pop().kill()
+
+
+class Sitting:
+    """One episode at a table that may fail under it.
+
+    A new table then takes its place, on which everything that was done is done again: the same
+    luck gives the same table, so that the model is asked nothing twice.
+    """
+
+    def __init__(self, tables: Tables, ask: AskPointer) -> None:
+        self._tables = tables
+        self._ask = ask
+        self._process: TableProcess | None = None
+        self._done: list[Request] = []
+        self._failures: list[str] = []
+
+    @property
+    def failures(self) -> tuple[str, ...]:
+        """Why tables had to be set anew."""
+        return tuple(self._failures)
+
+    async def sit(self, job: Job) -> Shown:
+        """Have the table set; see Sit. All of these raise TableLost."""
+        response = await self._do(Sit(job))
+        assert isinstance(response, Shown)
+        return response
+
+    async def call(self, call: Call) -> Told:
+        """Call a tool."""
+        response = await self._do(call)
+        assert isinstance(response, Told)
+        return response
+
+    async def leave(self, leave: Leave) -> Left:
+        """Hand in the record."""
+        return await self._left(leave)
+
+    async def grade(self, grade: Grade) -> Left:
+        """Grade a record that was made before."""
+        return await self._left(grade)
+
+    def get_up(self, *, break_off: bool = False) -> None:
+        """Give the table back; one that is left in the middle of something is ended."""
+        if self._process is not None:
+            if break_off:
+                self._process.kill()
+            else:
+                self._tables.give_back(self._process)
+            self._process = None
+
+    async def _left(self, request: Leave | Grade) -> Left:
+        response = await self._do(request)
+        assert isinstance(response, Left)
+        return response
+
+    async def _do(self, request: Request) -> Response:
+        self._done.append(request)
+        lacking = [request]
+        while isinstance(response := await self._try(lacking), Broken):
+            self.get_up(break_off=True)
+            self._failures.append(response.reason)
+            if len(self._failures) >= TRIES:
+                raise TableLost(f"{response.reason} ({TRIES} times in all)")
+            lacking = list(self._done)
+        return response
+
+    async def _try(self, requests: list[Request]) -> Response:
+        """Do requests one after another; the last one's response, or the first that is broken."""
+        response: Response = Broken("nothing was asked for")
+        try:
+            if self._process is None:
+                self._process = await self._tables.take()
+            for request in requests:
+                response = await self._process.request(request, self._ask)
+                if isinstance(response, Broken):
+                    return response
+        except ProbeError as error:
+            return Broken(str(error))
+        return response

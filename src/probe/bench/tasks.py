@@ -1,0 +1,125 @@
+"""The tasks that `inspect eval probe/...` knows; its entry point loads this module."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from inspect_ai import Task as HarnessTask
+from inspect_ai import task
+
+from probe.assets.library import open_library
+from probe.bench.harness import harness_task
+from probe.bench.plan import Plan, Pointer
+from probe.bench.prices import read_prices
+from probe.chat.prompts import Arm
+from probe.episodes.conditions import Conditions, LightKind
+from probe.episodes.luck import NOISES, NoiseName
+from probe.episodes.seat import Points
+from probe.perception.points import Convention
+from probe.tasks.suite_file import find_suite
+
+# The harness puts a package's name before its tasks' names, but doesn't recognise one that is
+# installed from a checkout.
+_SPACE = "" if "site-packages" in __file__ else "probe/"
+
+
+@task(name=f"{_SPACE}agentic")
+def agentic(
+    suite: str = "v1",
+    out: str = "outputs/inspect/agentic",
+    epochs: int = 3,
+    points: Points = "pixels",
+    noise: NoiseName = "none",
+    lighting: LightKind = "ambient",
+    pointer: Pointer = "oracle",
+    pointing: Convention = "pixels",
+    workers: int = 4,
+    prices: str | None = None,
+) -> HarnessTask:
+    """Questions about a table, with the five tools to move things on it."""
+    plan = _plan("agentic", suite, out, epochs, points, workers, prices)
+    plan = replace(
+        plan,
+        noise=NOISES[noise],
+        conditions=Conditions(lighting=lighting),
+        pointer=pointer,
+        convention=pointing,
+    )
+    return harness_task(plan)
+
+
+@task(name=f"{_SPACE}direct")
+def direct(
+    suite: str = "v1",
+    out: str = "outputs/inspect/direct",
+    epochs: int = 3,
+    points: Points = "pixels",
+    lighting: LightKind = "ambient",
+    workers: int = 4,
+    prices: str | None = None,
+) -> HarnessTask:
+    """The same questions, from the first picture alone."""
+    plan = _plan("direct", suite, out, epochs, points, workers, prices)
+    return harness_task(replace(plan, conditions=Conditions(lighting=lighting)))
+
+
+@task(name=f"{_SPACE}blind")
+def blind(
+    suite: str = "v1",
+    out: str = "outputs/inspect/blind",
+    epochs: int = 3,
+    points: Points = "pixels",
+    workers: int = 4,
+    prices: str | None = None,
+) -> HarnessTask:
+    """The same questions, without any picture."""
+    return harness_task(_plan("blind", suite, out, epochs, points, workers, prices))
+
+
+@task(name=f"{_SPACE}oracle_view")
+def oracle_view(
+    suite: str = "v1",
+    out: str = "outputs/inspect/oracle_view",
+    epochs: int = 3,
+    points: Points = "pixels",
+    workers: int = 4,
+    prices: str | None = None,
+) -> HarnessTask:
+    """The same questions, with pictures that show the evidence."""
+    return harness_task(_plan("oracle-view", suite, out, epochs, points, workers, prices))
+
+
+def _plan(
+    arm: Arm,
+    suite: str,
+    out: str,
+    epochs: int,
+    points: Points,
+    workers: int,
+    prices: str | None,
+) -> Plan:
+    asked = find_suite(suite)
+    assets, cache = _folders()
+    return Plan(
+        arm,
+        asked,
+        asked.tasks,
+        Path(out),
+        partial(open_library, "all" if assets else "procedural", assets, cache),
+        cache / "light",
+        epochs,
+        points,
+        workers=workers,
+        prices=read_prices(Path(prices)) if prices else {},
+    )
+
+
+def _folders() -> tuple[Path | None, Path]:
+    """Of assets and of the cache, by the variables of the command: `inspect` is run without it."""
+    assets = os.environ.get("PROBE_ASSETS")
+    cache = os.environ.get("XDG_CACHE_HOME")
+    home = Path(cache) if cache else Path.home() / ".cache"
+    return (Path(assets) if assets else None), home / "probe"

@@ -1,0 +1,49 @@
+"""`probe export`: a suite as a data set for other programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.progress import track
+
+from probe.assets.library import Library
+from probe.bench.dataset import CARD, Row, row_of, write_dataset
+from probe.chat.pictures import jpeg
+from probe.cli.surroundings import cache_folder, everything
+from probe.episodes.seat import Points
+from probe.errors import BadData
+from probe.render.renderer import Renderer
+from probe.runs.stills import stills
+from probe.scene.sight import Sight
+from probe.tasks.suite import Suite, check_objects
+from probe.tasks.suite_file import find_suite
+
+
+def export(
+    suite: Annotated[str, tyro.conf.Positional],
+    out: Annotated[Path, tyro.conf.Positional],
+    points: Points = "pixels",
+) -> None:
+    """Write a suite's pictures, questions and answers as a data set of Hugging Face's form.
+
+    Args:
+        suite: "v1", "demo" or a file that `probe suite build` wrote.
+        out: A new folder; `datasets.load_dataset` reads it.
+        points: How places are counted in the texts.
+    """
+    if (out / CARD).exists():
+        raise BadData(out, f"has a {CARD} already", "Choose a new folder")
+    asked, things = find_suite(suite), everything()
+    check_objects(asked, things)
+    count = write_dataset(out, asked.name, _rows(asked, things, points))
+    print(f"{count} tasks are in {out}; the answers too, so keep its canary with every copy.")
+
+
+def _rows(suite: Suite, things: Library, points: Points) -> Iterator[Row]:
+    with Renderer(cache_folder() / "light") as renderer:
+        for task in track(suite.tasks, "Drawing"):
+            (picture,) = stills("direct", task, Sight(), things, renderer)
+            yield row_of(task, jpeg(picture), points)

@@ -1,0 +1,38 @@
+"""What a model without tools is shown of a task, in each arm. Knows no model."""
+
+from __future__ import annotations
+
+from probe.assets.library import Library
+from probe.chat.prompts import Arm
+from probe.episodes.oracle_view import oracle_view
+from probe.render.lighting import light_of
+from probe.render.photograph import load_scene, photograph
+from probe.render.renderer import Renderer
+from probe.scene.sight import Sight
+from probe.tasks.marks import drawn
+from probe.tasks.task import Task
+from probe.types import Array
+
+
+def stills(
+    arm: Arm, task: Task, sight: Sight, things: Library, renderer: Renderer
+) -> tuple[Array, ...]:
+    """Pictures that come with the question; replaces what the renderer had loaded.
+
+    Args:
+        arm: None in "blind", two in "oracle-view", else one.
+        task: Whose table.
+        sight: From where and in which light it is seen.
+        things: Has the task's objects.
+        renderer: Draws.
+    """
+    if arm == "blind":
+        return ()
+    if arm == "oracle-view":
+        frames = oracle_view(task, things, renderer, sight).frames
+        return tuple(frame.rgb for frame in frames if frame.rgb is not None)
+    load_scene(renderer, task.scene, things, things.table(task.scene.table))
+    light = light_of(sight.lighting, things.assets)
+    frame = photograph(renderer, task.scene, camera=sight.camera, light=light)
+    assert frame.rgb is not None
+    return (drawn(frame.rgb, task.marks),)

@@ -1,0 +1,69 @@
+"""How much a run would ask, and what it says of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from probe.bench.estimate import PICTURE_TOKENS, estimate
+from probe.bench.models import known_models, settings_of
+from probe.bench.prices import read_prices
+from probe.cli.seats import Seats, take_seats
+from probe.episodes.conditions import AS_FROZEN
+from probe.episodes.luck import NO_NOISE
+from probe.errors import BadData
+from probe.runs.plan import Shard
+from probe.tasks.suite_file import demo_suite
+
+SUITE = demo_suite()
+SEATS = Seats(
+    "gpt-5.4", "agentic", 3, None, "oracle", None, None, NO_NOISE, AS_FROZEN, Shard(), 4
+)  # fmt: skip
+PRICES = "gpt-5.4:\n  tokens_in: 2\n  tokens_out: 10\n"
+
+
+def test_a_reply_in_words_costs_its_pictures_once():
+    direct = estimate("direct", "pixels", SUITE.tasks, 3)
+    blind = estimate("blind", "pixels", SUITE.tasks, 3)
+    both = estimate("oracle-view", "pixels", SUITE.tasks, 3)
+    assert (direct.episodes, direct.replies, direct.pictures) == (18, 18, 18)
+    assert (blind.pictures, both.pictures) == (0, 36)
+    assert both.tokens_in - blind.tokens_in > 36 * PICTURE_TOKENS
+
+
+def test_pictures_are_sent_again_with_each_reply():
+    some = estimate("agentic", "pixels", SUITE.tasks[:1], 1, turns=4)
+    # One with the first request, and one more with each later one.
+    assert (some.replies, some.pictures) == (4, 1 + 2 + 3 + 4)
+    most = estimate("agentic", "pixels", SUITE.tasks[:1], 1, turns=1000)
+    assert most.replies == 40
+
+
+def test_a_dry_run_asks_nothing_and_says_what_it_would_cost(tmp_path, capsys):
+    path = tmp_path / "prices.yaml"
+    path.write_text(PRICES)
+    take_seats(SUITE, replace(SEATS, prices=path), tmp_path / "out", dry_run=True)
+    said = capsys.readouterr().out
+    assert "6 tasks, 3 runs each: 18 episodes." in said
+    assert "720 replies" in said and "US dollars" in said and "nothing was asked" in said
+    assert not (tmp_path / "out").exists()
+
+
+def test_prices_are_checked(tmp_path):
+    path = tmp_path / "prices.yaml"
+    path.write_text(PRICES)
+    assert read_prices(path)["gpt-5.4"].tokens_out == 10
+    path.write_text("gpt-5.4: 2\n")
+    with pytest.raises(BadData, match="gpt-5.4"):
+        read_prices(path)
+
+
+def test_the_papers_models_have_settings():
+    wanted = {
+        "gemini-3.1-pro", "gemini-robotics-er-1.6", "gpt-5.4", "opus-4.7", "grok-4.3",
+        "nemotron-2-vl", "qwen3.5-vl", "gemma-4",
+    }  # fmt: skip
+    assert wanted <= set(known_models())
+    assert settings_of("gemini-3.1-pro").points == "0-1000"
+    assert settings_of("openai/unheard-of").id == "openai/unheard-of"

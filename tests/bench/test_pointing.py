@@ -1,0 +1,73 @@
+"""A model points for perception: the one that acts, or another in the role "pointer"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import pytest
+from inspect_ai.model import get_model
+
+from bench.painted import demo, plan
+from bench.sitting_in import answer, kept, replies_so_far, sit_in
+from model_server import Reply, serving
+from probe.assets.library import open_library
+from probe.runs.table import TablePlace
+
+pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
+
+SUITE = demo(1)
+(TASK,) = SUITE.tasks
+POT = (553, 426)
+"""Pixel of the clay flower pot in the task's first picture, read off it by eye."""
+
+FIND = ("find_object", '{"description": "the clay flower pot"}')
+
+
+def acting(number: int, body: dict[str, Any]) -> Reply:
+    """Asks for the same thing twice, then answers."""
+    return Reply(calls=((FIND, FIND, answer("E"))[replies_so_far(body)],))
+
+
+def pointing(number: int, body: dict[str, Any]) -> Reply:
+    return Reply(f'{{"point": [{POT[0]}, {POT[1]}]}}')
+
+
+def both(number: int, body: dict[str, Any]) -> Reply:
+    return acting(number, body) if body.get("tools") else pointing(number, body)
+
+
+def real(out, pointer):
+    library = partial(open_library, "procedural", None, out / "cache")
+    return replace(
+        plan(out, "agentic", SUITE, cache=None, workers=1), library=library, pointer=pointer
+    )
+
+
+def check(record) -> None:
+    found = record.steps[:2]
+    assert [step.status for step in found] == ["done", "done"], record.fault
+    for step in found:
+        assert abs(step.point_px[0] - POT[0]) < 60 and abs(step.point_px[1] - POT[1]) < 60
+        assert "object_" in step.text and "clay flower pot" not in step.text
+
+
+def test_the_model_itself_points(tmp_path):
+    with serving(both) as server:
+        sit_in(real(tmp_path, "self"), server.url, TablePlace)
+    record = kept(tmp_path)[TASK.id]
+    assert record.arm == "agentic, pointer self"
+    check(record)
+    asked = [body for body in server.bodies if not body.get("tools")]
+    assert len(asked) == 1, "the same question about the same picture is asked once"
+
+
+def test_another_model_points(tmp_path):
+    with serving(acting) as server, serving(pointing) as other:
+        role = get_model("openai-api/other/eyes", base_url=other.url, api_key="none")
+        sit_in(real(tmp_path, "role"), server.url, TablePlace, model_roles={"pointer": role})
+    record = kept(tmp_path)[TASK.id]
+    assert record.arm == "agentic, pointer openai-api/other/eyes"
+    check(record)
+    assert (len(server.bodies), len(other.bodies)) == (3, 1)

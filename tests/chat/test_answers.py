@@ -1,0 +1,38 @@
+"""Answers at the end of replies."""
+
+import pytest
+
+from probe.chat.answers import read_answer
+from probe.toolshed.result import Answer
+
+
+@pytest.mark.parametrize(
+    ("reply", "answer"),
+    [
+        ("ANSWER: B", Answer("B")),
+        ("It is red.\nANSWER: C (512, 300)", Answer("C", (512.0, 300.0))),
+        ("**ANSWER: b**", Answer("B")),
+        ("**Answer:** D", Answer("D")),
+        ("> ANSWER: A.", Answer("A")),
+        ("ANSWER: (E)", Answer("E")),
+        ("ANSWER: A [3.5, 4]", Answer("A", (3.5, 4.0))),
+        ("ANSWER: A\nNo, wait.\nANSWER: B", Answer("B")),
+        ("The answer is B.", None),
+        ("ANSWER: Banana", None),
+        ("ANSWER: X", None),
+        ("ANSWER:", None),
+        ("ANSWER:\nA dog", None),
+        ("", None),
+        ("I might say ANSWER: B later", None),
+    ],
+)
+def test_the_last_line_of_that_form_counts(reply, answer):
+    assert read_answer(reply, "pixels") == answer
+
+
+def test_letters_that_are_no_option_are_no_answer():
+    assert read_answer("ANSWER: C", "pixels", "AB") is None
+
+
+def test_a_point_is_in_pixels_in_the_end():
+    assert read_answer("ANSWER: A (500, 250)", "0-1000") == Answer("A", (512.0, 256.0))
