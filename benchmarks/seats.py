@@ -30,8 +30,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 from bench.sitting_in import metrics_of, sit_in  # noqa: E402
 from model_server import Reply, serving  # noqa: E402
 from policy_server import Policy, agent_in_run_0, task_of  # noqa: E402
-from probe.assets.library import open_library  # noqa: E402
-from probe.assets.tables import load_table  # noqa: E402
+from probe.assets.library import open_all  # noqa: E402
 from probe.bench.plan import Plan  # noqa: E402
 from probe.chat.prompts import Arm  # noqa: E402
 from probe.cli.surroundings import assets_folder, cache_folder, everything  # noqa: E402
@@ -41,7 +40,7 @@ from probe.episodes.play import play  # noqa: E402
 from probe.episodes.record import EpisodeRecord  # noqa: E402
 from probe.render.renderer import Renderer  # noqa: E402
 from probe.runs.table import TablePlace  # noqa: E402
-from probe.tasks.suite import Suite, selection  # noqa: E402
+from probe.tasks.suite import Suite, selection, spaced  # noqa: E402
 from probe.tasks.suite_file import find_suite  # noqa: E402
 
 PATIENCE = 60
@@ -136,8 +135,7 @@ def letter_of_hash(suite: Suite) -> Script:
 
 
 def plan_of(arm: Arm, suite: Suite, out: Path, epochs: int, workers: int) -> Plan:
-    assets = assets_folder()
-    library = partial(open_library, "all" if assets else "procedural", assets, cache_folder())
+    library = partial(open_all, assets_folder(), cache_folder())
     cache = cache_folder() / "light"
     return Plan(
         arm, suite, suite.tasks, out, library, cache, epochs, workers=workers, called="scripted"
@@ -192,9 +190,7 @@ def alike(suite: Suite, out: Path) -> None:
 def played(id: str, suite: Suite, things: Any, renderer: Renderer) -> EpisodeRecord:
     (task,) = (task for task in suite.tasks if task.id == id)
     agent = agent_in_run_0("scripted", task, 0, things, renderer)
-    return play(
-        task, agent, "scripted", things, load_table(task.scene.table, things.assets), renderer
-    )
+    return play(task, agent, "scripted", things, things.table(task.scene.table), renderer)
 
 
 def records_of(plan: Plan) -> list[EpisodeRecord]:
@@ -214,7 +210,7 @@ def main(sizes: Sizes) -> None:
         name: getattr(sizes, name) for name in ("direct", "agentic", "alike")
     }
     some = {
-        name: selection(suite, spread(suite, count), f"{suite.name}-{name}")
+        name: selection(suite, spaced(suite.tasks, count), f"{suite.name}-{name}")
         for name, count in parts.items()
         if count
     }
@@ -228,12 +224,6 @@ def main(sizes: Sizes) -> None:
     if "alike" in some:
         alike(some["alike"], out / "alike")
     print(f"Records are in {out}.")
-
-
-def spread(suite: Suite, count: int) -> tuple[Any, ...]:
-    """As many tasks, evenly spaced, so that all types are among them."""
-    count = min(count, len(suite.tasks))
-    return tuple(suite.tasks[n * len(suite.tasks) // count] for n in range(count))
 
 
 if __name__ == "__main__":

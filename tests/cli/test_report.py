@@ -173,7 +173,7 @@ def test_a_report_that_was_stopped_draws_what_is_lacking_and_nothing_else(tmp_pa
     before = {path: path.read_bytes() for path in others}
     plain = lacking.read_bytes()
     lacking.unlink()
-    with Darkroom(DEMO, lambda: open_library("procedural", None, cache), None) as room:
+    with Darkroom(DEMO, lambda: open_library("procedural", None, cache)) as room:
         played = gather([run], DEMO, room, run)
     assert {path: path.read_bytes() for path in others} == before
     assert lacking.read_bytes() != plain

@@ -26,7 +26,7 @@ def nowhere() -> Darkroom:
     def closed():
         raise AssertionError("nothing should be drawn")
 
-    return Darkroom(DEMO, closed, None)
+    return Darkroom(DEMO, closed)
 
 
 def test_an_agents_pictures_are_marked_at_the_start_and_outlined_where_it_found_something():
@@ -79,7 +79,7 @@ def test_the_thing_found_is_outlined_in_a_small_picture(tmp_path, cache):
     seen = TASK.certificate.visibility
     clear = max(seen, key=lambda number: seen[number].visible_px)
     assert isinstance(seen[clear], Visibility)
-    with Darkroom(DEMO, lambda: open_library("procedural", None, cache), None) as room:
+    with Darkroom(DEMO, lambda: open_library("procedural", None, cache)) as room:
         labels = room.frame(TASK, TASK.scene, Sight(), rgb=False).labels
         assert labels is not None
         v, u = (int(n) for n in np.argwhere(labels == clear)[0])

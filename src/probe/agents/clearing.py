@@ -11,12 +11,10 @@ import numpy as np
 from probe.agents.hiders import hider
 from probe.agents.moves import Outcome, Plan, Way, look, move_away
 from probe.agents.reading import Graph, Seen
+from probe.toolshed.toolshed import MANIPULATIONS
 
 LARGE_PX = 120
 """A thing whose box is at least this long and wide may hide something of everyday size."""
-
-BUDGET = 10
-"""Manipulations in an episode."""
 
 _TRIES, _HIDERS_TRIES = 2, 5
 _WITHSTOOD = 0.45
@@ -62,7 +60,7 @@ class Search:
     def may_clear(self, seen: Seen) -> bool:
         """Whether a thing hasn't withstood too often, and manipulations are left."""
         most = _HIDERS_TRIES if hider(seen.name or "") else _TRIES
-        return len(self._tried[seen.name or ""]) < most and self.spent < BUDGET
+        return len(self._tried[seen.name or ""]) < most and self.spent < MANIPULATIONS
 
     def clear(self, seen: Seen) -> Plan[None]:
         """Move a thing away, or what lies on it and keeps it there, and look again."""
@@ -82,7 +80,7 @@ class Search:
     @property
     def complete(self) -> bool:
         """Whether nothing is half hidden and nothing is left that may well hide something."""
-        return not self.graph.unclear and not any(_may_hide(s) for s in self._unsearched())
+        return not self.graph.unclear and not any(_hides(s) for s in self._unsearched())
 
     def _look(self) -> Plan[None]:
         self.graph = yield from look()
@@ -120,8 +118,7 @@ class Search:
     def _promise(self, seen: Seen) -> tuple[float, int]:
         """What may hide more first: hollow things, and what covers something half hidden."""
         unclear = any(seen.number in self.graph.over(other) for other in self.graph.unclear)
-        kind = hider(seen.name or "")
-        rank = 2.0 * (kind == "hollow") + (kind == "flat" and _is_large(seen)) + 1.5 * unclear
+        rank = _hides(seen) + 1.5 * unclear
         return rank - _WITHSTOOD * len(self._tried[seen.name or ""]), seen.area
 
 
@@ -129,9 +126,10 @@ def _names(graph: Graph) -> Counter[str]:
     return Counter(seen.name for seen in graph.named if seen.name is not None)
 
 
-def _may_hide(seen: Seen) -> bool:
+def _hides(seen: Seen) -> int:
+    """How well a thing may hide another one: 0 if not at all."""
     kind = hider(seen.name or "")
-    return kind == "hollow" or (kind == "flat" and _is_large(seen))
+    return 2 if kind == "hollow" else int(kind == "flat" and _is_large(seen))
 
 
 def _is_large(seen: Seen) -> bool:

@@ -37,9 +37,9 @@ def hider(name: str) -> Hider | None:
 
     A closed box is flat rather than hollow: it may lie on something, not over it.
     """
-    words = tokens(name)
-    if any(word in _CLOSED for word in words):
+    words = set(tokens(name))
+    if words & _CLOSED:
         return None
-    if any(word in _HOLLOW for word in words) and not any(word in _PACKED for word in words):
+    if words & _HOLLOW and not words & _PACKED:
         return "hollow"
-    return "flat" if any(word in _FLAT for word in words) else None
+    return "flat" if words & _FLAT else None

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan
 from probe.agents.reading import Graph, Seen
+from probe.agents.texts import marks_in
 from probe.episodes.turns import Question
 
 Both = tuple[Seen | None, Seen | None]
 """A and B as they showed most of themselves; None for one that never had a name."""
 
-_MARK = re.compile(r"\b([AB]) at \((\d+), (\d+)\)")
 _NEAR_PX = 60
 _MOST = 5
 """Manipulations for one of the two: with both, some of the ten are left."""
@@ -26,15 +25,15 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
 
     Bold, it takes what could be seen of them.
     """
-    marks = {letter: (int(u), int(v)) for letter, u, v in _MARK.findall(question.text)}
+    marks = marks_in(question.text)
     crowd = {seen.name for seen in search.graph.named}
     # Those that are marked show too little to be named, or a little more.
-    for mark in marks.values():
+    for mark in marks:
         here = _at(search.graph.objects, mark)
         crowd -= {here.name if here else None}
     found: list[Seen | None] = []
-    for mark in marks.values():
-        marked = _Marked(mark, crowd, here=_at(search.graph.objects, mark))
+    for mark in marks:
+        marked = _Marked(mark, crowd)
         clear = yield from marked.uncover(search)
         if not clear and not bold:
             return None, None
@@ -57,7 +56,7 @@ class _Marked:
 
     mark: tuple[int, int]
     crowd: set[str | None]
-    here: Seen | None
+    here: Seen | None = None
     shown: Seen | None = None
 
     def uncover(self, search: Search) -> Plan[bool]:
@@ -86,8 +85,8 @@ class _Marked:
             self.shown = now
 
     def _is_clear(self, graph: Graph) -> bool:
-        named = self.here is not None and self.here.name is not None
-        return named and self.here is not None and not graph.over(self.here)
+        here = self.here
+        return here is not None and here.name is not None and not graph.over(here)
 
     def _over(self, search: Search) -> list[Seen]:
         """What lies on it, or else what touches it or is where its mark was."""

@@ -15,16 +15,7 @@ _MARGIN_PX = 40
 """What lay beneath a cover may have been dragged so far when that was lifted."""
 
 
-def beneath(
-    question: Question, cover: str, first: Way, rng: np.random.Generator, *, bold: bool = False
-) -> Plan[None]:
-    """Move the cover away and name what then shows in its place."""
-    search = Search(lambda seen: False, first, rng)
-    yield from search.begin()
-    yield from _uncover(question, search, [cover], bold=bold)
-
-
-def reduce(
+def uncover(
     question: Question,
     names: Sequence[str],
     first: Way,
@@ -32,14 +23,9 @@ def reduce(
     *,
     bold: bool = False,
 ) -> Plan[None]:
-    """Remove what is named, and name what then shows that didn't."""
+    """Clear away all that is named, then what lies there still, and name what comes to light."""
     search = Search(lambda seen: False, first, rng)
     yield from search.begin()
-    yield from _uncover(question, search, names, bold=bold)
-
-
-def _uncover(question: Question, search: Search, names: Sequence[str], *, bold: bool) -> Plan[None]:
-    """Clear away all that is named, then what lies there still, until the answer shows."""
     known = {seen.name for seen in search.graph.named}
     place = _around([seen.box for name in names for seen in search.graph.called(name)])
     letter: str | None = None

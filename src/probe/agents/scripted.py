@@ -9,7 +9,7 @@ import numpy as np
 
 from probe.agents.moves import Plan, Way
 from probe.agents.pairs import compare, size
-from probe.agents.plans import beneath, count, find, reduce
+from probe.agents.plans import count, find, uncover
 from probe.episodes.turns import Call, Question, Turn
 
 Kind = Literal["beneath", "compare", "count", "find", "reduce", "size"]
@@ -65,11 +65,11 @@ class Scripted:
     def _planned(self, question: Question) -> Plan[None]:
         first, rng, bold = self._first, self._rng, self._bold
         if self._kind == "beneath":
-            return beneath(question, self._subject, first, rng, bold=bold)
+            return uncover(question, [self._subject], first, rng, bold=bold)
         if self._kind == "count":
             return count(question, self._subject, first, rng, bold=bold)
         if self._kind == "reduce":
-            return reduce(question, self._subject.split(", "), first, rng, bold=bold)
+            return uncover(question, self._subject.split(", "), first, rng, bold=bold)
         if self._kind == "size":
             return size(question, self._form, first, rng, bold=bold)
         if self._kind == "compare":

@@ -10,7 +10,7 @@ Features = Mapping[str, float]
 
 _WORD = re.compile(r"[a-z]+")
 _NUMBER = re.compile(r"\d+")
-_MARK = re.compile(r"\b([AB]) at \((\d+), (\d+)\)")
+_MARK = re.compile(r"\b[AB] at \((\d+), (\d+)\)")
 _MARKS = " In the first picture, the marks are "
 _MIDDLE_PX, _SCALE_PX = 512, 512
 _LONG = 20
@@ -64,7 +64,7 @@ def _number(place: int, options: Sequence[str]) -> Features:
 
 def _mark(place: int, question: str) -> Features:
     """Where the mark of Compare's and Size's option lies, and less the other one."""
-    marks = [(int(u) - _MIDDLE_PX, int(v) - _MIDDLE_PX) for _, u, v in _MARK.findall(question)]
+    marks = [(u - _MIDDLE_PX, v - _MIDDLE_PX) for u, v in marks_in(question)]
     if len(marks) <= place:
         return {}
     (u, v), (other_u, other_v) = marks[place], marks[1 - place]
@@ -77,6 +77,11 @@ def _mark(place: int, question: str) -> Features:
 
 def _words(text: str) -> set[str]:
     return set(_WORD.findall(text.lower()))
+
+
+def marks_in(question: str) -> list[tuple[int, int]]:
+    """Pixels (u, v) of the marks that a question tells of, A first."""
+    return [(int(u), int(v)) for u, v in _MARK.findall(question)]
 
 
 def is_none(text: str) -> bool:

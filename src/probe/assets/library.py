@@ -101,6 +101,11 @@ def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None 
     return Library(specs, assets, cache, own)
 
 
+def open_all(assets: Path | None, cache: Path) -> Library:
+    """All objects that suites are made of: scans too where their folder is known."""
+    return open_library("all" if assets else "procedural", assets, cache)
+
+
 def own_folder(own: Path | None, needed: bool = True) -> Path:
     """The folder of a user's own library.
 

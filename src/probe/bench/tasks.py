@@ -10,7 +10,7 @@ from pathlib import Path
 from inspect_ai import Task as HarnessTask
 from inspect_ai import task
 
-from probe.assets.library import open_library
+from probe.assets.library import open_all
 from probe.bench.harness import harness_task
 from probe.bench.plan import Plan, Pointer
 from probe.bench.prices import read_prices
@@ -108,7 +108,7 @@ def _plan(
         asked,
         asked.tasks,
         Path(out),
-        partial(open_library, "all" if assets else "procedural", assets, cache),
+        partial(open_all, assets, cache),
         cache / "light",
         epochs,
         points,

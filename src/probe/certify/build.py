@@ -11,12 +11,11 @@ from probe.assets.library import Library
 from probe.certify.generate import generate
 from probe.certify.parts import KEPT, RESTLESS, UNSOLVED, Line, Parts, Place
 from probe.certify.plan import ATTEMPTS
-from probe.certify.restaged import CREEP, Restaged
-from probe.certify.result import Candidate, Rejected, Rejection
+from probe.certify.restaged import Restaged
+from probe.certify.result import Candidate, Rejection
 from probe.certify.solve import Trial, noted, trials
 from probe.errors import Unsatisfiable
 from probe.render.renderer import Renderer
-from probe.scene.scene import Scene
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionKind, Task
@@ -117,24 +116,12 @@ def _attempt(
     result = generate(kind, seed, workshop.library, workshop.renderer, workshop.tables)
     if isinstance(result, Rejection):
         return result, ()
-    if restless := _restless(result.task.scene, workshop.library):
+    if restless := Restaged.of(result.task.scene, workshop.library).unrest():
         return Rejection(RESTLESS, restless), ()
     if workshop.unchecked:
         return result, ()
     table = workshop.library.table(result.task.scene.table)
     return result, trials(result.task, workshop.library, table, workshop.renderer)
-
-
-def _restless(scene: Scene, library: Library) -> str | None:
-    """What moves once the scene stands alone; None if nothing does.
-
-    Things that balance may stay while their table is built and tip over in an episode.
-    """
-    try:
-        creep = Restaged.of(scene, library).creep()
-    except Rejected as failure:
-        return str(failure)
-    return f"something moves by {1000 * creep:.1f} mm" if creep > CREEP else None
 
 
 def without_notes(task: Task) -> Task:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from probe.assets.library import Library
+from probe.certify.result import Rejected
 from probe.certify.stage import Poses, Stage
 from probe.scene.scene import PlacedObject, Scene
 from probe.types import Pose
@@ -47,6 +48,17 @@ class Restaged:
             if n in poses
         )
         return Scene(self.scene.seed, self.scene.table, objects)
+
+    def unrest(self) -> str | None:
+        """What is wrong with its rest, for people; None if nothing moves.
+
+        Things that balance may stay while their table is built, and tip over in an episode.
+        """
+        try:
+            creep = self.creep()
+        except Rejected as failure:
+            return str(failure)
+        return f"something moves by {1000 * creep:.1f} mm" if creep > CREEP else None
 
     def creep(self) -> float:
         """How far anything moves while it is checked to be at rest, metres.

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from rich.progress import track
 
-from probe.cli.surroundings import assets_folder, everything
+from probe.cli.surroundings import everything
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE, in_order
 from probe.episodes.record import EpisodeRecord
@@ -34,7 +34,7 @@ def graded(out: Path) -> list[Graded]:
 
 def darkroom_of(suite: Suite) -> Darkroom:
     """A place to draw a suite's tables in, with all objects that suites are made of."""
-    return Darkroom(suite, everything, assets_folder())
+    return Darkroom(suite, everything)
 
 
 def grade_folder(out: Path, suite: Suite, darkroom: Darkroom) -> list[Graded]:

@@ -6,7 +6,7 @@ from contextlib import closing
 from functools import partial
 from pathlib import Path
 
-from probe.assets.library import Library, open_library
+from probe.assets.library import Library, open_all
 from probe.cli.bars import bar
 from probe.cli.surroundings import cache_folder
 from probe.cli.varying import varied
@@ -37,8 +37,7 @@ def run_order(
     check_objects(suite, things)
     if changes_scenes(order.conditions):
         suite = varied(suite, order.conditions, things, out)
-    pool = "all" if things.assets else "procedural"
-    library = partial(open_library, pool, things.assets, things.cache)
+    library = partial(open_all, things.assets, things.cache)
     place = Workplace(order, library, agent_of, cache_folder() / "light")
     with begun(out, suite, order) as beginning:
         _tell(beginning, out)

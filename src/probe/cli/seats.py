@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from probe.assets.library import open_library
+from probe.assets.library import open_all
 from probe.bench.estimate import PICTURE_TOKENS, Estimate, estimate
 from probe.bench.models import settings_of
 from probe.bench.plan import Plan
@@ -84,13 +84,12 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
 
 def _plan(suite: Suite, seats: Seats, out: Path, price: Price | None) -> Plan:
     pointing = settings_of(seats.model if seats.pointer == "self" else seats.pointer)
-    assets = assets_folder()
     return Plan(
         arm=seats.arm,
         suite=suite,
         tasks=seats.tasks_of(suite),
         out=out,
-        library=partial(open_library, "all" if assets else "procedural", assets, cache_folder()),
+        library=partial(open_all, assets_folder(), cache_folder()),
         cache=cache_folder() / "light",
         epochs=seats.epochs,
         points=seats.counting,

@@ -20,7 +20,7 @@ from probe.cli.shards import parse_shard
 from probe.cli.surroundings import Pool, everything, library, tables_for
 from probe.errors import ProbeError
 from probe.render.renderer import Renderer
-from probe.tasks.suite import Suite, check_objects
+from probe.tasks.suite import Suite, check_objects, spaced
 from probe.tasks.suite_file import digest_of, find_suite
 from probe.tasks.task import Task
 
@@ -68,12 +68,6 @@ def verify(
     _print(frozen, verdicts, changed, len(again))
     if failed := sum(not verdict.holds for verdict in verdicts) + len(changed):
         raise Unverified(frozen.name, failed, folder)
-
-
-def spaced(tasks: Sequence[Task], count: int) -> list[Task]:
-    """So many tasks, evenly spaced."""
-    count = min(count, len(tasks))
-    return [tasks[number * len(tasks) // count] for number in range(count)]
 
 
 def _verdicts(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from probe.assets.library import Library, Pool, open_library
+from probe.assets.library import Library, Pool, open_all, open_library
 from probe.assets.tables import table_ids
 
 __all__ = [
@@ -44,8 +44,7 @@ def library(pool: Pool) -> Library:
 
 def everything() -> Library:
     """All objects that suites are made of: scans too where their folder is known."""
-    pool = "all" if assets_folder() else "procedural"
-    return open_library(pool, assets_folder(), cache_folder())
+    return open_all(assets_folder(), cache_folder())
 
 
 def tables_for(pool: Pool) -> tuple[str, ...]:

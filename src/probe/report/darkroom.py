@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import ExitStack
-from pathlib import Path
 from types import TracebackType
 
 import numpy as np
 
 from probe.assets.library import Library
-from probe.assets.tables import load_table
 from probe.episodes.grading import grade_episode, needs_labels
 from probe.episodes.record import EpisodeRecord
 from probe.render.lighting import light_of
@@ -30,15 +28,11 @@ class Darkroom:
     Args:
         suite: Whose tables.
         open_library: Opens the library that has the suite's objects.
-        assets: Folder of extra assets, for table tops; None if there is none.
     """
 
-    def __init__(
-        self, suite: Suite, open_library: Callable[[], Library], assets: Path | None
-    ) -> None:
+    def __init__(self, suite: Suite, open_library: Callable[[], Library]) -> None:
         self._suite = suite
         self._open_library = open_library
-        self._assets = assets
         self._open = ExitStack()
         self._renderer: Renderer | None = None
         self._library: Library | None = None
@@ -66,8 +60,8 @@ class Darkroom:
             kept = self._last[1]
             if kept.rgb is not None or not rgb:
                 return kept
-        light = light_of(sight.lighting, self._assets)
-        renderer = self._loaded(task)
+        renderer, library = self._loaded(task)
+        light = light_of(sight.lighting, library.assets)
         found = photograph(renderer, scene, rgb=rgb, camera=sight.camera, light=light)
         self._last = (scene, sight), found
         return found
@@ -85,13 +79,13 @@ class Darkroom:
             labels = drawn
         return grade_episode(task, record, labels)
 
-    def _loaded(self, task: Task) -> Renderer:
+    def _loaded(self, task: Task) -> tuple[Renderer, Library]:
         if self._renderer is None or self._library is None:
             self._library = self._open_library()
             self._renderer = self._open.enter_context(Renderer())
         if self._task != task.id:
             check_objects(part(self._suite, task), self._library)
-            table = load_table(task.scene.table, self._assets)
+            table = self._library.table(task.scene.table)
             load_scene(self._renderer, task.scene, self._library, table)
             self._task, self._last = task.id, None
-        return self._renderer
+        return self._renderer, self._library

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from probe.assets.fingerprint import Fingerprint, fingerprint, same
@@ -41,6 +41,12 @@ def selection(suite: Suite, tasks: tuple[Task, ...], name: str) -> Suite:
     """Some tasks of a suite under another name, with the fingerprints of their objects."""
     ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
     return Suite(name, tasks, {id: suite.objects[id] for id in ids})
+
+
+def spaced(tasks: Sequence[Task], count: int) -> tuple[Task, ...]:
+    """So many tasks, evenly spaced, so that all types are among them; all if there are fewer."""
+    count = min(count, len(tasks))
+    return tuple(tasks[number * len(tasks) // count] for number in range(count))
 
 
 def check_objects(suite: Suite, library: Library) -> None:

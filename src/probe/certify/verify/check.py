@@ -11,8 +11,7 @@ from probe.certify.build import without_notes
 from probe.certify.first_look import look_at
 from probe.certify.generate import generate
 from probe.certify.observer import observe
-from probe.certify.restaged import CREEP
-from probe.certify.result import Candidate, Rejected
+from probe.certify.result import Candidate
 from probe.certify.solve import solves_as_noted, trials
 from probe.certify.verify.anew import Anew
 from probe.certify.verify.hidden import hidden_problems
@@ -45,7 +44,7 @@ def check(task: Task, library: Library, renderer: Renderer, depth: Depth) -> Ver
         "unambiguous": tuple(clarity_problems(task, anew)),
     }
     untrue = list(truth_problems(task, anew))
-    problems["at rest"] = tuple(_unrest(anew))
+    problems["at rest"] = tuple(filter(None, [anew.restaged.unrest()]))
     table = library.table(task.scene.table)
     played = reachable = 0
     if depth.history:
@@ -94,13 +93,3 @@ def rebuild_problem(
         return f"its seed now fails {result.check}: {result.detail}"
     frozen, made = digest_of(without_notes(task)), digest_of(result.task)
     return None if frozen == made else f"its hash is {made}, not {frozen}"
-
-
-def _unrest(anew: Anew) -> Iterator[str]:
-    try:
-        creep = anew.restaged.creep()
-    except Rejected as failure:
-        yield str(failure)
-        return
-    if creep > CREEP:
-        yield f"something moves by {1000 * creep:.1f} mm"
