@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan
 from probe.agents.reading import Graph, Seen
+from probe.agents.speech import Why
 from probe.episodes.turns import Question
 
 Both = tuple[Seen | None, Seen | None]
@@ -26,15 +27,15 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
 
     Bold, it takes what could be seen of them.
     """
-    marks = {letter: (int(u), int(v)) for letter, u, v in _MARK.findall(question.text)}
+    marks = marks_of(question)
     crowd = {seen.name for seen in search.graph.named}
     # Those that are marked show too little to be named, or a little more.
     for mark in marks.values():
-        here = _at(search.graph.objects, mark)
+        here = at(search.graph.objects, mark)
         crowd -= {here.name if here else None}
     found: list[Seen | None] = []
-    for mark in marks.values():
-        marked = _Marked(mark, crowd, here=_at(search.graph.objects, mark))
+    for letter, mark in marks.items():
+        marked = _Marked(letter, mark, crowd, here=at(search.graph.objects, mark))
         clear = yield from marked.uncover(search)
         if not clear and not bold:
             return None, None
@@ -44,17 +45,24 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
     return found[0], found[1]
 
 
+def marks_of(question: Question) -> dict[str, tuple[int, int]]:
+    """Pixels (u, v) of the marks, by letter, as the question tells them."""
+    return {letter: (int(u), int(v)) for letter, u, v in _MARK.findall(question.text)}
+
+
 @dataclass
 class _Marked:
     """A marked thing that is being uncovered; known by its mark, then by its name.
 
     Attributes:
+        letter: Of the mark.
         mark: Pixel (u, v) on it in the first picture.
         crowd: Names of things that it isn't.
         here: Its entry in the last graph, if it shows.
         shown: Its largest entry so far that had a name.
     """
 
+    letter: str
     mark: tuple[int, int]
     crowd: set[str | None]
     here: Seen | None
@@ -68,7 +76,8 @@ class _Marked:
             over = self._over(search)
             if not over or search.spent - spent >= _MOST:
                 return False
-            yield from search.clear(max(over, key=lambda seen: seen.area))
+            chosen = max(over, key=lambda seen: seen.area)
+            yield from search.clear(chosen, self._why(chosen, search.graph))
             self._follow(search.graph)
         return True
 
@@ -78,7 +87,7 @@ class _Marked:
         if name is None:
             fresh = [seen for seen in graph.objects if seen.name not in self.crowd]
             named = [seen for seen in fresh if seen.name is not None]
-            self.here = _at(fresh, self.mark) or (named[0] if len(named) == 1 else None)
+            self.here = at(fresh, self.mark) or (named[0] if len(named) == 1 else None)
         else:
             self.here = next(iter(graph.called(name)), None)
         now = self.here
@@ -88,6 +97,12 @@ class _Marked:
     def _is_clear(self, graph: Graph) -> bool:
         named = self.here is not None and self.here.name is not None
         return named and self.here is not None and not graph.over(self.here)
+
+    def _why(self, seen: Seen, graph: Graph) -> Why:
+        if self.here is None:
+            return Why("mark place", letter=self.letter)
+        lying = seen.number in graph.over(self.here)
+        return Why("mark on" if lying else "mark touching", letter=self.letter)
 
     def _over(self, search: Search) -> list[Seen]:
         """What lies on it, or else what touches it or is where its mark was."""
@@ -100,7 +115,7 @@ class _Marked:
         return lying or [seen for seen in others if seen.number in meeting]
 
 
-def _at(objects: Sequence[Seen], mark: tuple[int, int]) -> Seen | None:
+def at(objects: Sequence[Seen], mark: tuple[int, int]) -> Seen | None:
     """The smallest thing whose box has a point in it, or else the one with the nearest point."""
     here = [seen for seen in objects if _holds(seen, mark)]
     if here:
