@@ -81,10 +81,10 @@ def select(candidates: Sequence[Candidate], evaluation: Evaluation, recipe: Reci
     dropped["of evaluation"] = len(candidates) - len(allowed)
     agentic = [it for it in allowed if it.correct and not it.direct]
     most = limits([(it.task.kind, it.record) for it in agentic], recipe.slack)
-    best = _best(allowed, most, dropped)
+    tasks = _usable_by_task(allowed, most, dropped)
     chosen = list[Candidate]()
-    for kind in sorted({*(it.task.kind for it in best), *recipe.counts}):
-        mine = [it for it in best if it.task.kind == kind]
+    for kind in sorted({*(ways[0].task.kind for ways in tasks), *recipe.counts}):
+        mine = [ways for ways in tasks if ways[0].task.kind == kind]
         wanted = recipe.counts.get(kind, len(mine))
         if wanted and not mine:
             raise BadData(
@@ -93,7 +93,7 @@ def select(candidates: Sequence[Candidate], evaluation: Evaluation, recipe: Reci
                 f"Collect more, or say --counts.{kind} 0",
             )
         chosen += _balanced(_mixed(mine, wanted, recipe), wanted, recipe)
-    dropped["more than wanted"] += len(best) - len(chosen)
+    dropped["another of its task, or more than wanted"] += sum(map(len, tasks)) - len(chosen)
     return Selection(tuple(chosen), tuple(refused), +dropped, most)
 
 
@@ -105,25 +105,24 @@ def _allowed(
     return [it for it in candidates if refusals[it.task.id] is None], refused
 
 
-def _best(
+_Ways = Sequence[Candidate]
+"""Of one task all episodes to learn from: at most one is taken, the first that fits."""
+
+
+def _usable_by_task(
     candidates: Sequence[Candidate], most: Mapping[str, int], dropped: Counter[str]
-) -> list[Candidate]:
-    """At most one episode a task: without tools if it was right like that each time."""
+) -> list[_Ways]:
     by_task: defaultdict[str, list[Candidate]] = defaultdict(list)
     for it in candidates:
         by_task[digest_of(it.task)].append(it)
-    best = list[Candidate]()
-    for tried in by_task.values():
-        usable = _usable(tried, most, dropped)
-        dropped["another of its task is taken"] += max(0, len(usable) - 1)
-        best += usable[:1]
-    return best
+    found = [_usable(tried, most, dropped) for tried in by_task.values()]
+    return [ways for ways in found if ways]
 
 
 def _usable(
     tried: Sequence[Candidate], most: Mapping[str, int], dropped: Counter[str]
 ) -> list[Candidate]:
-    """Of one task's episodes those to learn from, the shortest way to the answer first."""
+    """Those to learn from: without tools if it was right like that each time, then the shortest."""
     without = [it for it in tried if it.direct]
     lucky = not all(it.correct for it in without)
     usable = list[Candidate]()
@@ -146,16 +145,24 @@ def _length(it: Candidate) -> tuple[bool, int, int, int]:
     return not it.direct, it.record.manipulations, len(it.record.steps), it.record.run
 
 
-def _mixed(mine: Sequence[Candidate], wanted: int, recipe: Recipe) -> list[Candidate]:
-    """No more without tools than the recipe's share of what comes out."""
-    direct = _shuffled([it for it in mine if it.direct], recipe)
-    agentic = [it for it in mine if not it.direct]
+def _mixed(mine: Sequence[_Ways], wanted: int, recipe: Recipe) -> list[Candidate]:
+    """One episode a task, no more of them without tools than the recipe's share of all.
+
+    Where that is reached, a task is shown with tools if the teacher solved it like that as well.
+    """
+    ways = {each[0].task.id: each for each in mine}
+    direct = _shuffled([each[0] for each in mine if each[0].direct], recipe)
+    agentic = [each[0] for each in mine if not each[0].direct]
     share = recipe.direct_share
     most = wanted * share
     if share < 1:
         # What comes out may be less than is wanted.
         most = min(most, share / (1 - share) * len(agentic))
-    return [*agentic, *direct[: int(most + 1e-9)]]
+    taken = int(most + 1e-9)
+    others = [
+        next((way for way in ways[it.task.id] if not way.direct), None) for it in direct[taken:]
+    ]
+    return [*agentic, *direct[:taken], *(it for it in others if it is not None)]
 
 
 def _balanced(mine: Sequence[Candidate], wanted: int, recipe: Recipe) -> list[Candidate]:
