@@ -1,4 +1,4 @@
-"""What can be told from the first look alone, with reasons; nothing where the evidence is hidden."""
+"""What the first look alone tells, with reasons; nothing where the evidence is hidden."""
 
 from __future__ import annotations
 

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import closing
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-
-from rich.progress import Progress as Bar
 
 from probe.assets.library import open_library
 from probe.bench.models import settings_of
 from probe.certify.parts import Parts
 from probe.chat.prompts import Arm
-from probe.cli.running import progress_bar
+from probe.cli.bars import bar as progress_bar
 from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import (
@@ -36,7 +34,8 @@ from probe.tasks.suite import Suite
 from probe.tasks.task import QuestionKind
 from probe.train.aim import PAPER_COUNTS, Aim, Mode
 from probe.train.batches import TASKS, Harvest
-from probe.train.collecting import Hands, Play, collect as collected
+from probe.train.collecting import Hands, Play
+from probe.train.collecting import collect as collected
 from probe.train.making import FIRST_EPISODE, Studio, Training, make_tasks
 from probe.train.settings import Settings, claim
 from probe.train.teacher import TEACHER, Classroom, teacher_for
@@ -128,13 +127,12 @@ class _Site:
     lighting: LightKind
     points: Points
     workers: int
-    training: Training = field(init=False)
 
-    def __post_init__(self) -> None:
-        opened = partial(
-            open_library, self.pool, assets_folder(), cache_folder(), library_folder()
-        )
-        object.__setattr__(self, "training", Training(opened, self.split))
+    @property
+    def training(self) -> Training:
+        """Opens the objects."""
+        opened = partial(open_library, self.pool, assets_folder(), cache_folder(), library_folder())
+        return Training(opened, self.split)
 
     @property
     def settings(self) -> Settings:
@@ -219,12 +217,8 @@ def _watched(out: Path, aim: Aim, hands: Hands) -> Harvest:
         line = bar.add_task("Collecting", total=aim.total)
         for step in collected(out, aim, hands):
             so_far = step.so_far
-            _show(bar, line, aim.reached(so_far), step.doing)
+            bar.update(line, completed=aim.reached(so_far), description=step.doing)
     return so_far
-
-
-def _show(bar: Bar, line: int, reached: int, doing: str) -> None:
-    bar.update(line, completed=reached, description=doing)
 
 
 def _tell(out: Path, aim: Aim, so_far: Harvest) -> None:

@@ -86,9 +86,9 @@ class Aim:
             # Every type that lacks some gets its part, from the largest need on.
             needs = {kind: math.ceil(need * most / total) for kind, need in needs.items()}
         places = list[Place]()
-        for kind, need in sorted(needs.items(), key=lambda item: -item[1]):
+        for kind in sorted(self.counts, key=lambda kind: -needs[kind]):
             fresh = fresh_places(kind, self.first, self.shard, so_far.last.get(kind))
-            places += islice(fresh, need)
+            places += islice(fresh, needs[kind])
         return places[:most]
 
     def _need(self, kind: QuestionKind, so_far: Harvest) -> int:

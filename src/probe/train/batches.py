@@ -147,7 +147,9 @@ def harvest(some: Iterable[Batch]) -> Harvest:
     )
 
 
-def fresh_places(kind: QuestionKind, first: int, shard: Shard, after: int | None) -> Iterator[Place]:
+def fresh_places(
+    kind: QuestionKind, first: int, shard: Shard, after: int | None
+) -> Iterator[Place]:
     """A shard's places of a type, one after another.
 
     Args:

@@ -1,4 +1,4 @@
-"""Draws the pictures of many episodes in worker processes; each is kept until the data set is whole."""
+"""Draws the pictures of many episodes in worker processes, and keeps them for a while."""
 
 from __future__ import annotations
 
@@ -61,16 +61,12 @@ class Studio:
 
     def key(self, record: EpisodeRecord) -> str:
         """Under which an episode's pictures are kept."""
-        return content_key(
-            "pictures", _EDITION, line_of(record, timed=False), str(self.side_px)
-        )
+        return content_key("pictures", _EDITION, line_of(record, timed=False), str(self.side_px))
 
     def _drawn(self, darkroom: Darkroom, job: Drawing) -> bytes:
         task, record = job
         try:
-            self.kept.store(
-                self.key(record), _packed(shown(task, record, darkroom, self.side_px))
-            )
+            self.kept.store(self.key(record), _packed(shown(task, record, darkroom, self.side_px)))
         except ProbeError as error:
             return str(error).encode()
         return b""

@@ -89,9 +89,7 @@ class Evaluation:
             return
         parts = self.split.parts
         offered = [] if task.kind == "count" else list(task.certificate.candidates)
-        evaluated = {
-            self.groups.get(id, id) for id, part in parts.items() if part == "evaluation"
-        }
+        evaluated = {self.groups.get(id, id) for id, part in parts.items() if part == "evaluation"}
         for id in [*(placed.object_id for placed in task.scene.objects), *offered]:
             if self.groups.get(id, id) in evaluated:
                 yield "object", id

@@ -49,6 +49,4 @@ def _features() -> Any:
         "tool_call_id": text,
     }
     columns = dict.fromkeys(("id", "type", "arm", "answer"), text)
-    return Features(
-        {**columns, "messages": List(message), "images": List(Image()), "tools": text}
-    )
+    return Features({**columns, "messages": List(message), "images": List(Image()), "tools": text})

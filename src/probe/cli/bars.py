@@ -1,0 +1,28 @@
+"""How far long work is."""
+
+from __future__ import annotations
+
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+
+_HOUR = 3600.0
+
+
+def bar() -> Progress:
+    """A bar with words, counts, time spent and time left."""
+    return Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        TextColumn("left"),
+        TimeRemainingColumn(),
+        # Episodes and tasks take minutes; a rate over half a minute would know of none.
+        speed_estimate_period=_HOUR,
+    )
