@@ -32,7 +32,7 @@ from probe.runs.plan import Order, Shard
 from probe.runs.run import begun, work
 from probe.tasks.suite import Suite
 from probe.tasks.task import QuestionKind
-from probe.train.aim import PAPER_COUNTS, Aim, Mode
+from probe.train.aim import PAPER_COUNTS, Aim, Mode, in_proportion
 from probe.train.batches import TASKS, Harvest
 from probe.train.collecting import Hands, Play
 from probe.train.collecting import collect as collected
@@ -46,6 +46,7 @@ _PAPER = dict(PAPER_COUNTS)
 def collect(
     out: Path = Path("outputs/collected"),
     counts: dict[QuestionKind, int] = _PAPER,
+    total: int | None = None,
     model: str | None = None,
     arms: Mode = "both",
     always_tools: bool = False,
@@ -71,6 +72,7 @@ def collect(
     Args:
         out: Folder for tasks and records.
         counts: Tasks of each type to be answered rightly; by default the paper's.
+        total: So many in all instead, in the proportions of the counts.
         model: A model that teaches, by a name of docs/models.md or the harness's own.
         arms: Without tools first, then with tools what that didn't answer ("both"), or one alone.
         always_tools: With tools all tasks, even if the first picture was enough.
@@ -97,7 +99,7 @@ def collect(
     part = Shard(*parse_shard(shard))
     site = _Site(model, split, pool, noise, lighting, counting, workers)
     aim = Aim(
-        counts=counts,
+        counts=counts if total is None else in_proportion(counts, total),
         first=first,
         shard=part,
         mode=arms,

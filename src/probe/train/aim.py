@@ -9,6 +9,7 @@ from itertools import islice
 from typing import Literal
 
 from probe.certify.parts import Place
+from probe.errors import BadData
 from probe.runs.plan import Shard
 from probe.tasks.task import QuestionKind
 from probe.train.batches import Harvest, fresh_places
@@ -22,6 +23,24 @@ PAPER_COUNTS: Mapping[QuestionKind, int] = {
     "beneath": 0,
 }
 """Successful episodes of the paper's fine-tuning, by type; Beneath is held out."""
+
+
+def in_proportion(counts: Mapping[QuestionKind, int], total: int) -> dict[QuestionKind, int]:
+    """Counts of the same proportions that add up to a total; the largest remainders get the rest.
+
+    Raises:
+        BadData: There is nothing to share.
+    """
+    whole = sum(counts.values())
+    if not whole:
+        raise BadData("--counts", "asks for nothing", 'Say "--counts.find 20"')
+    shares = {kind: count * total / whole for kind, count in counts.items()}
+    made = {kind: int(share) for kind, share in shares.items()}
+    by_rest = sorted(shares, key=lambda kind: (made[kind] - shares[kind], kind))
+    for kind in by_rest[: total - sum(made.values())]:
+        made[kind] += 1
+    return made
+
 
 Mode = Literal["both", "direct", "agentic"]
 _MARGIN = 1.1

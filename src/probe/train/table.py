@@ -29,9 +29,10 @@ def write_table(path: Path, rows: Sequence[Row]) -> None:
         OutputFailed: It can't be written.
     """
     try:
-        from datasets import Dataset
+        from datasets import Dataset, disable_progress_bars
     except ImportError as error:
         raise MissingExtra("A data set", "export") from error
+    disable_progress_bars()
     buffer = io.BytesIO()
     Dataset.from_list(list(rows), features=_features()).to_parquet(buffer)
     write_bytes(path, buffer.getvalue())
