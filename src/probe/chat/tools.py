@@ -65,7 +65,20 @@ def as_sent(points: Points) -> list[dict[str, Any]]:
 
 
 _LEFT_OUT = {"prefixItems", "minItems", "maxItems", "exclusiveMaximum", "default"}
-_ORDER = ("type", "description", "enum", "items", "properties", "anyOf", "required")
+_ORDER = (
+    "type",
+    "description",
+    "enum",
+    "items",
+    "properties",
+    "anyOf",
+    "required",
+    "additionalProperties",
+    "minLength",
+    "maxLength",
+    "minimum",
+    "maximum",
+)
 
 
 def _part(value: Any) -> Any:
@@ -83,7 +96,7 @@ def _in_order(schema: Any) -> Any:
     if not isinstance(schema, dict):
         return schema
     parts = cast("dict[str, Any]", schema)
-    names = sorted(parts, key=lambda name: _ORDER.index(name) if name in _ORDER else len(_ORDER))
+    names = sorted(parts, key=_ORDER.index)
     return {
         name: {key: _in_order(each) for key, each in parts[name].items()}
         if name == "properties"
