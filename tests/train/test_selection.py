@@ -26,7 +26,7 @@ def test_only_what_was_right_is_learnt():
     missing = Candidate(training_task(3), replace(good.record, end="fault"), None)
     found = chosen([good, bad, missing])
     assert ids(found) == [(good.task.id, "agentic")]
-    assert found.dropped == {"wrong": 1, "missing": 1}
+    assert found.dropped == {"wrong or unanswered": 1, "missing": 1}
 
 
 def test_where_no_tools_were_needed_the_answer_at_once_is_learnt():

@@ -129,7 +129,7 @@ def _usable(
     for it in tried:
         reason = None
         if not it.correct:
-            reason = "missing" if it.correct is None else "wrong"
+            reason = "missing" if it.correct is None else "wrong or unanswered"
         elif it.direct and lucky:
             reason = "right without tools, but not each time"
         elif not it.direct:
