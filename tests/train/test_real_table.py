@@ -7,6 +7,7 @@ from functools import partial
 
 import pytest
 
+from lessons import BY_KIND
 from probe.assets.library import open_library
 from probe.assets.tables import load_table
 from probe.chat.messages import messages
@@ -19,7 +20,6 @@ from probe.runs.plan import Job, Order
 from probe.tasks.suite import part
 from probe.train.showing import OtherPerception, shown
 from probe.train.teacher import TEACHER, Classroom, teacher_for
-from lessons import BY_KIND
 from run_folders import DEMO
 
 pytestmark = pytest.mark.slow
