@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from typing import Any
 
 import pytest
 from PIL import Image
@@ -33,7 +34,7 @@ def written(tmp_path, ordered, chosen, specs):
 def test_it_loads_with_hugging_faces_library(written, ordered, tmp_path):
     from datasets import load_dataset
 
-    rows = load_dataset(str(written), split="train", cache_dir=str(tmp_path / "cache"))
+    rows: Any = load_dataset(str(written), split="train", cache_dir=str(tmp_path / "cache"))
     assert [row["id"] for row in rows] == [example.id for example in ordered]
     for row, example in zip(rows, ordered, strict=True):
         assert len(row["images"]) == len(example.pictures)

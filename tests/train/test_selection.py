@@ -100,7 +100,7 @@ def test_evaluation_is_refused_and_reported():
 
 
 def test_the_order_of_episodes_does_not_matter():
-    lessons = [lesson(training_task(n, answer="AB"[n % 2])) for n in range(9)]
+    lessons = [lesson(training_task(n, answer="A" if n % 2 else "B")) for n in range(9)]
     recipe = {"counts": {"find": 5}, "seed": 3}
     assert ids(chosen(lessons, **recipe)) == ids(chosen(lessons[::-1], **recipe))
     assert ids(chosen(lessons, **recipe)) != ids(chosen(lessons, counts={"find": 5}, seed=4))

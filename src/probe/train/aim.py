@@ -34,8 +34,8 @@ def in_proportion(counts: Mapping[QuestionKind, int], total: int) -> dict[Questi
     whole = sum(counts.values())
     if not whole:
         raise BadData("--counts", "asks for nothing", 'Say "--counts.find 20"')
-    shares = {kind: count * total / whole for kind, count in counts.items()}
-    made = {kind: int(share) for kind, share in shares.items()}
+    shares: dict[QuestionKind, float] = {k: n * total / whole for k, n in counts.items()}
+    made: dict[QuestionKind, int] = {kind: int(share) for kind, share in shares.items()}
     by_rest = sorted(shares, key=lambda kind: (made[kind] - shares[kind], kind))
     for kind in by_rest[: total - sum(made.values())]:
         made[kind] += 1
