@@ -34,7 +34,6 @@ class Search:
         rng: Breaks ties between directions.
         graph: What showed last.
         spent: Manipulations so far.
-        known: Names of all that was ever named.
         removed_last: Whether the last manipulation took a thing off the table.
         say: Gives the words that go with each call.
     """
@@ -44,7 +43,6 @@ class Search:
     rng: np.random.Generator
     graph: Graph = field(default_factory=Graph)
     spent: int = 0
-    known: set[str] = field(default_factory=set[str])
     removed_last: bool = False
     say: Say = silent
     _tried: defaultdict[str, list[tuple[Way, Outcome]]] = field(
@@ -70,8 +68,8 @@ class Search:
         most = _HIDERS_TRIES if hider(seen.name or "") else _TRIES
         return len(self._tried[seen.name or ""]) < most and self.spent < BUDGET
 
-    def clear(self, seen: Seen, why: Why) -> Plan[bool]:
-        """Move a thing away, or what keeps it there, and look again; says whether it is gone.
+    def clear(self, seen: Seen, why: Why) -> Plan[None]:
+        """Move a thing away, or what lies on it and keeps it there, and look again.
 
         Args:
             seen: The thing.
@@ -92,7 +90,6 @@ class Search:
         self.removed_last = left = outcome == "gone" and name not in now
         if left or (outcome in ("gone", "pushed") and (shown or hider(name) is None)):
             self._searched.add(name)
-        return outcome == "gone"
 
     @property
     def complete(self) -> bool:
@@ -101,7 +98,6 @@ class Search:
 
     def _look(self, words: str) -> Plan[None]:
         self.graph = yield from look(words)
-        self.known |= {seen.name for seen in self.graph.named if seen.name is not None}
 
     def _unsearched(self) -> list[Seen]:
         """Things that still stand where something may lie under them.

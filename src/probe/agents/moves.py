@@ -17,6 +17,7 @@ from probe.agents.reading import (
     worked,
 )
 from probe.agents.speech import Say
+from probe.agents.texts import is_none
 from probe.episodes.turns import Call, Question
 from probe.scene.layout import PICTURE_PX, VIEW_SIZE
 
@@ -72,7 +73,7 @@ def answer(letter: str, point: tuple[int, int] | None = None, words: str = "") -
 
 def none_of_them(question: Question) -> str | None:
     """Letter of "None of the above", if it is an option."""
-    letters = [letter for letter, text in question.options if text.lower().startswith("none")]
+    letters = [letter for letter, text in question.options if is_none(text)]
     return letters[0] if letters else None
 
 

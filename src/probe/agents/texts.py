@@ -37,10 +37,8 @@ def texts(question: str, options: Sequence[str]) -> tuple[Features, ...]:
     found: list[Features] = []
     for place, text in enumerate(options):
         words = spoken[place]
-        others = [
-            other for n, other in enumerate(spoken) if n != place and not _is_none(options[n])
-        ]
-        if _is_none(text):
+        others = [other for n, other in enumerate(spoken) if n != place and not is_none(options[n])]
+        if is_none(text):
             found.append({"none": 1.0} | {f"{word} none": 1.0 for word in asked})
             continue
         features = {f"word {word}": 1.0 for word in words}
@@ -81,5 +79,6 @@ def _words(text: str) -> set[str]:
     return set(_WORD.findall(text.lower()))
 
 
-def _is_none(text: str) -> bool:
+def is_none(text: str) -> bool:
+    """Whether an option is "None of the above"."""
     return text.lower().startswith("none")
