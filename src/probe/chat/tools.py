@@ -35,21 +35,27 @@ def _in_thousandths(schema: Any) -> Any:
     return {name: _in_thousandths(part) for name, part in parts.items()}
 
 
-def expressible(schema: Mapping[str, Any]) -> dict[str, Any]:
+def expressible(schema: Mapping[str, Any], limits: bool = True) -> dict[str, Any]:
     """A schema without what the harness can't pass on and some servers refuse.
 
     Of a place that leaves a list of numbers; the toolshed checks the rest, as it always does.
+
+    Args:
+        schema: Of a tool's parameters, or a part of it.
+        limits: Keep the limits of numbers and texts.
     """
-    parts = {name: _part(value) for name, value in schema.items() if name not in _LEFT_OUT}
+    left_out = _LEFT_OUT if limits else _LEFT_OUT | _LIMITS
+    parts = {name: _part(value, limits) for name, value in schema.items() if name not in left_out}
     if "prefixItems" in schema:
-        parts["items"] = expressible(schema["prefixItems"][0])
+        parts["items"] = expressible(schema["prefixItems"][0], limits)
     return parts
 
 
 def as_sent(points: Points) -> list[dict[str, Any]]:
     """The five tools as servers that speak OpenAI's protocol get them, the order of keys included.
 
-    A template writes them out as they come: training has to see the same.
+    A template writes them out as they come: training has to see the same. The harness tells such
+    servers no limits, and that arguments must fit the schema.
     """
     return [
         {
@@ -57,7 +63,8 @@ def as_sent(points: Points) -> list[dict[str, Any]]:
             "function": {
                 "name": tool.name,
                 "description": tool.description,
-                "parameters": _in_order({"required": [], **expressible(tool.parameters)}),
+                "parameters": _in_order({"required": [], **expressible(tool.parameters, False)}),
+                "strict": True,
             },
         }
         for tool in tools_for(points)
@@ -65,6 +72,7 @@ def as_sent(points: Points) -> list[dict[str, Any]]:
 
 
 _LEFT_OUT = {"prefixItems", "minItems", "maxItems", "exclusiveMaximum", "default"}
+_LIMITS = {"minimum", "maximum", "minLength", "maxLength"}
 _ORDER = (
     "type",
     "description",
@@ -74,18 +82,14 @@ _ORDER = (
     "anyOf",
     "required",
     "additionalProperties",
-    "minLength",
-    "maxLength",
-    "minimum",
-    "maximum",
 )
 
 
-def _part(value: Any) -> Any:
+def _part(value: Any, limits: bool) -> Any:
     if isinstance(value, dict):
-        return expressible(cast("dict[str, Any]", value))
+        return expressible(cast("dict[str, Any]", value), limits)
     if isinstance(value, list):
-        return [_part(each) for each in cast("list[Any]", value)]
+        return [_part(each, limits) for each in cast("list[Any]", value)]
     return value
 
 

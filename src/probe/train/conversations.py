@@ -10,6 +10,7 @@ import binascii
 import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 from PIL import Image
@@ -88,10 +89,8 @@ def _message(
 def _call(function: Mapping[str, Any]) -> dict[str, Any]:
     """A call with its arguments as values, which the template writes in its own way."""
     arguments = function["arguments"]
-    try:
+    with suppress(ValueError):  # what is no JSON stands in the conversation as it was said
         arguments = json.loads(arguments)
-    except ValueError:
-        pass  # it stands in the conversation as it was said
     return {"type": "function", "function": {"name": function["name"], "arguments": arguments}}
 
 

@@ -1,4 +1,4 @@
-"""The libraries that train and run models: imported when they are first needed, for minutes long."""
+"""The libraries that train and run models; imported when they are first needed."""
 
 from __future__ import annotations
 
@@ -42,7 +42,9 @@ def transformers() -> Any:
         if "torchvision::" not in str(error):
             raise
         _declare(made)
-    return _imported("transformers")
+    library = _imported("transformers")
+    library.utils.logging.disable_progress_bar()
+    return library
 
 
 def trl() -> Any:
