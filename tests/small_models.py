@@ -7,6 +7,7 @@ from pathlib import Path
 from lessons import lesson, training_task
 from probe.assets.spec import ObjectSpec
 from probe.chat.pictures import jpeg
+from probe.toolshed.result import Status
 from probe.train.chosen import read_selection, write_selection
 from probe.train.evaluation import evaluation_of
 from probe.train.examples import example_of
@@ -16,6 +17,7 @@ from probe.train.showing import Shown
 from probe.train.tiny import Shape, make_tiny
 from tabletops import paint
 
+GRASPED: tuple[str, Status] = ("mug", "done")
 SHAPE = Shape(
     width=48, layers=2, words=600, vision_width=32, vision_layers=2, side_px=64, seed=3
 )  # fmt: skip
@@ -24,7 +26,7 @@ SHAPE = Shape(
 def small_dataset(folder: Path, tasks: int = 4) -> Path:
     """Some episodes of Find and Count with tools, and one without."""
     lessons = [
-        lesson(training_task(n, kind), statuses=[("mug", "done")] * (1 + n % 2))
+        lesson(training_task(n, kind), statuses=(GRASPED,) * (1 + n % 2))
         for n in range(1, tasks + 1)
         for kind in ("find", "count")
     ]

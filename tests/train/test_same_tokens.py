@@ -12,7 +12,7 @@ from contextlib import contextmanager
 import pytest
 
 from bench.painted import demo, plan
-from bench.sitting_in import kept, sit_in
+from bench.sitting_in import kept, seat_of, sit_in
 from probe.train.collating import IGNORED
 from probe.train.examples import example_of
 from probe.train.fine_tuning import collator_for
@@ -125,12 +125,12 @@ def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, ar
     with listening(speaker) as url:
         sit_in(order, url)
     record = kept(tmp_path / "out")[SUITE.tasks[0].id]
-    assert record.seat.faults == () and record.answer is not None
+    assert seat_of(record).faults == () and record.answer is not None
     assert len(speaker.heard) == len(EPISODES[arm])
     batch = trained_on(record, speaker.bodies[-1], points, speaker, tmp_path)
     ids, labels = batch["input_ids"][0].tolist(), batch["labels"][0].tolist()
     tokenizer = speaker._processor.tokenizer
-    expected = [IGNORED] * len(ids)
+    expected, end = [IGNORED] * len(ids), 0
     for asked, reply in zip(speaker.heard, EPISODES[arm], strict=True):
         sent = asked["input_ids"][0].tolist()
         assert ids[: len(sent)] == sent
@@ -138,8 +138,9 @@ def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, ar
         assert (batch["pixel_values"][: len(patches)] == patches).all()
         said = tokenizer.encode(f"{reply}<|im_end|>\n", add_special_tokens=False)
         assert ids[len(sent) : len(sent) + len(said)] == said
-        expected[len(sent) : len(sent) + len(said)] = said
+        end = len(sent) + len(said)
+        expected[len(sent) : end] = said
     assert len(batch["pixel_values"]) == len(speaker.heard[-1]["pixel_values"])
     assert labels == expected
     # Nothing follows the last reply.
-    assert len(ids) == len(sent) + len(said)
+    assert len(ids) == end

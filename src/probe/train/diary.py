@@ -42,7 +42,7 @@ def diary_callback(out: Path) -> Any:
         """A TrainerCallback."""
 
         def on_log(self, args: Any, state: Any, control: Any, **told: Any) -> None:
-            logs = told.get("logs") or {}
+            logs: dict[str, Any] = told.get("logs") or {}
             if state.is_world_process_zero and "loss" in logs:
                 entry = Entry(
                     step=state.global_step,
