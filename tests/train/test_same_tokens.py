@@ -8,6 +8,7 @@ import socket
 import threading
 import time
 from contextlib import contextmanager
+from dataclasses import replace
 
 import pytest
 
@@ -56,8 +57,11 @@ class Overheard(Speaker):
         asked = self.asked(body)
         self.heard.append(asked)
         self.bodies.append(body)
-        text = self.replies[len(self.heard) - 1]
-        return Said(read_reply(text), asked["input_ids"].shape[1], 5, cut=False)
+        said = read_reply(self.replies[len(self.heard) - 1])
+        if said.calls and said.words:
+            # As vLLM does, by its source.
+            said = replace(said, words=f"{said.words}\n")
+        return Said(said, asked["input_ids"].shape[1], 5, cut=False)
 
 
 @contextmanager
