@@ -104,3 +104,9 @@ def test_a_folder_that_is_there_is_left_alone(written, ordered, chosen, specs):
     with pytest.raises(BadData, match="is there already. Choose a new folder"):
         write_dataset(written, ordered, chosen, FORM, specs)
     check_dataset(written)
+
+
+def test_the_card_tells_of_no_folder_that_is_not_there(tmp_path, ordered, chosen, specs):
+    write_dataset(tmp_path / "alone", ordered, chosen, Form("x", "pixels", 64, False), specs)
+    card = (tmp_path / "alone/README.md").read_text()
+    assert "| `data/`" in card and "| `vila/`" not in card and "| `images/`" not in card

@@ -24,6 +24,8 @@ def card(name: str, manifest: Manifest, chosen: Chosen, specs: Mapping[str, Obje
         specs: What the catalogue says of the objects that are shown, by id.
     """
     words = (files("probe.train") / "data/card.md").read_text("utf-8")
+    if not any(file.startswith("images/") for file in manifest.files):
+        words = _without(words, ("| `llamafactory/`", "| `vila/`", "| `images/`"))
     document = chosen.document
     side = manifest.side_px
     return words.format(
@@ -41,6 +43,11 @@ def card(name: str, manifest: Manifest, chosen: Chosen, specs: Mapping[str, Obje
         limits=", ".join(f"{kind} {most}" for kind, most in sorted(document.limits.items())),
         licences=_licences(_shown(chosen), specs),
     )
+
+
+def _without(words: str, starts: tuple[str, ...]) -> str:
+    lines = words.splitlines(keepends=True)
+    return "".join(line for line in lines if not line.startswith(starts))
 
 
 def _counts(examples: Mapping[str, Mapping[str, int]]) -> str:
