@@ -121,8 +121,7 @@ def trained_on(record, body, points, speaker, folder):
     return collator_for(speaker._processor)([rows[0]])
 
 
-@pytest.mark.parametrize("arm", EPISODES)
-@pytest.mark.parametrize("points", ["pixels", "0-1000"])
+@pytest.mark.parametrize(("arm", "points"), [("agentic", "0-1000"), ("direct", "pixels")])
 def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, arm, points):
     speaker.begin(EPISODES[arm])
     order = plan(tmp_path / "out", arm, SUITE, points=points)

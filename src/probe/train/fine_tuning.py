@@ -137,6 +137,7 @@ def _settings(trl: Any, out: Path, tuning: Tuning) -> Any:
         remove_unused_columns=False,
         dataset_kwargs={"skip_prepare_dataset": True},
         dataloader_pin_memory=gpu,
+        dataloader_num_workers=tuning.loaders,
         logging_steps=1,
         save_strategy="steps",
         save_steps=tuning.save_every,

@@ -23,6 +23,7 @@ class Tuning:
         seed: Of the order of examples and of all else that is drawn.
         save_every: Steps between checkpoints, of which two are kept.
         save_memory: Compute activations twice rather than keep them.
+        loaders: Processes that prepare batches ahead; 0 for none.
     """
 
     learning_rate: float = 2e-5
@@ -35,6 +36,7 @@ class Tuning:
     seed: int = 0
     save_every: int = 25
     save_memory: bool = True
+    loaders: int = 0
 
     def accumulation(self, processes: int) -> int:
         """Batches that a process takes before a step is made.
