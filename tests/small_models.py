@@ -14,7 +14,8 @@ from probe.train.examples import example_of
 from probe.train.folder import Form, write_dataset
 from probe.train.selection import Recipe, select
 from probe.train.showing import Shown
-from probe.train.tiny import Shape, make_tiny
+from probe.train.tiny import make_tiny
+from probe.train.tiny_parts import Shape
 from tabletops import paint
 
 GRASPED: tuple[str, Status] = ("mug", "done")

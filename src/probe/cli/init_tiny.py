@@ -7,7 +7,8 @@ from typing import Annotated
 
 import tyro
 
-from probe.train.tiny import Shape, make_tiny
+from probe.train.tiny import make_tiny
+from probe.train.tiny_parts import Shape
 
 _USUAL = Shape()
 

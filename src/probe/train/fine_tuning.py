@@ -12,11 +12,9 @@ from probe.train.collating import Collator
 from probe.train.diary import diary_callback
 from probe.train.manifest import Manifest, check_dataset
 from probe.train.run_card import write_card
-from probe.train.started import CHECKPOINTS, MODEL, ROWS, begun, last_checkpoint, take_up
+from probe.train.started import MODEL, ROWS, begun, last_checkpoint, take_up
+from probe.train.trainer_settings import settings_for
 from probe.train.tuning import Tuning
-
-_KEPT = 2
-"""Checkpoints: the last one may be cut off."""
 
 
 class NoModel(ProbeError):
@@ -45,7 +43,6 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         NoModel: The model can't be loaded.
     """
     manifest = check_dataset(dataset, types)
-    manifest = check_dataset(dataset, tuple(manifest.examples))
     asked = begun(dataset, model, tuning)
     if (out / MODEL).exists():
         take_up(out, asked)
@@ -99,7 +96,7 @@ def _trainer(loaded: Any, processor: Any, rows: Any, out: Path, tuning: Tuning) 
         )
     return trl.SFTTrainer(
         model=loaded,
-        args=_settings(trl, out, tuning),
+        args=settings_for(out, tuning),
         train_dataset=rows,
         processing_class=processor,
         data_collator=collator_for(processor),
@@ -113,38 +110,6 @@ def _rows(dataset: Path, out: Path, manifest: Manifest) -> Any:
     data.disable_progress_bars()
     files = sorted(str(dataset / name) for name in manifest.files if name.endswith(".parquet"))
     return data.Dataset.from_parquet(files, cache_dir=str(out / ROWS))
-
-
-def _settings(trl: Any, out: Path, tuning: Tuning) -> Any:
-    processes = int(libraries.part("accelerate").PartialState().num_processes)
-    gpu = bool(libraries.torch().cuda.is_available())
-    return trl.SFTConfig(
-        output_dir=str(out / CHECKPOINTS),
-        learning_rate=tuning.learning_rate,
-        num_train_epochs=tuning.epochs,
-        per_device_train_batch_size=tuning.device_batch,
-        gradient_accumulation_steps=tuning.accumulation(processes),
-        lr_scheduler_type=tuning.schedule,
-        warmup_steps=tuning.warmup,
-        seed=tuning.seed,
-        data_seed=tuning.seed,
-        bf16=gpu,
-        use_cpu=not gpu,
-        gradient_checkpointing=tuning.save_memory,
-        assistant_only_loss=True,
-        max_length=None,  # what is cut off may be a picture
-        packing=False,
-        remove_unused_columns=False,
-        dataset_kwargs={"skip_prepare_dataset": True},
-        dataloader_pin_memory=gpu,
-        dataloader_num_workers=tuning.loaders,
-        logging_steps=1,
-        save_strategy="steps",
-        save_steps=tuning.save_every,
-        save_total_limit=_KEPT,
-        report_to="none",
-        disable_tqdm=False,
-    )
 
 
 def _keep(trainer: Any, out: Path, tuning: Tuning) -> None:

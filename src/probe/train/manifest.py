@@ -73,7 +73,7 @@ def check_dataset(folder: Path, types: Collection[str] = ()) -> Manifest:
 
     Args:
         folder: That `probe dataset` wrote.
-        types: Of which there must be examples.
+        types: Of which there must be examples, besides those that the manifest names.
 
     Raises:
         BadData: A file is missing, cut off or changed, or a type is empty; it is named.
@@ -87,7 +87,7 @@ def check_dataset(folder: Path, types: Collection[str] = ()) -> Manifest:
             raise BadData(folder / name, reason, _REMEDY)
         if found != known:
             raise BadData(folder / name, "has been changed", _REMEDY)
-    for kind in types:
+    for kind in dict.fromkeys([*types, *manifest.examples]):
         if not sum(manifest.examples.get(kind, {}).values()):
             remedy = "Collect and select some, or train without this type"
             raise BadData(folder / MANIFEST, f"there is no example of {kind}", remedy)
