@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
+from pathlib import Path
 
 import pytest
 
+from probe.assets.library import open_all
 from probe.bench.estimate import PICTURE_TOKENS, estimate
 from probe.bench.models import known_models, settings_of
 from probe.bench.prices import read_prices
@@ -18,6 +21,7 @@ from probe.tasks.suite_file import demo_suite
 
 SUITE = demo_suite()
 SEATS = Seats(
+    partial(open_all, None, Path("nowhere")),
     "gpt-5.4", "agentic", 3, None, "oracle", None, None, NO_NOISE, AS_FROZEN, Shard(), 4
 )  # fmt: skip
 PRICES = "gpt-5.4:\n  tokens_in: 2\n  tokens_out: 10\n"

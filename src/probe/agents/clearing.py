@@ -11,6 +11,7 @@ import numpy as np
 from probe.agents.hiders import hider
 from probe.agents.moves import Outcome, Plan, Way, look, move_away
 from probe.agents.reading import Graph, Seen
+from probe.agents.speech import Say, Why, silent
 from probe.toolshed.toolshed import MANIPULATIONS
 
 LARGE_PX = 120
@@ -32,6 +33,7 @@ class Search:
         graph: What showed last.
         spent: Manipulations so far.
         removed_last: Whether the last manipulation took a thing off the table.
+        say: Gives the words that go with each call.
     """
 
     keep: Callable[[Seen], bool]
@@ -40,6 +42,7 @@ class Search:
     graph: Graph = field(default_factory=Graph)
     spent: int = 0
     removed_last: bool = False
+    say: Say = silent
     _tried: defaultdict[str, list[tuple[Way, Outcome]]] = field(
         default_factory=lambda: defaultdict[str, list[tuple[Way, Outcome]]](list)
     )
@@ -47,14 +50,15 @@ class Search:
 
     def begin(self) -> Plan[None]:
         """Look for the first time."""
-        yield from self._look()
+        yield from self._look(self.say("look", {}))
 
     def clear_one(self) -> Plan[bool]:
         """Move the most promising thing away and look again; False if there is none left."""
         candidates = [seen for seen in self._unsearched() if self.may_clear(seen)]
         if not candidates:
             return False
-        yield from self.clear(max(candidates, key=self._promise))
+        chosen = max(candidates, key=self._promise)
+        yield from self.clear(chosen, Why(self._attraction(chosen)))
         return True
 
     def may_clear(self, seen: Seen) -> bool:
@@ -62,15 +66,23 @@ class Search:
         most = _HIDERS_TRIES if hider(seen.name or "") else _TRIES
         return len(self._tried[seen.name or ""]) < most and self.spent < MANIPULATIONS
 
-    def clear(self, seen: Seen) -> Plan[None]:
-        """Move a thing away, or what lies on it and keeps it there, and look again."""
-        seen = self._obstacle(seen) or seen
+    def clear(self, seen: Seen, why: Why) -> Plan[None]:
+        """Move a thing away, or what lies on it and keeps it there, and look again.
+
+        Args:
+            seen: The thing.
+            why: What for.
+        """
+        obstacle = self._obstacle(seen)
+        if obstacle is not None:
+            seen, why = obstacle, Why("obstacle", seen.name or "")
         name, way = seen.name or "", self._way(seen.name or "")
         self.spent += 1
-        outcome = yield from move_away(seen, self.graph, way, self.rng)
+        words = self._reasons(name, way, why)
+        outcome = yield from move_away(seen, self.graph, way, self.rng, self.say, words)
         self._tried[name].append((way, outcome))
         before = _names(self.graph)
-        yield from self._look()
+        yield from self._look(self.say(f"look {outcome}", {"thing": name}))
         now = _names(self.graph)
         shown = any(now[other] > before[other] for other in now if other != name)
         self.removed_last = left = outcome == "gone" and name not in now
@@ -82,8 +94,8 @@ class Search:
         """Whether nothing is half hidden and nothing is left that may well hide something."""
         return not self.graph.unclear and not any(_hides(s) for s in self._unsearched())
 
-    def _look(self) -> Plan[None]:
-        self.graph = yield from look()
+    def _look(self, words: str) -> Plan[None]:
+        self.graph = yield from look(words)
 
     def _unsearched(self) -> list[Seen]:
         """Things that still stand where something may lie under them.
@@ -108,12 +120,28 @@ class Search:
     def _obstacle(self, seen: Seen) -> Seen | None:
         """What lies on a thing that couldn't be lifted, the highest that may be moved; or None."""
         tried = self._tried[seen.name or ""]
-        if not tried or tried[-1][1] not in ("no grip", "blocked"):
+        if not tried or tried[-1][1] not in ("no grip", "blocked", "unfound"):
             return None
         over = self.graph.over(seen)
         movable = [s for s in self.graph.named if s.number in over and not self.keep(s)]
         movable = [s for s in movable if self.may_clear(s)]
         return min(movable, key=lambda each: len(self.graph.over(each)), default=None)
+
+    def _reasons(self, name: str, way: Way, why: Why) -> str:
+        """Why a thing is moved, and why in this way."""
+        tried = self._tried[name]
+        how = f"{way} {tried[-1][1]}" if tried else way
+        slots = {"thing": name, **why.slots}
+        return f"{self.say(why.reason, slots)} {self.say(how, slots)}".strip()
+
+    def _attraction(self, seen: Seen) -> str:
+        """Why this thing, of all that might hide something: the occasion to say so."""
+        kind = hider(seen.name or "")
+        if kind == "hollow":
+            return "hollow"
+        if any(seen.number in self.graph.over(other) for other in self.graph.unclear):
+            return "unclear"
+        return "flat" if kind == "flat" and _is_large(seen) else "largest"
 
     def _promise(self, seen: Seen) -> tuple[float, int]:
         """What may hide more first: hollow things, and what covers something half hidden."""

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan
 from probe.agents.reading import Graph, Seen
+from probe.agents.speech import Why
 from probe.agents.texts import marks_in
 from probe.episodes.turns import Question
 
@@ -25,15 +26,15 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
 
     Bold, it takes what could be seen of them.
     """
-    marks = marks_in(question.text)
+    marks = marks_of(question)
     crowd = {seen.name for seen in search.graph.named}
     # Those that are marked show too little to be named, or a little more.
-    for mark in marks:
-        here = _at(search.graph.objects, mark)
+    for mark in marks.values():
+        here = at(search.graph.objects, mark)
         crowd -= {here.name if here else None}
     found: list[Seen | None] = []
-    for mark in marks:
-        marked = _Marked(mark, crowd)
+    for letter, mark in marks.items():
+        marked = _Marked(letter, mark, crowd)
         clear = yield from marked.uncover(search)
         if not clear and not bold:
             return None, None
@@ -43,17 +44,24 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
     return found[0], found[1]
 
 
+def marks_of(question: Question) -> dict[str, tuple[int, int]]:
+    """Pixels (u, v) of the marks, by letter, as the question tells them."""
+    return dict(zip("AB", marks_in(question.text), strict=False))
+
+
 @dataclass
 class _Marked:
     """A marked thing that is being uncovered; known by its mark, then by its name.
 
     Attributes:
+        letter: Of the mark.
         mark: Pixel (u, v) on it in the first picture.
         crowd: Names of things that it isn't.
         here: Its entry in the last graph, if it shows.
         shown: Its largest entry so far that had a name.
     """
 
+    letter: str
     mark: tuple[int, int]
     crowd: set[str | None]
     here: Seen | None = None
@@ -67,7 +75,8 @@ class _Marked:
             over = self._over(search)
             if not over or search.spent - spent >= _MOST:
                 return False
-            yield from search.clear(max(over, key=lambda seen: seen.area))
+            chosen = max(over, key=lambda seen: seen.area)
+            yield from search.clear(chosen, self._why(chosen, search.graph))
             self._follow(search.graph)
         return True
 
@@ -77,7 +86,7 @@ class _Marked:
         if name is None:
             fresh = [seen for seen in graph.objects if seen.name not in self.crowd]
             named = [seen for seen in fresh if seen.name is not None]
-            self.here = _at(fresh, self.mark) or (named[0] if len(named) == 1 else None)
+            self.here = at(fresh, self.mark) or (named[0] if len(named) == 1 else None)
         else:
             self.here = next(iter(graph.called(name)), None)
         now = self.here
@@ -87,6 +96,12 @@ class _Marked:
     def _is_clear(self, graph: Graph) -> bool:
         here = self.here
         return here is not None and here.name is not None and not graph.over(here)
+
+    def _why(self, seen: Seen, graph: Graph) -> Why:
+        if self.here is None:
+            return Why("mark place", letter=self.letter)
+        lying = seen.number in graph.over(self.here)
+        return Why("mark on" if lying else "mark touching", letter=self.letter)
 
     def _over(self, search: Search) -> list[Seen]:
         """What lies on it, or else what touches it or is where its mark was."""
@@ -99,7 +114,7 @@ class _Marked:
         return lying or [seen for seen in others if seen.number in meeting]
 
 
-def _at(objects: Sequence[Seen], mark: tuple[int, int]) -> Seen | None:
+def at(objects: Sequence[Seen], mark: tuple[int, int]) -> Seen | None:
     """The smallest thing whose box has a point in it, or else the one with the nearest point."""
     here = [seen for seen in objects if _holds(seen, mark)]
     if here:

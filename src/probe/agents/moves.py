@@ -16,6 +16,7 @@ from probe.agents.reading import (
     read_handle,
     worked,
 )
+from probe.agents.speech import Say
 from probe.agents.texts import is_none
 from probe.episodes.turns import Call, Question
 from probe.scene.layout import PICTURE_PX, VIEW_SIZE
@@ -29,31 +30,45 @@ _STEPS = {"up": (0, -1), "down": (0, 1), "left": (-1, 0), "right": (1, 0)}
 _SHORTEST_CM, _LONGEST_CM = 6.0, 15.0
 
 
-def look() -> Plan[Graph]:
+def look(words: str = "") -> Plan[Graph]:
     """See what shows now."""
-    text = yield Call.of("perceive_scene")
+    text = yield Call.of("perceive_scene", words=words)
     return read_graph(text)
 
 
-def move_away(seen: Seen, graph: Graph, way: Way, rng: np.random.Generator) -> Plan[Outcome]:
-    """Grasp a thing or push it to where there is room; says what came of it."""
-    text = yield Call.of("find_object", {"description": seen.place})
+def move_away(
+    seen: Seen, graph: Graph, way: Way, rng: np.random.Generator, say: Say, words: str
+) -> Plan[Outcome]:
+    """Grasp a thing or push it to where there is room; says what came of it.
+
+    Args:
+        seen: The thing.
+        graph: What shows.
+        way: What to do with it.
+        rng: Breaks ties between directions.
+        say: Gives words for the manipulation.
+        words: Why it is to be moved.
+    """
+    text = yield Call.of("find_object", {"description": seen.place}, words)
     handle = read_handle(text)
     if handle is None:
-        return "blocked"
+        return "unfound"
+    thing = {"thing": seen.name or "thing"}
     if way == "grasp":
-        text = yield Call.of("grasp_and_remove", {"object_id": handle})
+        words = say("do grasp", thing)
+        text = yield Call.of("grasp_and_remove", {"object_id": handle}, words)
         return grasp_outcome(text)
     direction, distance = roomiest(seen, graph, rng)
     arguments = {"object_id": handle, "direction": direction, "distance_cm": distance}
-    text = yield Call.of("push", arguments)
+    words = say("do push", {**thing, "direction": direction})
+    text = yield Call.of("push", arguments, words)
     return "pushed" if worked(text) else "blocked"
 
 
-def answer(letter: str, point: tuple[int, int] | None = None) -> Plan[None]:
+def answer(letter: str, point: tuple[int, int] | None = None, words: str = "") -> Plan[None]:
     """End with an answer."""
     arguments = {"choice": letter} if point is None else {"choice": letter, "point": list(point)}
-    yield Call.of("answer_question", arguments)
+    yield Call.of("answer_question", arguments, words)
 
 
 def none_of_them(question: Question) -> str | None:

@@ -12,6 +12,7 @@ from probe.agents.clearing import Search
 from probe.agents.marks import Both, uncover_both
 from probe.agents.moves import Plan, Way, answer
 from probe.agents.reading import Seen
+from probe.agents.speech import Say, silent
 from probe.episodes.turns import Question
 
 _MIDDLE = 50
@@ -26,17 +27,30 @@ _LIGHTNESS = {
 
 
 def size(
-    question: Question, form: str, first: Way, rng: np.random.Generator, *, bold: bool = False
+    question: Question,
+    form: str,
+    first: Way,
+    rng: np.random.Generator,
+    *,
+    bold: bool = False,
+    say: Say = silent,
 ) -> Plan[None]:
     """Uncover both marked things and go by the boxes that they then have."""
-    search = Search(lambda seen: False, first, rng)
+    search = Search(lambda seen: False, first, rng, say=say)
     yield from search.begin()
     one, other = yield from uncover_both(question, search, bold=bold)
     if one is not None and other is not None:
-        a, b = (_length(seen) if form == "longer" else seen.area for seen in (one, other))
-        yield from answer("A" if (a > b) != (form == "smaller") else "B")
+        letter = larger(form, one, other)
+        slots = {"one": one.name or "", "two": other.name or "", "letter": letter}
+        yield from answer(letter, words=say(f"size {form}", slots))
     elif bold:
-        yield from answer(_either(rng))
+        yield from _guess(rng, say)
+
+
+def larger(form: str, one: Seen, other: Seen) -> str:
+    """Letter of the longer, larger or smaller one, by their boxes."""
+    a, b = (_length(seen) if form == "longer" else seen.area for seen in (one, other))
+    return "A" if (a > b) != (form == "smaller") else "B"
 
 
 def compare(
@@ -47,21 +61,43 @@ def compare(
     rng: np.random.Generator,
     *,
     bold: bool = False,
+    say: Say = silent,
 ) -> Plan[None]:
     """Uncover both marked things and go by the colours that their descriptions name first."""
-    search = Search(lambda seen: False, first, rng)
+    search = Search(lambda seen: False, first, rng, say=say)
     yield from search.begin()
     like = search.graph.called(subject) if form == "like" else ()
-    wanted = (_colours(like[0])[:1] if like else []) if form == "like" else _words(subject)[-1:]
+    wanted = wanted_colour(form, subject, like)
+    both: Both = (None, None)
     letter: str | None = None
     if wanted or form == "darker":
         both = yield from uncover_both(question, search, bold=bold)
-        letter = _fitting(form, wanted, both) if bold or all(both) else None
-    if letter or bold:
-        yield from answer(letter or _either(rng))
+        letter = fitting(form, wanted, both) if bold or all(both) else None
+    if letter and all(both):
+        one, two = (seen.name or "" for seen in both if seen)
+        occasion = "compare darker" if form == "darker" else "compare colour"
+        words = say(occasion, {"one": one, "two": two, "letter": letter})
+        yield from answer(letter, words=words)
+    elif letter:
+        yield from answer(letter, words=say("guess", {"letter": letter}))
+    elif bold:
+        yield from _guess(rng, say)
 
 
-def _fitting(form: str, wanted: Sequence[str], both: Both) -> str | None:
+def wanted_colour(form: str, subject: str, like: Sequence[Seen]) -> list[str]:
+    """The word of the colour that is asked for; none if that isn't known.
+
+    Args:
+        form: What exactly is asked.
+        subject: The colour itself, or the thing that has it.
+        like: What goes by that thing's name.
+    """
+    if form == "like":
+        return _colours(like[0])[:1] if like else []
+    return _words(subject)[-1:]
+
+
+def fitting(form: str, wanted: Sequence[str], both: Both) -> str | None:
     """Letter of the one whose colour is asked for; None if that can't be told.
 
     Of one alone it goes by what it is: only one of the two has the colour.
@@ -77,8 +113,9 @@ def _fitting(form: str, wanted: Sequence[str], both: Both) -> str | None:
     return None if fits[0] == fits[1] else "A" if fits[0] else "B"
 
 
-def _either(rng: np.random.Generator) -> str:
-    return "AB"[int(rng.integers(2))]
+def _guess(rng: np.random.Generator, say: Say) -> Plan[None]:
+    letter = "AB"[int(rng.integers(2))]
+    yield from answer(letter, words=say("guess", {"letter": letter}))
 
 
 def _length(seen: Seen) -> float:

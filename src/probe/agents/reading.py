@@ -12,9 +12,10 @@ from probe.perception.tokens import tokens
 
 Box = tuple[int, int, int, int]
 
-Outcome = Literal["gone", "pushed", "lost", "no grip", "blocked"]
+Outcome = Literal["gone", "pushed", "lost", "no grip", "blocked", "unfound"]
 """What came of a manipulation: the thing left its place for the basket or fell elsewhere; was
-pushed; slipped out of the hand; couldn't be gripped; or the hand was stopped."""
+pushed; slipped out of the hand; couldn't be gripped; or the hand was stopped; or nothing was tried,
+since the thing wasn't found."""
 
 # Words of the tool's replies to a grasp, and what they mean.
 _GRASPED: Mapping[str, Outcome] = {

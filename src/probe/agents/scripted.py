@@ -10,6 +10,7 @@ import numpy as np
 from probe.agents.moves import Plan, Way
 from probe.agents.pairs import compare, size
 from probe.agents.plans import count, find, uncover
+from probe.agents.speech import Say, Why, silent
 from probe.episodes.turns import Call, Question, Turn
 
 Kind = Literal["beneath", "compare", "count", "find", "reduce", "size"]
@@ -31,6 +32,7 @@ class Scripted:
         *,
         form: str = "plain",
         bold: bool = False,
+        say: Say = silent,
     ) -> None:
         """Prepare for one episode.
 
@@ -43,6 +45,7 @@ class Scripted:
             form: What exactly Compare and Size ask.
             bold: Whether it says what is likeliest, or guesses, where it lacks evidence. Such an
                 answer proves nothing: never certify a task by it.
+            say: Gives the words that go with each call; they change nothing that is done.
         """
         self._kind: Kind = kind
         self._subject = subject
@@ -50,6 +53,7 @@ class Scripted:
         self._first: Way = first
         self._form = form
         self._bold = bold
+        self._say = say
         self._plan: Plan[None] | None = None
 
     def act(self, question: Question, history: Sequence[Turn]) -> Call | None:
@@ -63,15 +67,17 @@ class Scripted:
             return None
 
     def _planned(self, question: Question) -> Plan[None]:
-        first, rng, bold = self._first, self._rng, self._bold
+        first, rng, bold, say = self._first, self._rng, self._bold, self._say
         if self._kind == "beneath":
-            return uncover(question, [self._subject], first, rng, bold=bold)
+            cover = Why("cover")
+            return uncover(question, [self._subject], cover, first, rng, bold=bold, say=say)
         if self._kind == "count":
-            return count(question, self._subject, first, rng, bold=bold)
+            return count(question, self._subject, first, rng, bold=bold, say=say)
         if self._kind == "reduce":
-            return uncover(question, self._subject.split(", "), first, rng, bold=bold)
+            names, named = self._subject.split(", "), Why("named")
+            return uncover(question, names, named, first, rng, bold=bold, say=say)
         if self._kind == "size":
-            return size(question, self._form, first, rng, bold=bold)
+            return size(question, self._form, first, rng, bold=bold, say=say)
         if self._kind == "compare":
-            return compare(question, self._form, self._subject, first, rng, bold=bold)
-        return find(question, first, rng, bold=bold)
+            return compare(question, self._form, self._subject, first, rng, bold=bold, say=say)
+        return find(question, first, rng, bold=bold, say=say)

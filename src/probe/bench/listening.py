@@ -108,7 +108,11 @@ class Listener:
 
     def _count(self, output: ModelOutput) -> None:
         self.output = output
-        self.messages.append(output.message)
+        message = output.message
+        if message.tool_calls and isinstance(message.content, str):
+            # vLLM leaves the line break before a call in the words; its template puts another.
+            message.content = message.content.rstrip("\n")
+        self.messages.append(message)
         if output.stop_reason in _ODD_STOPS:
             self._fault(_ODD_STOPS[output.stop_reason])
         if not output.message.text.strip() and not output.message.tool_calls:

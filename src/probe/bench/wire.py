@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Mapping
-from typing import Any, cast
 
 from inspect_ai.model import (
     ChatMessage,
@@ -20,7 +18,7 @@ from inspect_ai.tool import ToolCall, ToolInfo, ToolParams
 
 from probe.chat.coordinates import told
 from probe.chat.messages import Message
-from probe.chat.tools import tools_for
+from probe.chat.tools import expressible, tools_for
 from probe.episodes.seat import Points
 from probe.episodes.turns import Call
 from probe.runs.table_talk import Told
@@ -79,27 +77,5 @@ def _image(picture: object) -> ContentImage:
 
 
 def _info(tool: ToolSchema) -> ToolInfo:
-    parameters = ToolParams.model_validate(_expressible(tool.parameters))
+    parameters = ToolParams.model_validate(expressible(tool.parameters))
     return ToolInfo(name=tool.name, description=tool.description, parameters=parameters)
-
-
-def _expressible(schema: Mapping[str, Any]) -> dict[str, Any]:
-    """A schema without what the harness can't pass on and some servers refuse.
-
-    Of a place that leaves a list of numbers; the toolshed checks the rest, as it always does.
-    """
-    parts = {name: _part(value) for name, value in schema.items() if name not in _LEFT_OUT}
-    if "prefixItems" in schema:
-        parts["items"] = _expressible(schema["prefixItems"][0])
-    return parts
-
-
-_LEFT_OUT = {"prefixItems", "minItems", "maxItems", "exclusiveMaximum", "default"}
-
-
-def _part(value: Any) -> Any:
-    if isinstance(value, dict):
-        return _expressible(cast("dict[str, Any]", value))
-    if isinstance(value, list):
-        return [_part(each) for each in cast("list[Any]", value)]
-    return value

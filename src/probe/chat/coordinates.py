@@ -50,6 +50,13 @@ def as_said(call: Call, points: Points) -> Call:
     return call if points == "pixels" else _converted(call, _WHOLE / PICTURE_PX, 2)
 
 
+def as_whole(call: Call, points: Points) -> Call:
+    """A call whose places are whole numbers in the way in which an agent counts them."""
+    if points == "pixels":
+        return call
+    return meant(_converted(call, _WHOLE / PICTURE_PX, 0), points)
+
+
 def place_meant(point: tuple[float, float], points: Points) -> tuple[float, float]:
     """A place that a model wrote down, in pixels."""
     if points == "pixels":

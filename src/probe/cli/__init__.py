@@ -33,6 +33,13 @@ COMMANDS: dict[str, _Command] = {
     "robustness": _Command("robustness", "Compare runs of the same tasks under other conditions."),
     "serve": _Command("serve", "Let another program use the tools on one task, over MCP."),
     "export": _Command("export", "Write a suite as a data set for other programs."),
+    "collect": _Command("collect", "Let a teacher answer training tasks, and keep the episodes."),
+    "select": _Command("select", "Choose the episodes that a model is to learn from."),
+    "dataset": _Command("dataset", "Write chosen episodes as a data set for trainers."),
+    "init-tiny": _Command("init_tiny", "Make a very small, untrained model to try the recipe on."),
+    "train": _Command("train", "Train a vision-language model on a data set."),
+    "serve-model": _Command("serve_model", "Let `probe run` ask a trained model, on this machine."),
+    "held-out": _Command("held_out", "Compare runs, with types that nobody was trained on apart."),
     "human": _Command("human", "Let people answer in a browser, with what agents see and can do."),
     "assets": _Command("assets", "What the object library holds, and how to add to it.", True),
     "suite": _Command("suite", "Build and show frozen suites of tasks.", True),
@@ -58,7 +65,9 @@ def _run(arguments: list[str]) -> None:
     for name, command in COMMANDS.items():
         if name == wanted:
             module = import_module(f"probe.cli.{command.module}")
-            app.command(module.app if command.nested else getattr(module, name), name=name)
+            app.command(
+                module.app if command.nested else getattr(module, command.module), name=name
+            )
         else:
             app.command(name=name)(_named(command))
     app.cli(prog="probe", description="Questions that only moving things can answer.")

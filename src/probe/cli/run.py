@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
+from probe.assets.library import open_all
 from probe.chat.prompts import Arm
 from probe.cli.agents import AgentName, make_agent
 from probe.cli.running import run_order
 from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
-from probe.cli.surroundings import everything
+from probe.cli.surroundings import assets_folder, cache_folder, everything
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
 from probe.episodes.luck import NOISES, NoiseName
@@ -70,6 +72,7 @@ def run(
         run_order(asked, order, make_agent, everything(), out, workers or 1)
     else:
         seats = Seats(
+            partial(open_all, assets_folder(), cache_folder()),
             model,
             arm,
             epochs,

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
-from probe.assets.library import open_all
+from probe.assets.library import Library
 from probe.bench.estimate import PICTURE_TOKENS, Estimate, estimate
 from probe.bench.models import settings_of
 from probe.bench.plan import Plan
 from probe.bench.prices import Price, Prices, read_prices
 from probe.chat.prompts import Arm
-from probe.cli.surroundings import assets_folder, cache_folder, everything
+from probe.cli.surroundings import cache_folder
 from probe.cli.varying import varied
 from probe.episodes.conditions import Conditions
 from probe.episodes.luck import Noise
@@ -29,8 +29,13 @@ from probe.toolshed.toolshed import TURNS
 
 @dataclass(frozen=True)
 class Seats:
-    """What is to be run, as the command line has it; see probe.cli.run.run."""
+    """What is to be run, as the command line has it; see probe.cli.run.run.
 
+    Attributes:
+        library: Opens the objects; a value that can be sent to another process.
+    """
+
+    library: Callable[[], Library]
     model: str
     arm: Arm
     epochs: int
@@ -65,7 +70,7 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
     if dry_run:
         _tell(suite, seats, price)
         return
-    things = everything()
+    things = seats.library()
     check_objects(suite, things)
     if changes_scenes(seats.conditions):
         suite = varied(suite, seats.conditions, things, out)
@@ -89,7 +94,7 @@ def _plan(suite: Suite, seats: Seats, out: Path, price: Price | None) -> Plan:
         suite=suite,
         tasks=seats.tasks_of(suite),
         out=out,
-        library=partial(open_all, assets_folder(), cache_folder()),
+        library=seats.library,
         cache=cache_folder() / "light",
         epochs=seats.epochs,
         points=seats.counting,

@@ -60,24 +60,28 @@ class Workplace:
             record = self._attempt(job, things, renderer)
         return line_of(record)
 
-    def _attempt(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
+    def played(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
+        """One episode; whatever it raises is our fault."""
         order, task = self.order, job.task
+        return play(
+            task,
+            self.agent_of(order.agent, task, job.run, things, renderer),
+            order.agent,
+            things,
+            things.table(task.scene.table),
+            renderer,
+            job.run,
+            order.noise,
+            order.conditions,
+            sight_of(task, order.conditions, things.assets),
+        )
+
+    def _attempt(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
         try:
-            return play(
-                task,
-                self.agent_of(order.agent, task, job.run, things, renderer),
-                order.agent,
-                things,
-                things.table(task.scene.table),
-                renderer,
-                job.run,
-                order.noise,
-                order.conditions,
-                sight_of(task, order.conditions, things.assets),
-            )
+            return self.played(job, things, renderer)
         except Exception as error:
             # Whatever it is, it costs this episode alone and is told in its record.
-            return failed(job, order, f"{type(error).__name__}: {error}")
+            return failed(job, self.order, f"{type(error).__name__}: {error}")
 
 
 def failed(job: Job, order: Order, reason: str) -> EpisodeRecord:

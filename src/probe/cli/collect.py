@@ -1,0 +1,133 @@
+"""`probe collect`: let a teacher work on training tasks until enough of them are answered."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from probe.cli.bars import bar as progress_bar
+from probe.cli.shards import parse_shard
+from probe.cli.teachers import hands_of
+from probe.cli.teaching import Site
+from probe.errors import BadData
+from probe.runs.plan import Shard
+from probe.tasks.task import QuestionKind
+from probe.train.aim import PAPER_COUNTS, Aim, Mode, in_proportion
+from probe.train.batches import Harvest
+from probe.train.collecting import Hands
+from probe.train.collecting import collect as collected
+from probe.train.making import FIRST_EPISODE
+from probe.train.settings import claim
+
+_PAPER = dict(PAPER_COUNTS)
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How much is collected, and in which arms.
+
+    Attributes:
+        arms: Without tools first, then with tools what that didn't answer ("both"), or one alone.
+        always_tools: With tools all tasks, even if the first picture was enough.
+        direct_runs: Episodes of each task without tools; all must be right to count as known.
+        most_episodes: Stop after so many episodes.
+        most_cost: Stop before more than so many US dollars are spent; needs prices.
+        shard: "0/2" and "1/2" on two machines share the work, into a folder each.
+        batch: Tasks that are made and played at a time, at most.
+        first: Number of the first episode; training starts at 2,000,000.
+    """
+
+    arms: Mode = "both"
+    always_tools: bool = False
+    direct_runs: int = 1
+    most_episodes: int | None = None
+    most_cost: float | None = None
+    shard: str = "0/1"
+    batch: int = 48
+    first: int = FIRST_EPISODE
+
+    def aim(self, counts: Mapping[QuestionKind, int]) -> Aim:
+        """What is to be collected.
+
+        Raises:
+            BadData: Nothing is asked for, or no training episodes are.
+        """
+        if self.first < FIRST_EPISODE:
+            reason = f"{self.first} isn't for training"
+            raise BadData("--first", reason, f"Say {FIRST_EPISODE} or more")
+        if self.batch < 1 or self.direct_runs < 1:
+            raise BadData("--batch, --direct-runs", "leave nothing to do", "Say 1 or more")
+        aim = Aim(
+            counts=counts,
+            first=self.first,
+            shard=Shard(*parse_shard(self.shard)),
+            mode=self.arms,
+            always=self.always_tools,
+            direct_runs=self.direct_runs,
+            batch=self.batch,
+            most_episodes=self.most_episodes,
+            most_cost=self.most_cost,
+        )
+        if not aim.total:
+            raise BadData("--counts", "asks for nothing", 'Say "--counts.find 20"')
+        return aim
+
+
+_SCRIPTED, _USUAL = Site(), Extent()
+
+
+def collect(
+    out: Path = Path("outputs/collected"),
+    counts: dict[QuestionKind, int] = _PAPER,
+    total: int | None = None,
+    site: Annotated[Site, tyro.conf.arg(name="")] = _SCRIPTED,
+    extent: Annotated[Extent, tyro.conf.arg(name="")] = _USUAL,
+) -> None:
+    """Collect a teacher's episodes on fresh training tasks; goes on where an earlier run stopped.
+
+    Args:
+        out: Folder for tasks and records.
+        counts: Tasks of each type to be answered rightly; by default the paper's.
+        total: So many in all instead, in the proportions of the counts.
+        site: Who teaches, with what.
+        extent: How much, and in which arms.
+    """
+    aim = extent.aim(counts if total is None else in_proportion(counts, total))
+    if extent.most_cost is not None and site.model is not None and site.prices is None:
+        raise BadData("--most-cost", "nobody knows what tokens cost", "Add --prices FILE")
+    claim(out, site.settings)
+    print(f"Episodes go to {out}; Ctrl-C stops, the same command goes on.")
+    so_far = _watched(out, aim, hands_of(site, out))
+    _tell(out, aim, so_far)
+
+
+def _watched(out: Path, aim: Aim, hands: Hands) -> Harvest:
+    """Collect, with a bar of the successes that are wanted."""
+    so_far = Harvest()
+    with progress_bar() as bar:
+        line = bar.add_task("Collecting", total=aim.total)
+        for step in collected(out, aim, hands):
+            so_far = step.so_far
+            bar.update(line, completed=aim.reached(so_far), description=step.doing)
+    return so_far
+
+
+def _tell(out: Path, aim: Aim, so_far: Harvest) -> None:
+    reached = aim.reached(so_far)
+    for kind in sorted(aim.counts):
+        tried, right = so_far.tasks[kind], so_far.successes[kind]
+        share = f" ({right / tried:.0%})" if tried else ""
+        print(f"{kind}: {right} of {aim.wanted(kind)} wanted; {tried} tasks tried{share}")
+    for arm, played in sorted(so_far.played.items()):
+        print(f"{arm}: {so_far.right[arm]} of {played} episodes were right")
+    cost = f"{so_far.cost:,.2f} US dollars"
+    if so_far.unpriced:
+        cost += f", without {so_far.unpriced} episodes that have no price"
+    print(f"{so_far.episodes} episodes, {so_far.missing} missing by our fault; {cost}.")
+    if reached < aim.total:
+        print(f"The budget of {aim.spent(so_far)} is spent: {reached} of {aim.total} are there.")
+    print(f"Tasks and records are in {out}; `probe select {out}` chooses among them.")

@@ -1,0 +1,89 @@
+"""`probe dataset`: a selection as a data set for trainers."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.progress import track
+
+from probe.assets.cache import Cache
+from probe.assets.library import open_library
+from probe.cli.surroundings import Pool, assets_folder, cache_folder, library_folder
+from probe.episodes.seat import Points
+from probe.errors import BadData
+from probe.scene.layout import PICTURE_PX
+from probe.tasks.suite import check_objects
+from probe.train.chosen import Chosen, read_selection
+from probe.train.drawing import Studio, draw, pictures_of
+from probe.train.examples import Example, example_of
+from probe.train.folder import Form, write_dataset
+
+_SMALLEST_PX = 32
+
+
+def dataset(
+    selected: Annotated[Path, tyro.conf.Positional],
+    out: Annotated[Path, tyro.conf.Positional],
+    points: Points | None = None,
+    side: int = PICTURE_PX,
+    name: str = "PROBE, a teacher's episodes",
+    others: bool = True,
+    pool: Pool = "procedural",
+    workers: int = 2,
+) -> None:
+    """Draw the pictures of chosen episodes and write all of it down for TRL, LLaMA-Factory, VILA.
+
+    Pictures that are drawn are kept beside the new folder until it is whole, so that a run that was
+    stopped goes on.
+
+    Args:
+        selected: A folder that `probe select` wrote.
+        out: A new folder.
+        points: How places are counted in the texts; by default as the teacher did.
+        side: Width and height of the pictures; what models are sent has 1024.
+        name: For the card.
+        others: Write LLaMA-Factory's and VILA's forms too.
+        pool: Which objects appear.
+        workers: Processes that draw.
+    """
+    if out.exists():
+        raise BadData(out, "is there already", "Choose a new folder")
+    if not _SMALLEST_PX <= side <= PICTURE_PX:
+        raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {PICTURE_PX}")
+    chosen = read_selection(selected)
+    opened = partial(open_library, pool, assets_folder(), cache_folder(), library_folder())
+    things = opened()
+    check_objects(chosen.suite, things)
+    kept = out.with_name(f"{out.name}.pictures")
+    studio = Studio(chosen.suite, opened, Cache(kept), side)
+    drawn = draw(studio, chosen.episodes, workers)
+    for _ in track(drawn, "Drawing", total=len(chosen.episodes)):
+        pass
+    counting = points or _points_of(chosen)
+    specs = {spec.id: spec for spec in things.specs}
+    form = Form(name, counting, side, others)
+    manifest = write_dataset(out, _examples(chosen, studio, counting), chosen, form, specs)
+    shutil.rmtree(kept, ignore_errors=True)
+    print(
+        f"{manifest.total} examples with {manifest.pictures} pictures are in {out}; "
+        f"its README.md says what they are."
+    )
+
+
+def _examples(chosen: Chosen, studio: Studio, points: Points) -> Iterator[Example]:
+    for task, record in track(chosen.episodes, "Writing"):
+        yield example_of(task, record, pictures_of(studio, record), points)
+
+
+def _points_of(chosen: Chosen) -> Points:
+    """How the teachers counted, if all did so in the same way."""
+    ways: set[Points] = {it.seat.points if it.seat else "pixels" for _, it in chosen.episodes}
+    if len(ways) > 1:
+        reason = f"places are counted in several ways: {', '.join(sorted(ways))}"
+        raise BadData("--points", reason, "Say one of them")
+    return ways.pop()

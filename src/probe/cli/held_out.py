@@ -1,0 +1,73 @@
+"""`probe held-out`: base, teacher and student in one table, with what nobody learnt apart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.resources import files
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from probe.agents.learnt import WEIGHTS, Learnt, read_learnt
+from probe.cli.grading import graded
+from probe.cli.rescore import marked
+from probe.episodes.folder import SUITE
+from probe.errors import BadData
+from probe.files import write_text
+from probe.scores.marking import roster_of_tasks
+from probe.scores.row import Row
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import read_suite
+from probe.tasks.task import QuestionKind
+from probe.train.floors import floors
+from probe.train.held_out import markdown, standings
+
+
+def held_out(
+    runs: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    types: tuple[QuestionKind, ...] = ("beneath",),
+    learnt: Path | None = None,
+    out: Path = Path("outputs/held-out.md"),
+) -> None:
+    """Compare runs of a suite: a macro average over the trained types, and the others apart.
+
+    Beside them stand the best constant answer and, where something was learnt, question-only.
+
+    Args:
+        runs: Folders that `probe run` wrote, of one suite.
+        types: Which nobody was trained on.
+        learnt: What question-only learnt (`probe suite learn`); by default the package's.
+        out: File for the table.
+    """
+    if not runs:
+        raise BadData("probe held-out", "was given no folder", "Name some that `probe run` wrote")
+    suite = read_suite(runs[0] / SUITE)
+    rows: list[Row] = []
+    for folder in runs:
+        asked = read_suite(folder / SUITE)
+        if asked.tasks != suite.tasks:
+            reason = f"is about other tasks than {runs[0]}"
+            raise BadData(folder, reason, "Compare runs of one suite")
+        rows += [marked(suite.name, each) for each in graded(folder)]
+    rows += floors(suite, types, _learnt(learnt))
+    table = markdown(standings(rows, roster_of_tasks(suite.tasks), types))
+    text = f"{_words(suite, len(runs))}\n\n{table}"
+    write_text(out, text)
+    print(text)
+    print(f"This is in {out}.")
+
+
+def _learnt(path: Path | None) -> Mapping[str, Learnt]:
+    if path is None and not (files("probe.agents") / WEIGHTS).is_file():
+        print("Question-only has learnt nothing yet: name a file with --learnt.")
+        return {}
+    return read_learnt(path)
+
+
+def _words(suite: Suite, runs: int) -> str:
+    return (
+        f"Right answers in per cent on {suite.name}, {len(suite.tasks)} tasks, {runs} runs; in "
+        "brackets 95 % intervals (t, over tasks). The constant answer is the one that is best over "
+        "the trained types."
+    )

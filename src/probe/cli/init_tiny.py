@@ -1,0 +1,31 @@
+"""`probe init-tiny`: an untrained model to try the recipe on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from probe.train.tiny import make_tiny
+from probe.train.tiny_parts import Shape
+
+_USUAL = Shape()
+
+
+def init_tiny(
+    dataset: Annotated[Path, tyro.conf.Positional],
+    out: Annotated[Path, tyro.conf.Positional],
+    shape: Annotated[Shape, tyro.conf.arg(name="")] = _USUAL,
+) -> None:
+    """Make a very small, untrained model: to see that the recipe works, not to use.
+
+    It has Qwen3-VL's architecture and a tokenizer of its own, trained on the data set's texts.
+
+    Args:
+        dataset: A folder that `probe dataset` wrote.
+        out: A new folder.
+        shape: How small.
+    """
+    weights = make_tiny(dataset, out, shape)
+    print(f"A model of {weights / 1e6:.1f} million weights is in {out}; it knows nothing yet.")

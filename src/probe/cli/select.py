@@ -1,0 +1,125 @@
+"""`probe select`: choose the episodes to learn from; nothing that belongs to evaluation."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Sequence
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.console import Console
+from rich.table import Table
+
+from probe.assets.cache import content_key
+from probe.assets.fingerprint import Fingerprint
+from probe.assets.split import groups_of, read_split
+from probe.cli.assets_split import near_duplicates
+from probe.cli.surroundings import Pool, cache_folder, library
+from probe.errors import BadData
+from probe.files import write_text
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import find_suite, packaged_suites
+from probe.tasks.task import QuestionKind
+from probe.train.chosen import SelectionDocument, write_selection
+from probe.train.efficiency import SLACK
+from probe.train.evaluation import evaluation_of
+from probe.train.gathering import candidates_of
+from probe.train.selection import Recipe
+from probe.train.selection import select as selected
+
+_SHOWN = 5
+
+
+def select(
+    collected: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    out: Path = Path("outputs/selected"),
+    counts: dict[QuestionKind, int] | None = None,
+    direct_share: float = 0.5,
+    slack: int = SLACK,
+    seed: int = 0,
+    against: tuple[str, ...] = (),
+    split: Path | None = None,
+    pool: Pool = "procedural",
+    near: bool = True,
+    workers: int = 2,
+) -> None:
+    """Choose successful, efficient episodes; the suites of the package are always kept out.
+
+    Args:
+        collected: Folders that `probe collect` wrote.
+        out: A new folder for the choice.
+        counts: Examples of each type at most; by default all that can be learnt from.
+        direct_share: Part of a type's examples that may be without tools.
+        slack: Manipulations over the median of a type's successes that are let pass.
+        seed: Chooses among equals.
+        against: More suites to keep out: files that `probe suite build` wrote.
+        split: Objects for evaluation (`probe assets split`), to be kept out with their like.
+        pool: Where the objects are, to compare them.
+        near: Look for near-duplicates among all objects, for scenes and split; the first time this
+            takes minutes, then it is known. Otherwise objects are compared by their ids.
+        workers: Processes that compare objects.
+    """
+    if not collected:
+        raise BadData("probe select", "was given no folder", "Name one that collect wrote")
+    if not 0 <= direct_share <= 1:
+        raise BadData("--direct-share", f"{direct_share} is no share", "Say a number from 0 to 1")
+    objects: dict[str, Fingerprint] = {}
+    candidates, unfinished = candidates_of(collected, objects)
+    if unfinished:
+        print(f"{unfinished} batches aren't whole yet and are left out.")
+    suites = [find_suite(name) for name in [*packaged_suites(), *against]]
+    groups = _groups(pool, objects, suites, workers) if near else []
+    parts = read_split(split) if split else None
+    evaluation = evaluation_of(suites, parts, groups)
+    wanted: dict[str, int] = dict(counts.items()) if counts else {}
+    recipe = Recipe(wanted, direct_share, slack, seed)
+    found = selected(candidates, evaluation, recipe)
+    if not found.chosen:
+        _print_dropped(found.dropped)
+        raise BadData(collected[0], "holds no episode to learn from", "Collect more")
+    names = [suite.name for suite in suites]
+    document = write_selection(out, found, recipe, objects, collected, names)
+    _print(document, len(candidates))
+    print(f"They are in {out}; `probe dataset {out} OUT` writes them down for trainers.")
+
+
+def _groups(
+    pool: Pool, objects: Collection[str], suites: Sequence[Suite], workers: int
+) -> list[list[str]]:
+    """Near-duplicates among all objects that appear, from the cache if they are known."""
+    things = library(pool)
+    used = {*objects, *(id for suite in suites for id in suite.objects)}
+    ids = sorted(used & {spec.id for spec in things.specs})
+    marks = {id: mark for suite in suites for id, mark in suite.objects.items()}
+    key = content_key("near-duplicates 1", *ids, *(str(marks.get(id)) for id in ids))
+    path = cache_folder() / "near" / f"{key}.json"
+    if path.exists():
+        return json.loads(path.read_text())
+    pairs = near_duplicates(things, ids, workers)
+    groups = [group for group in groups_of(ids, pairs) if len(group) > 1]
+    write_text(path, json.dumps(groups))
+    return groups
+
+
+def _print(document: SelectionDocument, episodes: int) -> None:
+    table = Table("type", "with tools", "without", "manipulations at most")
+    for kind, arms in document.examples.items():
+        most = document.limits.get(kind)
+        cells = (str(arms["agentic"]), str(arms["direct"]), "" if most is None else str(most))
+        table.add_row(kind, *cells)
+    Console().print(table)
+    letters = ", ".join(f"{letter} {count}" for letter, count in document.letters.items())
+    print(f"Right answers: {letters}. From {episodes} episodes.")
+    _print_dropped(document.dropped)
+    refused = document.refused
+    print(f"{len(refused)} tasks belong to evaluation and were refused.")
+    for it in refused[:_SHOWN]:
+        print(f"  {it.task}: {it.leak}, {it.detail}")
+    if len(refused) > _SHOWN:
+        print(f"  ... and {len(refused) - _SHOWN} more, in selection.json.")
+
+
+def _print_dropped(dropped: dict[str, int]) -> None:
+    for reason, count in sorted(dropped.items(), key=lambda item: -item[1]):
+        print(f"left out, {reason}: {count}")

@@ -1,0 +1,29 @@
+"""`probe serve-model`: a trained model for `probe run` to ask."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from probe.train.serving import serve
+from probe.train.speaking import Speaker
+
+
+def serve_model(
+    model: Annotated[str, tyro.conf.Positional], port: int = 8001, name: str | None = None
+) -> None:
+    """Serve a model over OpenAI's protocol on this machine, one reply at a time, with transformers.
+
+    vLLM does the same many times faster where it runs; see docs/agent.md.
+
+    Args:
+        model: A folder that `probe train` wrote, or a name at Hugging Face.
+        port: Where to listen.
+        name: What the model is called; by default its folder's name.
+    """
+    called = name or Path(model).name
+    speaker = Speaker(model)
+    print(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.", flush=True)
+    serve(speaker, called, port)

@@ -1,0 +1,77 @@
+"""The teachers of `probe collect` at work: the scripted one, or a model in the seat."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import closing
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from probe.certify.parts import Parts
+from probe.chat.prompts import Arm
+from probe.cli.seats import Seats, take_seats
+from probe.cli.surroundings import cache_folder, tables_for
+from probe.cli.teaching import Site
+from probe.episodes.luck import NOISES
+from probe.report.darkroom import Darkroom
+from probe.runs.plan import Order, Shard
+from probe.runs.run import begun, work
+from probe.tasks.suite import Suite
+from probe.train.batches import TASKS
+from probe.train.collecting import Hands, Play
+from probe.train.making import Studio, make_tasks
+from probe.train.teacher import TEACHER, Classroom, teacher_for
+
+
+def hands_of(site: Site, out: Path) -> Hands:
+    """Who does the work in a folder."""
+    light = cache_folder() / "light"
+    studio = Studio(Parts(out / TASKS), site.training, tables_for(site.pool), light)
+    things = site.training()
+    return Hands(
+        make=partial(make_tasks, studio, workers=site.workers),
+        play=_scripted(site) if site.model is None else _seated(site, site.model),
+        library=things,
+        darkroom=lambda suite: Darkroom(suite, lambda: things),
+    )
+
+
+def _scripted(site: Site) -> Play:
+    order = Order(TEACHER, 1, NOISES[site.noise], site.conditions, points=site.counting)
+
+    def play(suite: Suite, arm: Arm, runs: int, out: Path) -> Iterable[str]:
+        mine = replace(order, arm=arm, runs=runs)
+        teachers, light = teacher_for(site.counting), cache_folder() / "light"
+        place = Classroom(mine, site.training, teachers, light)
+        with begun(out, suite, mine) as beginning:
+            jobs = beginning.jobs
+            with closing(work(out, jobs, place, site.workers)) as results:
+                for number, (job, fault) in enumerate(results, start=1):
+                    doing = f"{number} of {len(jobs)} {arm} episodes"
+                    yield f"{doing}; {job.task.id}: {fault}" if fault else doing
+
+    return play
+
+
+def _seated(site: Site, model: str) -> Play:
+    seats = Seats(
+        site.training,
+        model,
+        "agentic",
+        1,
+        site.counting,
+        "oracle",
+        site.endpoint,
+        site.prices,
+        NOISES[site.noise],
+        site.conditions,
+        Shard(),
+        site.workers,
+    )
+
+    def play(suite: Suite, arm: Arm, runs: int, out: Path) -> Iterator[str]:
+        yield f"{len(suite.tasks)} tasks go to {model} ({arm})"
+        take_seats(suite, replace(seats, arm=arm, epochs=runs), out, dry_run=False)
+
+    return play

@@ -1,0 +1,79 @@
+"""Who teaches, with which objects, for `probe collect`; as the command line has it."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from probe.assets.library import open_library
+from probe.bench.models import settings_of
+from probe.cli.surroundings import Pool, assets_folder, cache_folder, library_folder
+from probe.episodes.conditions import Conditions, LightKind
+from probe.episodes.luck import NoiseName
+from probe.episodes.seat import Points
+from probe.train.making import Training
+from probe.train.settings import Settings
+from probe.train.teacher import TEACHER
+
+
+@dataclass(frozen=True)
+class Site:
+    """Who teaches, with which objects, and under which conditions.
+
+    Attributes:
+        model: A model that teaches, by a name of docs/models.md or the harness's own; by default
+            the scripted teacher, which gives its reasons in words.
+        endpoint: Address of a server that speaks OpenAI's protocol.
+        prices: A file that says what tokens cost.
+        points: How places are counted; by default as suits the model, or in pixels.
+        pool: Which objects appear.
+        split: Take the training part of this split alone (`probe assets split`).
+        noise: How far the hand errs.
+        lighting: Of the pictures.
+        workers: Processes.
+    """
+
+    model: str | None = None
+    endpoint: str | None = None
+    prices: Path | None = None
+    points: Points | None = None
+    pool: Pool = "procedural"
+    split: Path | None = None
+    noise: NoiseName = "none"
+    lighting: LightKind = "ambient"
+    workers: int = 2
+
+    @property
+    def counting(self) -> Points:
+        """How places are counted."""
+        return self.points or (settings_of(self.model).points if self.model else "pixels")
+
+    @property
+    def training(self) -> Training:
+        """Opens the objects."""
+        opened = partial(open_library, self.pool, assets_folder(), cache_folder(), library_folder())
+        return Training(opened, self.split)
+
+    @property
+    def conditions(self) -> Conditions:
+        """In what episodes differ from tasks."""
+        return Conditions(lighting=self.lighting)
+
+    @property
+    def settings(self) -> Settings:
+        """What must stay the same in a folder."""
+        mark = None
+        if self.split is not None:
+            # Opening it says what is wrong with it, if something is.
+            self.training()
+            mark = hashlib.sha256(self.split.read_bytes()).hexdigest()[:16]
+        return Settings(
+            agent=self.model or TEACHER,
+            pool=self.pool,
+            split=mark,
+            points=self.counting,
+            noise=self.noise,
+            lighting=self.lighting,
+        )

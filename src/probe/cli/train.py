@@ -1,0 +1,38 @@
+"""`probe train`: teach a vision-language model what a data set shows."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from probe.tasks.task import QuestionKind
+from probe.train.fine_tuning import train as trained
+from probe.train.tuning import Tuning
+
+_PAPER = Tuning()
+
+
+def train(
+    dataset: Annotated[Path, tyro.conf.Positional],
+    out: Path = Path("outputs/trained"),
+    model: str = "Qwen/Qwen3-VL-8B-Instruct",
+    types: tuple[QuestionKind, ...] = (),
+    tuning: Annotated[Tuning, tyro.conf.arg(name="")] = _PAPER,
+) -> None:
+    """Train a model on a data set; goes on where an earlier run stopped.
+
+    The data set is checked first: of one that isn't whole nothing is trained.
+
+    Args:
+        dataset: A folder that `probe dataset` wrote.
+        out: Folder for checkpoints, the loss, the model and its card.
+        model: What to start from: a folder, or a name at Hugging Face.
+        types: Types of questions of which there must be examples.
+        tuning: How; by default as the paper did.
+    """
+    print(f"Checkpoints go to {out}; Ctrl-C stops, the same command goes on.")
+    folder = trained(dataset, model, out, tuning, types)
+    print(f"The model is in {folder}, its card in {out / 'README.md'}.")
+    print(f"`probe serve-model {folder}` lets `probe run` ask it.")

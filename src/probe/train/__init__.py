@@ -1,0 +1,1 @@
+"""From a teacher's episodes to examples for a smaller model: collect, select, write down."""

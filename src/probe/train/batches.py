@@ -1,0 +1,168 @@
+"""The folder that episodes are collected in, batch by batch, and what it holds so far.
+
+A batch is a suite of fresh training tasks and a folder of records for each arm, as `probe run`
+leaves them. `grades.json` comes last: a batch that has it is whole.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pydantic
+
+from probe.certify.parts import Place
+from probe.certify.plan import ATTEMPTS
+from probe.chat.prompts import Arm
+from probe.episodes.folder import SUITE
+from probe.files import read_document, write_text
+from probe.runs.plan import Shard
+from probe.tasks.task import QuestionKind
+
+BATCHES, TASKS, GRADES = "batches", "tasks", "grades.json"
+_REMEDY = "Delete it and collect again: the batch's records are graded anew"
+
+
+class Grade(pydantic.BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
+    """What came of one episode.
+
+    Attributes:
+        task, kind, seed: What it was about.
+        arm, run: How and which.
+        correct: Whether the answer was right, Find's point included; None for our fault.
+        outcome: Why.
+        manipulations: How many it took.
+        cost: US dollars; None where nobody knows.
+    """
+
+    task: str
+    kind: QuestionKind
+    seed: int
+    arm: str
+    run: int
+    correct: bool | None
+    outcome: str
+    manipulations: int
+    cost: float | None
+
+
+class Grades(pydantic.BaseModel, extra="forbid", frozen=True):
+    """Of a whole batch."""
+
+    version: int = 1
+    grades: tuple[Grade, ...]
+
+
+@dataclass(frozen=True)
+class Batch:
+    """One batch's folder."""
+
+    folder: Path
+
+    def arm(self, arm: Arm) -> Path:
+        """Where the records of an arm are."""
+        return self.folder / arm
+
+    @property
+    def whole(self) -> bool:
+        """Whether nothing is left to do there."""
+        return (self.folder / GRADES).exists()
+
+    def grades(self) -> tuple[Grade, ...]:
+        """What came of its episodes.
+
+        Raises:
+            BadData: The file is missing or broken.
+        """
+        return read_document(self.folder / GRADES, Grades, _REMEDY, _REMEDY).grades
+
+    def keep(self, grades: Sequence[Grade]) -> None:
+        """Write down what came of all episodes; the batch is whole then."""
+        write_text(self.folder / GRADES, Grades(grades=tuple(grades)).model_dump_json() + "\n")
+
+
+@dataclass(frozen=True)
+class Harvest:
+    """What whole batches have brought.
+
+    Attributes:
+        tasks: How many were tried, by type.
+        successes: How many of these were answered rightly in some arm, by type.
+        episodes: How many in all.
+        missing: How many came to nothing by our fault.
+        right: Episodes that were right, by arm, and all, by arm.
+        cost: US dollars in all, of the episodes whose cost is known.
+        unpriced: Episodes of which it isn't.
+        last: The highest episode number, by type.
+    """
+
+    tasks: Counter[str] = field(default_factory=Counter[str])
+    successes: Counter[str] = field(default_factory=Counter[str])
+    episodes: int = 0
+    missing: int = 0
+    right: Counter[str] = field(default_factory=Counter[str])
+    played: Counter[str] = field(default_factory=Counter[str])
+    cost: float = 0.0
+    unpriced: int = 0
+    last: dict[str, int] = field(default_factory=dict[str, int])
+
+
+def batches(out: Path, shard: Shard | None = None) -> list[Batch]:
+    """Batches whose tasks are made, in order, of one shard or of all."""
+    start = f"{_mark(shard)}-" if shard else ""
+    found = sorted((out / BATCHES).glob(f"{start}*/{SUITE}"))
+    return [Batch(path.parent) for path in found]
+
+
+def new_batch(out: Path, shard: Shard) -> Batch:
+    """A shard's next one; its folder isn't made yet."""
+    number = len(batches(out, shard))
+    return Batch(out / BATCHES / f"{_mark(shard)}-{number:05d}")
+
+
+def harvest(some: Iterable[Batch]) -> Harvest:
+    """What whole batches have brought together.
+
+    Raises:
+        BadData: One's grades can't be read.
+    """
+    grades = [grade for batch in some if batch.whole for grade in batch.grades()]
+    tried = {grade.task: grade for grade in grades}
+    solved = {grade.task for grade in grades if grade.correct}
+    last: dict[str, int] = {}
+    for grade in grades:
+        last[grade.kind] = max(last.get(grade.kind, 0), grade.seed // ATTEMPTS)
+    return Harvest(
+        tasks=Counter(grade.kind for grade in tried.values()),
+        successes=Counter(tried[task].kind for task in solved),
+        episodes=len(grades),
+        missing=sum(grade.correct is None for grade in grades),
+        right=Counter(grade.arm for grade in grades if grade.correct),
+        played=Counter(grade.arm for grade in grades),
+        cost=sum(grade.cost or 0.0 for grade in grades),
+        unpriced=sum(grade.cost is None for grade in grades),
+        last=last,
+    )
+
+
+def fresh_places(
+    kind: QuestionKind, first: int, shard: Shard, after: int | None
+) -> Iterator[Place]:
+    """A shard's places of a type, one after another.
+
+    Args:
+        kind: The type.
+        first: Number of the first episode of all shards.
+        shard: Which part.
+        after: The last one that was used; None if none was.
+    """
+    episode = first + shard.number if after is None else after + shard.count
+    while True:
+        yield Place(kind, episode)
+        episode += shard.count
+
+
+def _mark(shard: Shard) -> str:
+    return f"{shard.number}of{shard.count}"

@@ -1,0 +1,71 @@
+"""Whether an episode went straight to its answer, by a stated rule. Pure."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from statistics import median_low
+from typing import Any, Literal, cast
+
+import yaml
+
+from probe.episodes.record import EpisodeRecord, Step
+
+Waste = Literal["too many manipulations", "failed twice at one thing", "a call that did nothing"]
+
+MOVES = ("grasp_and_remove", "push")
+SLACK = 1
+"""Manipulations more than the median of a type's successes that are let pass."""
+
+
+def limits(successes: Iterable[tuple[str, EpisodeRecord]], slack: int = SLACK) -> Mapping[str, int]:
+    """The most manipulations of an efficient episode, by type.
+
+    Args:
+        successes: Type and record of all episodes with tools that were right.
+        slack: Added to each type's median.
+    """
+    counts: dict[str, list[int]] = {}
+    for kind, record in successes:
+        counts.setdefault(kind, []).append(record.manipulations)
+    return {kind: median_low(values) + slack for kind, values in counts.items()}
+
+
+def waste(record: EpisodeRecord, limit: int) -> Waste | None:
+    """What an episode wasted; None if it is efficient.
+
+    It may take `limit` manipulations; no thing may have withstood more than one of them; and each
+    call must have been one that the tools could do.
+    """
+    if record.manipulations > limit:
+        return "too many manipulations"
+    if any(count > 1 for count in failures(record).values()):
+        return "failed twice at one thing"
+    if any(step.status in ("malformed", "refused") for step in record.steps):
+        return "a call that did nothing"
+    return None
+
+
+def failures(record: EpisodeRecord) -> Counter[str]:
+    """How often a manipulation failed, by what find_object said the thing was."""
+    called: dict[str, str] = {}
+    failed = Counter[str]()
+    for step in record.steps:
+        if step.call.name == "find_object" and step.status == "done":
+            handle, thing = _found(step)
+            called[handle] = thing
+        elif step.call.name in MOVES and step.status == "failed":
+            failed[called.get(_handle(step), "")] += 1
+    return failed
+
+
+def _found(step: Step) -> tuple[str, str]:
+    """The id that find_object gave out, and what the thing is: its name if it has one."""
+    told: Any = yaml.safe_load(step.text)
+    lines = cast("dict[str, Any]", told if isinstance(told, dict) else {})
+    return str(lines.get("object_id", "")), str(lines.get("name") or lines.get("description", ""))
+
+
+def _handle(step: Step) -> str:
+    values = step.call.values
+    return str(values.get("object_id", "")) if isinstance(values, dict) else ""

@@ -1,0 +1,68 @@
+"""What is reached without looking at a table: the best constant answer, and the question alone."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+from statistics import fmean
+
+import numpy as np
+
+from probe.agents.at_once import Rule, always, always_none
+from probe.agents.learnt import Learnt, most_likely
+from probe.episodes.grading import grade_episode, question_of
+from probe.episodes.turns import Question
+from probe.runs.plan import Job, Order
+from probe.runs.work import failed
+from probe.scores.marking import row_of
+from probe.scores.row import Row
+from probe.tasks.suite import Suite
+from probe.tasks.task import LETTERS, Task
+from probe.toolshed.result import Answer
+
+ARM = "blind"
+QUESTION_ONLY = "question-only"
+
+
+def floors(suite: Suite, held_out: Collection[str], learnt: Mapping[str, Learnt]) -> list[Row]:
+    """Rows of the best constant answer over the types that were trained, and of question-only.
+
+    Args:
+        suite: What is asked.
+        held_out: Types on which the best constant answer isn't chosen.
+        learnt: By question-only. About a type that is missing it gives no answer.
+    """
+    constants: dict[str, Rule] = {f"always-{letter}": always(letter) for letter in LETTERS}
+    constants["always-none"] = always_none
+    played = {
+        name: [_row(suite, task, name, rule) for task in suite.tasks]
+        for name, rule in constants.items()
+    }
+    best = max(sorted(played), key=lambda name: _macro(played[name], held_out))
+    if not learnt:
+        return played[best]
+    rules = {kind: most_likely(known.weights) for kind, known in learnt.items()}
+    blind = [
+        _row(suite, task, QUESTION_ONLY, rules.get(task.kind, _silent)) for task in suite.tasks
+    ]
+    return [*played[best], *blind]
+
+
+def _silent(question: Question) -> None:
+    return None
+
+
+def _row(suite: Suite, task: Task, name: str, rule: Rule) -> Row:
+    question = question_of(task)
+    letter = rule(question)
+    record = failed(Job(task, 0), Order(name, 1), "")
+    answer = None if letter is None else Answer(letter)
+    record = replace(record, answer=answer, fault=None, end="answered" if letter else "stopped")
+    # No place is pointed at, so that no labels are needed.
+    score = grade_episode(task, record, np.zeros((0, 0), np.int32))
+    return row_of(task, record, score, suite=suite.name, arm=ARM)
+
+
+def _macro(rows: Sequence[Row], held_out: Collection[str]) -> float:
+    kinds = {row.kind for row in rows} - set(held_out)
+    return fmean(fmean(row.correct for row in rows if row.kind == kind) for kind in kinds)

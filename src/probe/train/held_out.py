@@ -1,0 +1,89 @@
+"""Runs side by side, with the types that nobody was trained on apart. Pure."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
+
+from probe.scores.missing import settled
+from probe.scores.roster import Roster
+from probe.scores.row import Entrant, Row
+from probe.scores.scorecard import Figure, Scorecard, scorecard
+from probe.scores.units import by_entrant
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How one entrant fared.
+
+    Attributes:
+        entrant: Who, in which arm.
+        trained: Over the types of the training; None where the suite has none of them.
+        held_out: Over the others; None where the suite has none of them.
+    """
+
+    entrant: Entrant
+    trained: Scorecard | None
+    held_out: Scorecard | None
+
+
+def standings(
+    rows: Iterable[Row], roster: Roster, held_out: Collection[str], seed: int = 0
+) -> list[Standing]:
+    """Everyone's figures, in the order in which they first appear.
+
+    Args:
+        rows: Of one suite.
+        roster: All its tasks.
+        held_out: Types that nobody was trained on.
+        seed: Of the bootstrap.
+    """
+    kept = settled(rows)
+    order = list(dict.fromkeys(row.entrant for row in kept))
+    entrants = by_entrant(kept)
+    return [
+        Standing(
+            entrant,
+            _card(
+                entrants[entrant], roster, {it.kind for it in roster.values()} - {*held_out}, seed
+            ),
+            _card(entrants[entrant], roster, held_out, seed),
+        )
+        for entrant in order
+    ]
+
+
+def markdown(found: Sequence[Standing]) -> str:
+    """A table: shares of right answers in per cent with 95 % intervals (t), and n tasks."""
+    kinds = [figure.name for figure in found[0].trained.kinds] if found[0].trained else []
+    others = [figure.name for figure in found[0].held_out.kinds] if found[0].held_out else []
+    head = ["", "runs", "n", "macro, trained types", *kinds]
+    head += [f"**{kind}**, held out (n)" for kind in others]
+    lines = [f"| {' | '.join(head)} |", f"|{'---|' * len(head)}"]
+    for each in found:
+        runs = max(card.macro.runs for card in (each.trained, each.held_out) if card)
+        cells = [f"{each.entrant.agent}, {each.entrant.arm}", str(runs)]
+        trained = each.trained
+        cells += [str(trained.macro.tasks), _share(trained.macro)] if trained else ["0", ""]
+        cells += [_share(figure, short=True) for figure in trained.kinds] if trained else []
+        held = each.held_out.kinds if each.held_out else ()
+        cells += [f"{_share(figure)} ({figure.tasks})" for figure in held]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines) + "\n"
+
+
+def _card(
+    rows: Sequence[Row], roster: Roster, kinds: Collection[str], seed: int
+) -> Scorecard | None:
+    listed = {task: it for task, it in roster.items() if it.kind in kinds}
+    mine = [row for row in rows if row.task in listed]
+    return scorecard(mine, listed, seed) if mine else None
+
+
+def _share(figure: Figure, *, short: bool = False) -> str:
+    top, interval = figure.headline, figure.student
+    if top.value is None or interval is None:
+        return f"incomplete: {100 * top.worst:.0f}-{100 * top.best:.0f}"
+    if short:
+        return f"{100 * top.value:.0f}"
+    return f"{100 * top.value:.1f} ({100 * interval.low:.0f}-{100 * interval.high:.0f})"

@@ -1,0 +1,102 @@
+"""Training tasks, place by place, in worker processes: by the generator alone, with no solver."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from probe.assets.library import Library
+from probe.assets.split import part_of, read_split
+from probe.certify.build import Workshop, fill
+from probe.certify.parts import Parts, Place
+from probe.errors import Unsatisfiable
+from probe.render.renderer import Renderer
+from probe.runs.crew import Lost, carry_out
+
+FIRST_EPISODE = 2_000_000
+"""Training seeds start at 2,000,000,000: no suite's episode comes that far."""
+
+
+@dataclass(frozen=True)
+class Training:
+    """Opens the objects for training: of a split its training part; a value for workers.
+
+    Attributes:
+        opened: Opens the whole library.
+        split: File of a split; None to take all.
+    """
+
+    opened: Callable[[], Library]
+    split: Path | None = None
+
+    def __call__(self) -> Library:
+        """The objects.
+
+        Raises:
+            BadData: The split can't be read.
+        """
+        things = self.opened()
+        return things if self.split is None else part_of(things, read_split(self.split), "train")
+
+
+@dataclass(frozen=True)
+class Studio:
+    """A worker that makes tasks; see probe.runs.worker.Opening.
+
+    Attributes:
+        parts: Where tasks and logs go.
+        library: Opens the objects.
+        tables: Ids of table materials.
+        cache: Folder for prepared light.
+    """
+
+    parts: Parts
+    library: Callable[[], Library]
+    tables: Sequence[str]
+    cache: Path | None = None
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[Place], bytes]]:
+        """Open the library and start a renderer; gives what makes a task."""
+        things = self.library()
+        with Renderer(self.cache) as renderer:
+            workshop = Workshop(things, self.tables, renderer, unchecked=True)
+            yield partial(_made, self.parts, workshop)
+
+
+def make_tasks(
+    studio: Studio, places: Sequence[Place], workers: int
+) -> Generator[tuple[Place, str | None]]:
+    """Make the tasks that aren't there yet; yields each place with what went wrong, if it did.
+
+    Raises:
+        WorkerUnfit: A worker couldn't be set up.
+        WorkerDied: Workers die before they begin.
+    """
+    waiting = list[Place]()
+    for place in places:
+        if studio.parts.task_path(place).exists():
+            yield place, None
+        else:
+            waiting.append(place)
+    results = carry_out(studio, waiting, workers)
+    try:
+        for place, result in results:
+            if isinstance(result, Lost):
+                yield place, result.reason
+            else:
+                yield place, result.decode() or None
+    finally:
+        results.close()
+
+
+def _made(parts: Parts, workshop: Workshop, place: Place) -> bytes:
+    try:
+        for _ in fill(place, parts, workshop):
+            pass
+    except Unsatisfiable as error:
+        return str(error).encode()
+    return b""

@@ -1,0 +1,94 @@
+"""What a data set for training holds, file by file, and whether it is still all there."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Collection
+from pathlib import Path
+
+import pydantic
+
+from probe.errors import BadData
+from probe.files import read_document, write_text
+
+MANIFEST = "manifest.json"
+_REMEDY = "Write the data set anew: probe dataset SELECTION OUT"
+
+
+class FileMark(pydantic.BaseModel, extra="forbid", frozen=True):
+    """A file's size and SHA-256."""
+
+    size: int
+    sha256: str
+
+
+class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
+    """What is in a data set.
+
+    Attributes:
+        points: How places are counted in its texts.
+        side_px: Width and height of its pictures.
+        examples: How many, by type and arm.
+        pictures: How many are shown in all, each as often as it is.
+        files: All others, by their path.
+    """
+
+    version: int = 1
+    points: str
+    side_px: int
+    examples: dict[str, dict[str, int]]
+    pictures: int
+    files: dict[str, FileMark]
+
+    @property
+    def total(self) -> int:
+        """All examples."""
+        return sum(sum(arms.values()) for arms in self.examples.values())
+
+
+def mark_of(path: Path) -> FileMark:
+    """A file's mark.
+
+    Raises:
+        BadData: It is missing or can't be read.
+    """
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise BadData(path, error.strerror or str(error), _REMEDY) from error
+    return FileMark(size=len(content), sha256=hashlib.sha256(content).hexdigest())
+
+
+def write_manifest(folder: Path, manifest: Manifest) -> None:
+    """Write it into a data set.
+
+    Raises:
+        OutputFailed: It can't be written.
+    """
+    write_text(folder / MANIFEST, manifest.model_dump_json(indent=1) + "\n")
+
+
+def check_dataset(folder: Path, types: Collection[str] = ()) -> Manifest:
+    """See that a data set is whole before anything is trained on it.
+
+    Args:
+        folder: That `probe dataset` wrote.
+        types: Of which there must be examples, besides those that the manifest names.
+
+    Raises:
+        BadData: A file is missing, cut off or changed, or a type is empty; it is named.
+    """
+    missing = f"It is no whole data set. {_REMEDY}"
+    manifest = read_document(folder / MANIFEST, Manifest, _REMEDY, missing)
+    for name, known in manifest.files.items():
+        found = mark_of(folder / name)
+        if found.size != known.size:
+            reason = f"has {found.size} bytes, not {known.size}"
+            raise BadData(folder / name, reason, _REMEDY)
+        if found != known:
+            raise BadData(folder / name, "has been changed", _REMEDY)
+    for kind in dict.fromkeys([*types, *manifest.examples]):
+        if not sum(manifest.examples.get(kind, {}).values()):
+            remedy = "Collect and select some, or train without this type"
+            raise BadData(folder / MANIFEST, f"there is no example of {kind}", remedy)
+    return manifest

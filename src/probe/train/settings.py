@@ -1,0 +1,61 @@
+"""What all episodes of a collection have in common, in a file that says so."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pydantic
+
+from probe.errors import BadData
+from probe.files import read_document, write_text
+
+SETTINGS = "collection.json"
+
+
+class Settings(pydantic.BaseModel, extra="forbid", frozen=True):
+    """How a collection is made.
+
+    Attributes:
+        agent: Who teaches.
+        pool: Which objects appear.
+        split: Of which split the training part is taken, by the hash of its file; None for all.
+        points: How places are counted in pictures.
+        noise: How far the hand errs, by name.
+        lighting: Of the pictures.
+    """
+
+    version: int = 1
+    agent: str
+    pool: str
+    split: str | None
+    points: str
+    noise: str
+    lighting: str
+
+
+def claim(out: Path, settings: Settings) -> None:
+    """Begin a collection, or see that it was begun in this way.
+
+    Raises:
+        BadData: It was begun otherwise.
+        OutputFailed: It can't be written.
+    """
+    path = out / SETTINGS
+    if not path.exists():
+        write_text(path, settings.model_dump_json(indent=1) + "\n")
+        return
+    before = read_settings(out)
+    for name, now in settings.model_dump().items():
+        was = getattr(before, name)
+        if was != now:
+            reason = f"was begun with {name} {was}, not {now}"
+            raise BadData(path, reason, "Say the same again, or choose another folder")
+
+
+def read_settings(out: Path) -> Settings:
+    """How a collection was begun.
+
+    Raises:
+        BadData: It is none, or the file is broken.
+    """
+    return read_document(out / SETTINGS, Settings, "Collect anew into another folder")

@@ -1,0 +1,117 @@
+"""The pictures of an episode as a model was sent them, drawn from its record without physics."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from PIL import Image
+
+from probe.chat.pictures import jpeg
+from probe.chat.prompts import arm_named
+from probe.episodes.conditions import NO_DIALS
+from probe.episodes.record import EpisodeRecord, Step
+from probe.errors import ProbeError
+from probe.perception.things import Thing, Words
+from probe.report.darkroom import Darkroom
+from probe.scene.layout import PICTURE_PX
+from probe.scene.scene import Scene
+from probe.tasks.marks import drawn
+from probe.tasks.task import Task
+from probe.toolshed.pictures import outlined
+from probe.types import Array
+
+_NOTHING = Words(None, "", (), "")
+_SILENT = ("malformed", "refused")
+
+
+class OtherPerception(ProbeError):
+    """An episode whose pictures can't be drawn again."""
+
+    def __init__(self, record: EpisodeRecord, why: str) -> None:
+        super().__init__(
+            f"{record.task}, {record.agent}, run {record.run}: its pictures can't be drawn from "
+            f"the record, since {why}. Collect with --pointer oracle and without --dials, in the "
+            "arms direct and agentic."
+        )
+
+
+@dataclass(frozen=True)
+class Shown:
+    """An episode's pictures, as JPEG files.
+
+    Attributes:
+        first: Those that came with the question.
+        later: Of each step, the one that its result came with; None where there was none.
+    """
+
+    first: tuple[bytes, ...]
+    later: tuple[bytes | None, ...]
+
+    @property
+    def all(self) -> tuple[bytes, ...]:
+        """In the order in which a model sees them."""
+        return (*self.first, *(each for each in self.later if each is not None))
+
+
+def shown(
+    task: Task, record: EpisodeRecord, darkroom: Darkroom, side_px: int = PICTURE_PX
+) -> Shown:
+    """Draw an episode's pictures.
+
+    Args:
+        task: What it was about.
+        record: What happened.
+        darkroom: Of a suite that has the task.
+        side_px: Width and height; by default as models are sent them.
+
+    Raises:
+        OtherPerception: Perception wasn't the oracle's, or the arm is another.
+    """
+    _check(record)
+    start = _picture(task, record, record.start.scene, darkroom)
+    scenes = record.scenes
+    later = [
+        _result(task, record, step, scenes[number], darkroom)
+        for number, step in enumerate(record.steps)
+    ]
+    files = [None if it is None else jpeg(_sized(it, side_px)) for it in later]
+    return Shown((jpeg(_sized(drawn(start, task.marks), side_px)),), tuple(files))
+
+
+def _check(record: EpisodeRecord) -> None:
+    if "," in record.arm:
+        raise OtherPerception(record, "a model pointed for perception")
+    if record.conditions.dials != NO_DIALS:
+        raise OtherPerception(record, "perception made errors")
+    if record.arm and arm_named(record.arm) not in ("agentic", "direct"):
+        raise OtherPerception(record, f"its arm is {record.arm}")
+
+
+def _result(
+    task: Task, record: EpisodeRecord, step: Step, before: Scene, darkroom: Darkroom
+) -> Array | None:
+    """What a step's result showed: nothing if nothing was done, else the table after it."""
+    if step.status in _SILENT or step.call.name == "answer_question":
+        return None
+    if step.call.name != "find_object":
+        return _picture(task, record, step.after.scene, darkroom)
+    picture = _picture(task, record, before, darkroom)
+    if step.status != "done" or step.point_px is None:
+        return picture
+    labels = darkroom.frame(task, before, record.sight).labels
+    assert labels is not None
+    u, v = step.point_px
+    return outlined(picture, Thing.of(labels == labels[v, u], _NOTHING))
+
+
+def _picture(task: Task, record: EpisodeRecord, scene: Scene, darkroom: Darkroom) -> Array:
+    frame = darkroom.frame(task, scene, record.sight)
+    assert frame.rgb is not None
+    return frame.rgb
+
+
+def _sized(picture: Array, side_px: int) -> Array:
+    if picture.shape[0] == side_px:
+        return picture
+    return np.asarray(Image.fromarray(picture).resize((side_px, side_px), Image.Resampling.BOX))

@@ -1,0 +1,119 @@
+"""The scripted teacher in a worker process: it gives its reasons in words, as a model would.
+
+What it says rests on the tools' results alone. Without tools it answers only what the first look
+shows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from probe.agents.glance import Asked, Said, at_a_glance
+from probe.agents.reading import read_graph
+from probe.agents.scripted import Scripted
+from probe.agents.speech import Speaker
+from probe.assets.library import Library
+from probe.chat.coordinates import as_whole, told
+from probe.episodes.grading import question_of
+from probe.episodes.play import set_table
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.seat import Points, Reply, Seat
+from probe.episodes.turns import Agent, Call, Question, Turn
+from probe.render.renderer import Renderer
+from probe.runs.plan import Job, Order
+from probe.runs.sights import sight_of
+from probe.runs.work import Workplace, failed
+from probe.scene.seeds import generator
+from probe.tasks.task import Task
+from probe.toolshed.result import Answer
+
+TEACHER = "scripted-teacher"
+
+
+@dataclass(frozen=True)
+class Whole:
+    """An agent whose places are whole numbers in the way in which a model will read them."""
+
+    agent: Agent
+    points: Points
+
+    def act(self, question: Question, history: Sequence[Turn]) -> Call | None:
+        """The agent's next call."""
+        call = self.agent.act(question, history)
+        return None if call is None else as_whole(call, self.points)
+
+
+def speaker(task: Task, run: int) -> Speaker:
+    """What chooses the teacher's words in one episode."""
+    return Speaker(generator(task.seed, "words", run))
+
+
+def teacher(task: Task, run: int) -> Agent:
+    """The teacher with tools, fresh for one episode; it stops where it isn't sure."""
+    rng = generator(task.seed, "teach", run)
+    return Scripted(task.kind, task.subject, rng, form=task.form, say=speaker(task, run))
+
+
+def teacher_for(points: Points) -> _Made:
+    """What makes teachers for worker processes; see probe.runs.work.AgentOf.
+
+    Args:
+        points: How a model will count places.
+    """
+    return _Made(points)
+
+
+@dataclass(frozen=True)
+class _Made:
+    points: Points
+
+    def __call__(
+        self, name: str, task: Task, run: int, library: Library, renderer: Renderer
+    ) -> Agent:
+        return Whole(teacher(task, run), self.points)
+
+
+@dataclass(frozen=True)
+class Classroom(Workplace):
+    """Where the teacher works: its records tell of a seat, as a model's do."""
+
+    def played(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
+        """One episode in the order's arm."""
+        order = self.order
+        if order.arm == "direct":
+            return self._told(job, things, renderer)
+        record = super().played(job, things, renderer)
+        replies = tuple(Reply(1) for _ in record.steps)
+        return replace(record, seat=Seat(order.arm, order.points, replies, cost=0.0))
+
+    def _told(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
+        order, task = self.order, job.task
+        sight = sight_of(task, order.conditions, things.assets)
+        tools, _ = set_table(
+            task,
+            things,
+            things.table(task.scene.table),
+            renderer,
+            pictures=False,
+            conditions=order.conditions,
+            sight=sight,
+            run=job.run,
+        )
+        graph = read_graph(tools.call("perceive_scene", {}).text)
+        asked = Asked(question_of(task), task.subject, task.form, graph)
+        said = at_a_glance(task.kind, asked, speaker(task, job.run))
+        return answered(replace(failed(job, order, ""), sight=sight), order, said)
+
+
+def answered(record: EpisodeRecord, order: Order, said: Said | None) -> EpisodeRecord:
+    """A record of an answer in words, or of none."""
+    if said is None:
+        seat = Seat(order.arm, order.points, cost=0.0)
+        return replace(record, end="stopped", fault=None, seat=seat)
+    place = f" ({said.point[0]}, {said.point[1]})" if said.point else ""
+    words = told(f"{said.words}\nANSWER: {said.letter}{place}", order.points)
+    seat = Seat(order.arm, order.points, (Reply(0, words),), cost=0.0)
+    point = (float(said.point[0]), float(said.point[1])) if said.point else None
+    answer = Answer(said.letter, point)
+    return replace(record, answer=answer, end="answered", fault=None, seat=seat)

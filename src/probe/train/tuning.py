@@ -1,0 +1,52 @@
+"""How a model is trained. The defaults are the paper's."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from probe.errors import BadData
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """How a model is trained.
+
+    Attributes:
+        learning_rate: Of AdamW, at its highest.
+        epochs: How often each example is seen.
+        global_batch: Examples a step, over all processes.
+        device_batch: Examples that a process takes at once; the rest of a step is accumulated.
+        lora: Rank of LoRA's matrices; by default all weights are trained.
+        schedule: How the learning rate goes down.
+        warmup: Part of all steps in which it goes up.
+        seed: Of the order of examples and of all else that is drawn.
+        save_every: Steps between checkpoints, of which two are kept.
+        save_memory: Compute activations twice rather than keep them.
+        loaders: Processes that prepare batches ahead; 0 for none.
+    """
+
+    learning_rate: float = 2e-5
+    epochs: float = 2.0
+    global_batch: int = 32
+    device_batch: int = 1
+    lora: int | None = None
+    schedule: Literal["linear", "cosine", "constant"] = "linear"
+    warmup: float = 0.0
+    seed: int = 0
+    save_every: int = 25
+    save_memory: bool = True
+    loaders: int = 0
+
+    def accumulation(self, processes: int) -> int:
+        """Batches that a process takes before a step is made.
+
+        Raises:
+            BadData: They don't come out even.
+        """
+        at_once = self.device_batch * processes
+        if at_once < 1 or self.global_batch < 1 or self.global_batch % at_once:
+            reason = f"{self.global_batch} isn't a multiple of {processes} x {self.device_batch}"
+            remedy = "Choose --device-batch so that processes times it divide it"
+            raise BadData("--global-batch", reason, remedy)
+        return self.global_batch // at_once

@@ -1,0 +1,60 @@
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from lessons import lesson, training_task
+from probe.chat.messages import messages
+from probe.chat.tools import as_sent
+from probe.errors import BadData
+from probe.tasks.suite_file import CANARY
+from probe.train.examples import Canary, example_of
+from train.conftest import LESSONS, shown_in
+
+
+def test_an_example_ends_with_the_last_reply_and_is_told_as_models_are(examples):
+    for it, example in zip(LESSONS, examples, strict=True):
+        pictures = shown_in(it)
+        told = messages(it.record, pictures.first, pictures.later)
+        count = len(example.messages)
+        assert list(map(repr, example.messages)) == list(map(repr, told[:count]))
+        assert example.messages[-1].role == "assistant"
+        assert all(message.role != "assistant" for message in told[count:])
+        assert example.pictures == pictures.all
+
+
+def test_words_and_calls_are_the_assistants(examples):
+    said = [message for message in examples[0].messages if message.role == "assistant"]
+    assert [message.text for message in said[:2]] == ["I want the mug.", "I take it."]
+    assert said[0].calls[0][1].arguments == '{"description": "mug"}'
+
+
+def test_tools_come_along_where_there_are_any(examples):
+    assert json.loads(examples[0].tools) == as_sent("pixels")
+    assert examples[1].tools == ""
+    assert [example.arm for example in examples] == ["agentic", "direct", "agentic"]
+
+
+def test_places_are_counted_as_the_student_counts_them():
+    task = training_task(1)
+    it = lesson(task, arm="direct")
+    seat = it.record.seat
+    assert seat is not None
+    reply = replace(seat.replies[0], words="There.\nANSWER: B (512, 256)")
+    record = replace(it.record, seat=replace(seat, replies=(reply,)))
+    example = example_of(task, record, shown_in(it), "0-1000")
+    assert example.messages[-1].text == "There.\nANSWER: B (500, 250)"
+    assert "thousandths" in example.messages[0].text
+    counted = replace(record, seat=replace(seat, points="0-1000"))
+    with pytest.raises(BadData, match="Say --points 0-1000"):
+        example_of(task, counted, shown_in(it), "pixels")
+
+
+def test_a_canary_in_a_text_is_refused():
+    it = lesson(training_task(1))
+    step = replace(it.record.steps[0], text=f"a file says: {CANARY}")
+    record = replace(it.record, steps=(step, *it.record.steps[1:]))
+    with pytest.raises(Canary, match="canary of the suites"):
+        example_of(it.task, record, shown_in(it))

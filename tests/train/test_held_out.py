@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+import pytest
+
+from probe.agents.learnt import Learnt
+from probe.train.floors import floors
+from probe.train.held_out import markdown, standings
+from run_folders import DEMO
+from score_rows import faulty, roster, row
+
+TASKS = ["find-0", "find-1", "size-0", "size-1", "beneath-0", "beneath-1"]
+
+
+def test_what_nobody_learnt_is_apart():
+    rights = [1, 0, 1, 1, 0, 0]
+    base = [row(task, right, agent="base") for task, right in zip(TASKS, rights, strict=True)]
+    student = [row(task, agent="student") for task in TASKS]
+    found = standings([*student, *base], roster(*TASKS), ["beneath"])
+    assert [it.entrant.agent for it in found] == ["student", "base"]
+    second = found[1]
+    assert second.trained is not None and second.held_out is not None
+    # Find 1 of 2, Size 2 of 2; Beneath none.
+    assert second.trained.macro.headline.value == pytest.approx(0.75)
+    assert second.held_out.macro.headline.value == 0.0
+    lines = markdown(found).splitlines()
+    assert (
+        lines[0]
+        == "|  | runs | n | macro, trained types | find | size | **beneath**, held out (n) |"
+    )
+    cells = [cell.strip() for cell in lines[3].strip("|").split("|")]
+    assert cells[:3] == ["base, agentic", "4", "4"] and cells[3].startswith("75.0 (")
+    assert cells[4:6] == ["50", "100"] and cells[6].startswith("0.0 (0-") and "(2)" in cells[6]
+
+
+def test_a_missing_run_gives_no_number():
+    rows = [row("find-0"), faulty("find-1"), row("size-0"), row("size-1")]
+    text = markdown(standings(rows, roster(*TASKS[:4]), ["beneath"]))
+    # Find is right in one of two at least, and in both at most.
+    assert "incomplete: 75-100" in text and "beneath" not in text
+
+
+def test_floors_say_what_the_suites_answers_say():
+    rows = floors(DEMO, ["beneath"], {})
+    (name,) = {it.agent for it in rows}
+    letter = name.removeprefix("always-")
+    found = {it.task: it.correct for it in rows}
+    for task in DEMO.tasks:
+        offered = [option.letter for option in task.options]
+        said = letter if letter in offered else offered[-1]
+        # Whoever names a thing in Find has to point at it as well.
+        named = next(option.text for option in task.options if option.letter == said)
+        pointless = task.kind == "find" and not named.startswith("None")
+        if letter != "none":
+            assert found[task.id] == (said == task.answer and not pointless)
+
+
+def test_question_only_is_silent_about_what_it_never_learnt():
+    learnt = {"count": Learnt(tasks=9, weights={"@1": 1.0})}
+    rows = [it for it in floors(DEMO, [], learnt) if it.agent == "question-only"]
+    assert {it.answer for it in rows if it.kind == "count"} == {"B"}
+    assert {it.answer for it in rows if it.kind != "count"} == {None}
+    assert len(rows) == len(DEMO.tasks)

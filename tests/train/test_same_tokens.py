@@ -1,0 +1,149 @@
+"""What a model is trained on is what it is sent, token by token, through the real harness."""
+
+from __future__ import annotations
+
+import base64
+import gc
+import socket
+import threading
+import time
+from contextlib import contextmanager
+from dataclasses import replace
+
+import pytest
+
+from bench.painted import demo, plan
+from bench.sitting_in import kept, seat_of, sit_in
+from probe.train.collating import IGNORED
+from probe.train.examples import example_of
+from probe.train.fine_tuning import collator_for
+from probe.train.replying import read_reply
+from probe.train.rows import trl_row
+from probe.train.serving import application
+from probe.train.showing import Shown
+from probe.train.speaking import Said, Speaker
+from probe.train.table import write_table
+from small_models import small_dataset, small_model
+
+pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
+
+SUITE = demo(1)
+
+
+def calling(words: str, name: str, arguments: str) -> str:
+    call = f'<tool_call>\n{{"name": "{name}", "arguments": {arguments}}}\n</tool_call>'
+    return f"{words}\n{call}" if words else call
+
+
+EPISODES = {
+    "agentic": [
+        calling("I look first.", "perceive_scene", "{}"),
+        calling("Söme words: “it”.", "find_object", '{"description": "the thing at (620, 480)"}'),
+        "I forgot to call.",
+        calling("", "grasp_and_remove", '{"object_id": "object_1"}'),
+        calling("Now I know.", "answer_question", '{"choice": "B", "point": [12, 700]}'),
+    ],
+    "direct": ["I can't tell.", "It must be this one.\nANSWER: C (250, 750)"],
+}
+
+
+class Overheard(Speaker):
+    """Says what it is told to say; keeps what it was given."""
+
+    def begin(self, replies):
+        self.replies, self.heard, self.bodies = list(replies), [], []
+
+    def reply(self, body):
+        asked = self.asked(body)
+        self.heard.append(asked)
+        self.bodies.append(body)
+        said = read_reply(self.replies[len(self.heard) - 1])
+        if said.calls and said.words:
+            # As vLLM does, by its source.
+            said = replace(said, words=f"{said.words}\n")
+        return Said(said, asked["input_ids"].shape[1], 5, cut=False)
+
+
+@contextmanager
+def listening(speaker):
+    """The server as `probe serve-model` has it, in a thread."""
+    import uvicorn
+
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    app = application(speaker, "student")
+    server = uvicorn.Server(uvicorn.Config(app, port=port, log_level="warning"))
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    while not server.started:
+        time.sleep(0.05)
+    try:
+        yield f"http://127.0.0.1:{port}/v1"
+    finally:
+        server.should_exit = True
+        thread.join()
+
+
+@pytest.fixture(autouse=True)
+def collected():
+    """What the harness leaves open; see tests/bench/conftest.py."""
+    yield
+    gc.collect()
+
+
+@pytest.fixture(scope="module")
+def speaker(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("tokens")
+    return Overheard(str(small_model(folder, small_dataset(folder, 1))))
+
+
+def pictures_in(body) -> list[bytes]:
+    parts = [it for m in body["messages"] if isinstance(m["content"], list) for it in m["content"]]
+    urls = [it["image_url"]["url"] for it in parts if it["type"] == "image_url"]
+    return [base64.b64decode(url.partition(",")[2]) for url in urls]
+
+
+def trained_on(record, body, points, speaker, folder):
+    """The batch that training makes of the episode's record, by way of the data set's file."""
+    from datasets import Dataset
+
+    # All pictures but those of the last result: no reply follows that.
+    pictures = iter(pictures_in(body))
+    first = (next(pictures),)
+    later = tuple(
+        next(pictures, None) if step.call.name != "answer_question" else None
+        for step in record.steps
+    )
+    example = example_of(SUITE.tasks[0], record, Shown(first, later), points)
+    write_table(folder / "rows.parquet", [trl_row(example)])
+    rows = Dataset.from_parquet(str(folder / "rows.parquet"), cache_dir=str(folder / "cache"))
+    return collator_for(speaker._processor)([rows[0]])
+
+
+@pytest.mark.parametrize(("arm", "points"), [("agentic", "0-1000"), ("direct", "pixels")])
+def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, arm, points):
+    speaker.begin(EPISODES[arm])
+    order = plan(tmp_path / "out", arm, SUITE, points=points)
+    with listening(speaker) as url:
+        sit_in(order, url)
+    record = kept(tmp_path / "out")[SUITE.tasks[0].id]
+    assert seat_of(record).faults == () and record.answer is not None
+    assert len(speaker.heard) == len(EPISODES[arm])
+    batch = trained_on(record, speaker.bodies[-1], points, speaker, tmp_path)
+    ids, labels = batch["input_ids"][0].tolist(), batch["labels"][0].tolist()
+    tokenizer = speaker._processor.tokenizer
+    expected, end = [IGNORED] * len(ids), 0
+    for asked, reply in zip(speaker.heard, EPISODES[arm], strict=True):
+        sent = asked["input_ids"][0].tolist()
+        assert ids[: len(sent)] == sent
+        patches = asked["pixel_values"]
+        assert (batch["pixel_values"][: len(patches)] == patches).all()
+        said = tokenizer.encode(f"{reply}<|im_end|>\n", add_special_tokens=False)
+        assert ids[len(sent) : len(sent) + len(said)] == said
+        end = len(sent) + len(said)
+        expected[len(sent) : end] = said
+    assert len(batch["pixel_values"]) == len(speaker.heard[-1]["pixel_values"])
+    assert labels == expected
+    # Nothing follows the last reply.
+    assert len(ids) == end

@@ -1,0 +1,130 @@
+"""Training on a very small model: what it refuses, and that it goes on where it was killed."""
+
+from __future__ import annotations
+
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from probe.errors import BadData, MissingExtra
+from probe.train.diary import read_diary
+from probe.train.fine_tuning import NoModel, load, train
+from probe.train.manifest import Manifest, write_manifest
+from probe.train.run_card import Run
+from probe.train.tuning import Tuning
+from small_models import small_dataset, small_model
+
+TUNING = Tuning(learning_rate=1e-3, global_batch=4, save_every=2)
+OPTIONS = ("--learning-rate", "1e-3", "--global-batch", "4", "--save-every", "2")
+NOISE = 1e-3
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory):
+    return small_dataset(tmp_path_factory.mktemp("dataset"))
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory, dataset):
+    return small_model(tmp_path_factory.mktemp("model"), dataset)
+
+
+def losses(out):
+    return {entry.step: entry.loss for entry in read_diary(out)}
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_a_killed_training_goes_on_with_the_same_loss(tmp_path, dataset, model):
+    train(dataset, str(model), tmp_path / "whole", TUNING, ())
+    cut = tmp_path / "cut"
+    command = [sys.executable, "-m", "probe", "train", str(dataset), "--out", str(cut)]
+    process = subprocess.Popen(
+        [*command, "--model", str(model), *OPTIONS],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    while len(losses(cut)) < 3 and process.poll() is None:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGKILL)
+    assert process.wait() == -signal.SIGKILL
+    assert not (cut / "model").exists() and (cut / "checkpoints/checkpoint-2").exists()
+    train(dataset, str(model), cut, TUNING, ())
+    whole = losses(tmp_path / "whole")
+    # 9 examples, 4 a step, twice.
+    assert sorted(whole) == [1, 2, 3, 4, 5, 6]
+    assert losses(cut) == pytest.approx(whole, abs=NOISE)
+    assert whole[6] < whole[1]
+    run = Run.model_validate_json((cut / "run.json").read_text())
+    assert run.steps == 6 and run.versions["trl"] and run.begun.tuning["epochs"] == 2.0
+    assert "| 6 | " in (cut / "README.md").read_text()
+    # A finished one has nothing left to do.
+    before = (cut / "run.json").read_bytes()
+    train(dataset, str(model), cut, TUNING, ())
+    assert (cut / "run.json").read_bytes() == before
+    with pytest.raises(BadData, match=r"was begun with epochs 2.0, not 3.0"):
+        train(dataset, str(model), cut, Tuning(1e-3, 3.0, 4, save_every=2), ())
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_lora_leaves_a_whole_model(tmp_path, dataset, model):
+    tuning = Tuning(learning_rate=1e-2, global_batch=9, epochs=1, lora=2)
+    folder = train(dataset, str(model), tmp_path, tuning, ())
+    before, after = load(str(model))[0].state_dict(), load(str(folder))[0].state_dict()
+    assert before.keys() == after.keys()
+    changed = {name for name in before if not before[name].equal(after[name])}
+    assert changed and not any("norm" in name or "embed_tokens" in name for name in changed)
+    assert (tmp_path / "adapter/adapter_config.json").exists()
+
+
+def broken(tmp_path, dataset):
+    copy = tmp_path / "broken"
+    shutil.copytree(dataset, copy)
+    return copy
+
+
+@pytest.mark.parametrize("cut", [10, 0])
+def test_nothing_is_trained_on_a_corrupted_shard(tmp_path, dataset, cut):
+    data = broken(tmp_path, dataset)
+    shard = next((data / "data").glob("*.parquet"))
+    whole = shard.read_bytes()
+    shard.write_bytes(whole[:-cut] if cut else whole[:2000] + b"?" + whole[2001:])
+    with pytest.raises(BadData, match=rf"{shard.name}: .*Write the data set anew"):
+        train(data, "anything", tmp_path / "out", TUNING, ())
+    assert not (tmp_path / "out").exists()
+
+
+def test_nothing_is_trained_without_a_type_that_is_named(tmp_path, dataset):
+    with pytest.raises(BadData, match="there is no example of size"):
+        train(dataset, "anything", tmp_path / "out", TUNING, ("size",))
+    data = broken(tmp_path, dataset)
+    manifest = Manifest.model_validate_json((data / "manifest.json").read_text())
+    empty = manifest.examples | {"size": {"agentic": 0, "direct": 0}}
+    write_manifest(data, manifest.model_copy(update={"examples": empty}))
+    with pytest.raises(BadData, match="there is no example of size"):
+        train(data, "anything", tmp_path / "out", TUNING, ())
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_batch_that_does_not_come_out_even_is_refused():
+    assert Tuning().accumulation(8) == 4
+    with pytest.raises(BadData, match="32 isn't a multiple of 3 x 1"):
+        Tuning().accumulation(3)
+
+
+@pytest.mark.slow
+def test_a_model_that_is_not_there_is_named(tmp_path, dataset):
+    with pytest.raises(NoModel, match="nowhere can't be loaded"):
+        train(dataset, str(tmp_path / "nowhere"), tmp_path / "out", TUNING, ())
+    assert not (tmp_path / "out").exists()
+
+
+def test_without_the_extra_it_is_named(tmp_path, dataset, monkeypatch):
+    monkeypatch.setitem(sys.modules, "torch", None)
+    with pytest.raises(MissingExtra, match=r"probe-vqa\[train\]"):
+        train(dataset, "anything", tmp_path / "out", TUNING, ())
