@@ -7,6 +7,7 @@ from pathlib import Path
 
 from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import RECORDS, SUITE, in_order, standing
+from probe.episodes.ordered import joined, write_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.runs.variation import read_variation, write_variation
@@ -18,8 +19,9 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
     """Write the records of several folders into a new one, in order of tasks; returns how many.
 
     Raises:
-        BadData: They are about different suites, were run under different conditions, an episode
-            is in two of them, one can't be read, or the new folder isn't new.
+        BadData: They are about different suites, were run under different conditions, were to have
+            different numbers of runs, an episode is in two of them, one can't be read, or the
+            new folder isn't new.
         OutputFailed: It can't be written.
     """
     if (out / SUITE).exists() or (out / RECORDS).exists():
@@ -35,9 +37,12 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
             first = first or record
             _check(part, record, first, found)
         kept += records
+    ordered = joined(parts)
     variation = read_variation(parts[0])
     if variation is not None:
         write_variation(out, variation)
+    if ordered:
+        write_ordered(out, ordered)
     write_suite(out / SUITE, suite)
     write_records(out / RECORDS, in_order(kept, suite))
     return len(kept)
