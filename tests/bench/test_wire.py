@@ -7,10 +7,9 @@ from typing import Any
 
 import pytest
 
-from bench.painted import demo, plan
+from bench.painted import demo, plan, shown
 from bench.sitting_in import (
     GRASP,
-    LOOK,
     answer,
     kept,
     replies_so_far,
@@ -26,6 +25,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
 SUITE = demo(1)
 (TASK,) = SUITE.tasks
+MUG = ("find_object", '{"description": "red mug"}')
 PLACE = ("find_object", '{"description": "the thing at (625, 475)"}')
 
 
@@ -35,7 +35,7 @@ def script(number: int, body: dict) -> Reply:
     if turn == 0:
         return Reply("I wonder.")
     two = Reply("Look.", calls=(PLACE, ("push", "{}")))
-    return (two, Reply(calls=(GRASP, LOOK)), Reply(calls=(answer("E"),)))[turn - 1]
+    return (two, Reply(calls=(GRASP, MUG)), Reply(calls=(answer("E"),)))[turn - 1]
 
 
 def pictures_in(content) -> list[bytes]:
@@ -58,9 +58,10 @@ def test_the_last_request_is_the_record_told(tmp_path, points):
     assert log.status == "success"
     record = kept(tmp_path)[TASK.id]
     sent: Any = server.bodies[-1]["messages"]
-    pictures = [picture for message in sent for picture in pictures_in(message["content"])]
-    first, found, grasped, looked = pictures
-    later = [found, None, grasped, looked, None]
+    calls = [step.call for step in record.steps]
+    first, later = shown(plan(tmp_path, "agentic", SUITE, points=points), calls)
+    assert [picture is not None for picture in later] == [True, False, True, True, False]
+    assert len({first, *later}) == 5
     told = messages(record, [first], later)
     assert len(told) == len(sent) + 2  # the answer and its result come after the last request
     for ours, theirs in zip(told, sent, strict=False):
