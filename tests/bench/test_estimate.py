@@ -18,7 +18,8 @@ from probe.tasks.suite_file import demo_suite
 
 SUITE = demo_suite()
 SEATS = Seats(
-    "gpt-5.4", "agentic", 3, None, "oracle", None, None, NO_NOISE, AS_FROZEN, Shard(), 4
+    model="gpt-5.4", arm="agentic", epochs=3, points=None, pointer="oracle", endpoint=None,
+    prices=None, noise=NO_NOISE, conditions=AS_FROZEN, shard=Shard(), workers=4,
 )  # fmt: skip
 PRICES = "gpt-5.4:\n  tokens_in: 2\n  tokens_out: 10\n"
 

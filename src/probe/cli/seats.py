@@ -27,7 +27,7 @@ from probe.tasks.task import Task
 from probe.toolshed.toolshed import TURNS
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Seats:
     """What is to be run, as the command line has it; see probe.cli.run.run."""
 
