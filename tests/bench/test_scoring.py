@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 from inspect_ai.scorer import SampleScore, Score
@@ -15,6 +16,11 @@ def score(task: str, value: str) -> SampleScore:
     return SampleScore(score=Score(value=value), sample_id=task, sample_metadata={"kind": kind})
 
 
+def figures(scores: list[SampleScore], tasks: int, epochs: int) -> dict[str, float]:
+    metric: Any = accuracy_by_type(tasks, epochs)
+    return metric(scores)
+
+
 EPOCH = [score("find-1", RIGHT), score("find-2", WRONG), score("size-1", RIGHT)]
 
 
@@ -22,7 +28,7 @@ def test_types_weigh_alike_and_so_do_runs():
     second = [score("find-1", RIGHT), score("find-2", RIGHT), score("size-1", WRONG)]
     # Find (1 + 1/2) / 2, Size 1/2.
     wanted = {"macro": 0.625, "find": 0.75, "size": 0.5, "missing": 0}
-    assert accuracy_by_type(3, 2)([*EPOCH, *second]) == wanted
+    assert figures([*EPOCH, *second], 3, 2) == wanted
 
 
 @pytest.mark.parametrize(
@@ -36,14 +42,14 @@ def test_types_weigh_alike_and_so_do_runs():
     ],
 )
 def test_what_raised_or_was_never_begun_is_missing(scores, missing):
-    found = accuracy_by_type(3, 2)(scores)
+    found = figures(scores, 3, 2)
     assert found["missing"] == missing
     assert {name for name in found if math.isnan(found[name])} == set(found) - {"missing"}
     assert "macro" in found
 
 
 def test_more_epochs_than_planned_make_up_for_none():
-    found = accuracy_by_type(3, 1)([*EPOCH, *EPOCH[1:]])
+    found = figures([*EPOCH, *EPOCH[1:]], 3, 1)
     assert math.isnan(found["macro"]) and found["missing"] == 0
-    assert accuracy_by_type(3, 1)([*EPOCH, *EPOCH])["macro"] == 0.75
-    assert accuracy_by_type(3, 1)([*EPOCH[1:], *EPOCH[1:]])["missing"] == 1
+    assert figures([*EPOCH, *EPOCH], 3, 1)["macro"] == 0.75
+    assert figures([*EPOCH[1:], *EPOCH[1:]], 3, 1)["missing"] == 1
