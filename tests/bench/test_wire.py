@@ -10,6 +10,7 @@ import pytest
 from bench.painted import demo, plan, shown
 from bench.sitting_in import (
     GRASP,
+    NAME,
     answer,
     kept,
     replies_so_far,
@@ -18,6 +19,7 @@ from bench.sitting_in import (
     values_of,
 )
 from model_server import Reply, serving
+from probe.bench.prices import Price
 from probe.chat.messages import messages
 from probe.toolshed.tools import tool_schemas
 
@@ -104,6 +106,16 @@ def test_answers_in_words(tmp_path):
     sent: Any = server.bodies[0]["messages"]
     assert len(pictures_in(sent[1]["content"])) == 1
     assert "tools" not in server.bodies[0]
+
+
+@pytest.mark.parametrize("called", ["mine", None])
+def test_the_record_has_the_cost_by_the_models_name(tmp_path, called):
+    price = Price(tokens_in=2, tokens_out=10)
+    prices = {called or NAME: price, "another": Price(tokens_in=9, tokens_out=9)}
+    with serving(lambda number, body: Reply("ANSWER: E")) as server:
+        sit_in(plan(tmp_path, "direct", SUITE, called=called, prices=prices), server.url)
+    # One reply: 100 tokens in, 10 out.
+    assert seat_of(kept(tmp_path)[TASK.id]).cost == pytest.approx(300e-6)
 
 
 def test_a_limit_of_tokens_ends_an_episode_without_an_answer(tmp_path):
