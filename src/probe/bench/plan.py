@@ -15,6 +15,7 @@ from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.files import line_of, read_records, set_aside_cut
 from probe.episodes.folder import RECORDS, standing, start_folder
 from probe.episodes.luck import NO_NOISE, Noise
+from probe.episodes.ordered import note_ordered
 from probe.episodes.seat import Points
 from probe.files import write_text
 from probe.perception.points import Convention
@@ -99,6 +100,7 @@ def take_up(plan: Plan, order: Order) -> tuple[Done, str]:
     path = plan.out / RECORDS
     earlier = read_records(path) if path.exists() else []
     check_settings(path, earlier, order)
+    note_ordered(plan.out, order.agent, order.arm, order.runs)
     mine = [it for it in earlier if (it.agent, it.arm) == (order.agent, order.arm)]
     done = {(it.task, it.run): line_of(it) for it in standing(mine) if it.end != "fault"}
     return done, _name_of_replies(plan.out / REPLIES)

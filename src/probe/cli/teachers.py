@@ -56,18 +56,18 @@ def _scripted(site: Site) -> Play:
 
 def _seated(site: Site, model: str) -> Play:
     seats = Seats(
-        site.training,
-        model,
-        "agentic",
-        1,
-        site.counting,
-        "oracle",
-        site.endpoint,
-        site.prices,
-        NOISES[site.noise],
-        site.conditions,
-        Shard(),
-        site.workers,
+        library=site.training,
+        model=model,
+        arm="agentic",
+        epochs=1,
+        points=site.counting,
+        pointer="oracle",
+        endpoint=site.endpoint,
+        prices=site.prices,
+        noise=NOISES[site.noise],
+        conditions=site.conditions,
+        shard=Shard(),
+        workers=site.workers,
     )
 
     def play(suite: Suite, arm: Arm, runs: int, out: Path) -> Iterator[str]:
