@@ -129,14 +129,19 @@ class Sitting:
         return response
 
     async def _do(self, request: Request) -> Response:
-        self._done.append(request)
-        lacking = [request]
-        while isinstance(response := await self._try(lacking), Broken):
+        lacking = [request] if self._process is not None else [*self._done, request]
+        try:
+            while isinstance(response := await self._try(lacking), Broken):
+                self.get_up(break_off=True)
+                self._failures.append(response.reason)
+                if len(self._failures) >= TRIES:
+                    raise TableLost(f"{response.reason} ({TRIES} times in all)")
+                lacking = [*self._done, request]
+        except BaseException:
+            # The table may still wait for what its perception asked; this request never was.
             self.get_up(break_off=True)
-            self._failures.append(response.reason)
-            if len(self._failures) >= TRIES:
-                raise TableLost(f"{response.reason} ({TRIES} times in all)")
-            lacking = list(self._done)
+            raise
+        self._done.append(request)
         return response
 
     async def _try(self, requests: list[Request]) -> Response:
