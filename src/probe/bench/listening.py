@@ -18,6 +18,7 @@ from inspect_ai.model import (
 from inspect_ai.tool import ToolInfo
 from inspect_ai.util import LimitExceededError
 
+from probe.bench.as_sent import as_sent
 from probe.bench.prices import Price, cost_of, tokens_in
 from probe.episodes.seat import Points, Reply, Seat
 from probe.errors import ModelFailed
@@ -55,7 +56,7 @@ class Listener:
         self.replies: list[Reply] = []
         self.faults: list[str] = []
         self.output: ModelOutput | None = None
-        self._model, self._tools, self._cache = model, list(tools), cache
+        self._model, self._tools, self._cache = as_sent(model), list(tools), cache
         self._price = price
         self._asked = 0
         self._tokens: tuple[int, int] | None = None
@@ -115,7 +116,7 @@ class Listener:
             self._fault("empty")
         for call in output.message.tool_calls or []:
             if call.parse_error:
-                self._fault(f"{call.function} was called with what is no JSON")
+                self._fault(f"{call.function} was called with what is no JSON object")
         usage = output.usage
         if usage is None:
             return
