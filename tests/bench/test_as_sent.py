@@ -11,6 +11,7 @@ from inspect_ai.model import CachePolicy, ChatMessageUser, Model, get_model
 from bench.sitting_in import NAME
 from model_server import Reply, serving
 from probe.bench.listening import Listener
+from probe.bench.tally import Tally
 from probe.bench.wire import call_of, tool_infos
 from probe.episodes.turns import Call
 from probe.toolshed.parse import parse
@@ -40,15 +41,15 @@ def reply_to(model: Model) -> tuple[list[Call], list[str]]:
         asked: list[Listener] = []
         for _ in range(times):
             first = [ChatMessageUser(content="What is under the mug?")]
-            asked.append(Listener(model, tool_infos("pixels"), first, policy, None))
+            asked.append(Listener(model, tool_infos("pixels"), first, policy, None, Tally()))
             await asked[-1].reply()
         return asked
 
     fresh, kept = anyio.run(ask, 2)
     said = [[call_of(c, "") for c in it.messages[-1].tool_calls] for it in (fresh, kept)]  # type: ignore[union-attr]
     assert said[0] == said[1], "a reply from the cache is the same"
-    assert fresh.faults == kept.faults
-    return said[0], fresh.faults
+    assert fresh.seat("agentic", "pixels").faults == kept.seat("agentic", "pixels").faults
+    return said[0], list(fresh.seat("agentic", "pixels").faults)
 
 
 @pytest.mark.parametrize("arguments", [{}, {"responses_api": True}], ids=["chat", "responses"])

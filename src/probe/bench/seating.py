@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 from anyio import Lock
 from anyio.to_thread import run_sync
-from inspect_ai.model import (
-    CachePolicy,
-    ChatMessageUser,
-    ContentImage,
-    ContentText,
-    Model,
-    get_model,
-)
+from inspect_ai.model import CachePolicy, Model, get_model
 from inspect_ai.util import LimitExceededError
 
 from probe.bench.conversation import in_words, with_tools
 from probe.bench.listening import Listener
 from probe.bench.plan import Done, Plan, take_up
+from probe.bench.pointing import Pointing
+from probe.bench.prices import Price
+from probe.bench.process import AskPointer
 from probe.bench.tables import Sitting, TableLost, Tables
-from probe.bench.wire import data_uri, first_messages, tool_infos
+from probe.bench.tally import Tally
+from probe.bench.wire import first_messages, tool_infos
 from probe.chat.messages import opening
 from probe.episodes.files import line_of, record_of
 from probe.episodes.folder import add_line
@@ -71,10 +67,11 @@ class Seating:
         if line is not None:
             async with self._tables.seat(_nobody) as sitting:
                 return Played(await sitting.grade(Grade(job, line)), None)
-        listener = self._listener(job, model)
+        tally = Tally()
+        listener = self._listener(job, model, tally)
         limit = None
         try:
-            left, limit = await self._played(job, order, listener, model)
+            left, limit = await self._played(job, order, listener, model, tally)
         except TableLost as error:
             # What was done at the lost table can't be told any more.
             seat = replace(listener.seat(order.arm, order.points), replies=())
@@ -105,23 +102,34 @@ class Seating:
     def _pointer_name(self, model: Model) -> str:
         if self._plan.pointer == "oracle":
             return ""
-        return "self" if self._plan.pointer == "self" else str(get_model(role=ROLE))
+        return "self" if self._plan.pointer == "self" else str(get_model(role=ROLE, required=True))
 
-    def _listener(self, job: Job, model: Model) -> Listener:
+    def _listener(self, job: Job, model: Model, tally: Tally) -> Listener:
         plan = self._plan
         scopes = {"folder": self._replies, "episode": f"{job.task.id} {job.run}"}
-        price = plan.prices.get(plan.called or "") or plan.prices.get(str(model))
         tools = tool_infos(plan.points) if plan.arm == "agentic" else []
-        return Listener(model, tools, [], CachePolicy(expiry=None, scopes=scopes), price)
+        cache = CachePolicy(expiry=None, scopes=scopes)
+        return Listener(model, tools, [], cache, self._price(model), tally)
+
+    def _pointing(self, model: Model, tally: Tally) -> AskPointer:
+        if self._plan.pointer == "oracle":
+            return _nobody
+        pointer = model if self._plan.pointer == "self" else get_model(role=ROLE, required=True)
+        cache = CachePolicy(expiry=None, scopes={"folder": self._replies, "role": ROLE})
+        price = self._price(model) if pointer is model else self._plan.prices.get(str(pointer))
+        return Pointing(pointer, tally, cache, price)
+
+    def _price(self, model: Model) -> Price | None:
+        prices = self._plan.prices
+        return prices.get(self._plan.called or "") or prices.get(str(model))
 
     async def _played(
-        self, job: Job, order: Order, listener: Listener, model: Model
+        self, job: Job, order: Order, listener: Listener, model: Model, tally: Tally
     ) -> tuple[Left, LimitExceededError | None]:
         """What came of an episode, and which limit of the user's ended it, if one did."""
         assert self._tables is not None
         plan = self._plan
-        known: dict[Asked, str] = {}
-        async with self._tables.seat(partial(self._point, model, known)) as sitting:
+        async with self._tables.seat(self._pointing(model, tally)) as sitting:
             shown = await sitting.sit(job)
             question = question_of(job.task)
             first = opening(plan.arm, plan.points, question, shown.pictures)
@@ -143,25 +151,6 @@ class Seating:
             await with_tools(listener, sitting, plan.points)
             return None
         return await in_words(listener, plan.arm, job.task, plan.points)
-
-    async def _point(self, model: Model, known: dict[Asked, str], asked: Asked) -> str | Unanswered:
-        """Ask the model that points; the same question twice in an episode gets the same reply."""
-        if asked in known:
-            return known[asked]
-        pointer = model if self._plan.pointer == "self" else get_model(role=ROLE)
-        pictures = [ContentImage(image=data_uri(picture)) for picture in asked.pictures]
-        message = ChatMessageUser(content=[*pictures, ContentText(text=asked.text)])
-        policy = CachePolicy(expiry=None, scopes={"folder": self._replies, "role": ROLE})
-        try:
-            output = await pointer.generate([message], cache=policy)
-        except LimitExceededError:
-            raise
-        except Exception as error:  # whatever a provider's client may raise
-            return Unanswered(f"{pointer.name}: {type(error).__name__}: {error}")
-        if not output.message.text.strip():
-            return Unanswered(f"{pointer.name} says nothing")
-        known[asked] = output.message.text
-        return known[asked]
 
 
 class Played:
