@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -10,9 +12,10 @@ from typing import Any
 import anyio
 import pytest
 
-from probe.bench.tables import Sitting, Tables
+from probe.bench.tables import Sitting, TableLost, Tables
 from probe.episodes.seat import Seat
 from probe.episodes.turns import Call
+from probe.errors import WorkerDied
 from probe.runs.table import TablePlace
 from probe.runs.table_talk import Asked, Leave, Left, Request, Response, Shown, Told
 
@@ -20,6 +23,8 @@ pytestmark = pytest.mark.slow
 
 WHERE = Asked((), "where?")
 ANY: Any = None
+SILENCE, PATIENCE = 20.0, 300.0
+"""Seconds: more than a busy machine takes to start a process, and more than three times that."""
 
 
 class Curious:
@@ -83,3 +88,53 @@ def test_a_limit_reached_while_pointing_leaves_a_table_that_can_be_left():
 async def _in_time(sitting: Sitting) -> bytes:
     with anyio.fail_after(60):
         return (await sitting.leave(Leave(Seat("agentic")))).line
+
+
+@dataclass(frozen=True)
+class HangingPlace(TablePlace):
+    """Sits down, and never comes back from a call."""
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[Request], Response]]:
+        def do(request: Request) -> Response:
+            if isinstance(request, Call):
+                time.sleep(PATIENCE)
+            return Shown(())
+
+        yield do
+
+
+def test_a_table_that_hangs_is_lost_and_not_waited_for():
+    async def sitting_down() -> None:
+        tables = Tables(HangingPlace(ANY, ANY), 1, silence=SILENCE)
+        async with tables.seat(_nobody) as sitting:
+            await sitting.sit(ANY)
+            with anyio.fail_after(PATIENCE), pytest.raises(TableLost, match="said nothing"):
+                await sitting.call(Call("push"))
+            assert len(sitting.failures) == 3
+
+    anyio.run(sitting_down)
+
+
+@dataclass(frozen=True)
+class StillbornPlace(TablePlace):
+    """Dies while it is set up."""
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[Request], Response]]:
+        os._exit(9)
+        yield
+
+
+def test_tables_that_die_before_they_are_set_up_stop_everything():
+    async def sitting_down() -> None:
+        tables = Tables(StillbornPlace(ANY, ANY), 1)
+        async with tables.seat(_nobody) as sitting:
+            await sitting.sit(ANY)
+
+    with pytest.raises(WorkerDied):
+        anyio.run(sitting_down)
+
+
+async def _nobody(asked: Asked) -> str:
+    raise AssertionError

@@ -81,6 +81,11 @@ class Listener:
         self._count(output)
         return output.message
 
+    @property
+    def unheard(self) -> bool:
+        """Whether it was asked and has never said anything."""
+        return self._asked > 0 and self.output is None
+
     def say(self, words: str) -> None:
         """Tell the model something."""
         self.messages.append(ChatMessageUser(content=words))
