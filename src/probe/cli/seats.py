@@ -14,6 +14,7 @@ from probe.bench.models import settings_of
 from probe.bench.plan import Plan
 from probe.bench.prices import Price, Prices, read_prices
 from probe.chat.prompts import Arm
+from probe.cli.pointers import check_addresses
 from probe.cli.surroundings import assets_folder, cache_folder, everything
 from probe.cli.varying import varied
 from probe.episodes.conditions import Conditions
@@ -58,12 +59,15 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
 
     Raises:
         MissingExtra: The harness isn't installed.
-        BadData: The folder is about something else, or prices can't be read.
+        BadData: The folder is about something else, prices can't be read, or options don't fit.
     """
+    check_addresses(seats.arm, seats.pointer, seats.endpoint)
     prices: Prices = read_prices(seats.prices) if seats.prices else {}
     price = prices.get(seats.model) or prices.get(settings_of(seats.model).id)
     if dry_run:
         _tell(suite, seats, price)
+        if seats.pointer != "oracle":
+            print(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")
         return
     things = everything()
     check_objects(suite, things)
@@ -76,7 +80,8 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
     plan = _plan(suite, seats, out, price)
     key = os.environ.get("OPENAI_API_KEY") or "none"
     pointer = settings_of(seats.pointer).id if plan.pointer == "role" else None
-    chosen = Chosen(settings_of(seats.model).id, seats.endpoint, key, pointer)
+    its_price = prices.get(seats.pointer) or prices.get(pointer or "")
+    chosen = Chosen(settings_of(seats.model).id, seats.endpoint, key, pointer, its_price)
     missing = evaluate(plan, chosen, "rich" if sys.stdout.isatty() else "plain")
     if missing:
         print(f"{missing} episodes are missing; the same command tries them again.")
