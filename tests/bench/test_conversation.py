@@ -13,6 +13,7 @@ from bench.sitting_in import NAME
 from model_server import Reply, serving
 from probe.bench.conversation import in_words
 from probe.bench.listening import Listener
+from probe.bench.tally import Tally
 from probe.chat.messages import messages
 from probe.chat.prompts import reminder
 from probe.episodes.seat import Seat
@@ -31,7 +32,7 @@ def asked(task, *said: str) -> tuple[Answer | None, Listener]:
     cache = CachePolicy(expiry=None, scopes={"test": uuid4().hex})
     with serving(lambda number, body: Reply(said[number])) as server:
         model = get_model(NAME, base_url=server.url, api_key="none", memoize=False)
-        listener = Listener(model, [], [ChatMessageSystem(content="Answer.")], cache, None)
+        listener = Listener(model, [], [ChatMessageSystem(content="Answer.")], cache, None, Tally())
         return anyio.run(in_words, listener, "direct", task, "pixels"), listener
 
 

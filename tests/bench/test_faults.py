@@ -99,7 +99,7 @@ def test_faults_are_in_the_records(played):
         (fault,) = records[task.id].seat.faults
         assert fault.startswith("reply 1: the server failed once")
     assert records[BROKEN.id].seat.faults == (
-        "reply 1: find_object was called with what is no JSON",
+        "reply 1: find_object was called with what is no JSON object",
     )
     assert records[MUTE.id].seat.faults == ("reply 1: empty", "reply 2: empty")
     assert records[MUTE.id].end == "stopped"
@@ -109,7 +109,7 @@ def test_malformed_calls_take_a_turn_and_are_kept_as_they_were_sent(played):
     _, records, _ = played
     steps = records[BROKEN.id].steps
     assert [step.status for step in steps[:2]] == ["malformed", "malformed"]
-    assert steps[0].call.arguments == '{"description":'
+    assert steps[0].call.arguments == '{"description": '
     assert steps[1].call.name == "juggle"
     assert records[BROKEN.id].end == "answered"
 

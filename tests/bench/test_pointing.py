@@ -10,7 +10,7 @@ import pytest
 from inspect_ai.model import get_model
 
 from bench.painted import demo, plan
-from bench.sitting_in import answer, kept, replies_so_far, sit_in
+from bench.sitting_in import answer, kept, replies_so_far, seat_of, sit_in
 from model_server import Reply, serving
 from probe.assets.library import open_library
 from probe.runs.table import TablePlace
@@ -61,6 +61,9 @@ def test_the_model_itself_points(tmp_path):
     check(record)
     asked = [body for body in server.bodies if not body.get("tools")]
     assert len(asked) == 1, "the same question about the same picture is asked once"
+    # Three replies that act and one that points; the server counts 100 and 10 tokens for each.
+    seat = seat_of(record)
+    assert (len(seat.replies), seat.tokens_in, seat.tokens_out) == (3, 400, 40)
 
 
 def test_another_model_points(tmp_path):
@@ -71,3 +74,25 @@ def test_another_model_points(tmp_path):
     assert record.arm == "agentic, pointer openai-api/other/eyes"
     check(record)
     assert (len(server.bodies), len(other.bodies)) == (3, 1)
+
+
+def test_an_empty_pointing_reply_costs_a_turn_and_not_the_episode(tmp_path):
+    def mute(number: int, body: dict[str, Any]) -> Reply:
+        return acting(number, body) if body.get("tools") else Reply("")
+
+    with serving(mute) as server:
+        sit_in(real(tmp_path, "self"), server.url, TablePlace)
+    record = kept(tmp_path)[TASK.id]
+    assert record.end == "answered", record.fault
+    assert [step.status for step in record.steps] == ["failed", "failed", "done"]
+    # It is asked once more with the reason; the second call asks nothing new.
+    assert seat_of(record).faults == ("pointing 1: empty", "pointing 2: empty")
+
+
+def test_a_limit_reached_in_a_pointing_reply_ends_the_episode_without_an_answer(tmp_path):
+    with serving(both) as server:
+        log = sit_in(real(tmp_path, "self"), server.url, TablePlace, token_limit=200)
+    record = kept(tmp_path)[TASK.id]
+    # The reply that pointed is the second: 220 tokens by then, and its call came to nothing.
+    assert (record.end, record.answer, record.steps) == ("stopped", None, ())
+    assert log.samples and log.samples[0].limit and log.samples[0].limit.type == "token"

@@ -2,25 +2,32 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
+
+import anyio
 
 # One of its many parameters has a type of an extra that isn't installed.
 from inspect_ai import eval as run_harness  # pyright: ignore[reportUnknownVariableType]
-from inspect_ai.model import Model, get_model
+from inspect_ai.model import GenerateConfig, Model, get_model
 
-from probe.bench.harness import harness_task
-from probe.bench.plan import Plan, take_up
-from probe.bench.scoring import MISSING
+from probe.bench.harness import PATIENCE, harness_task
+from probe.bench.plan import Plan, missing_of
+from probe.bench.prices import Price
 from probe.bench.seating import ROLE, Seating
-from probe.episodes.folder import reserved
+from probe.bench.tally import said
 from probe.errors import ModelFailed
 
 LOGS = "logs"
 """Folder of the harness's own logs, beside the records."""
 
-_SERVICE = "openai-api/endpoint/"
+_MARKUP = re.compile(r"\[/?(?:bold|italic|underline|blue|red|green|yellow)\b[^\]\n]*\]")
+"""Of the harness's words for a terminal."""
+
+_SERVICE, _LOCAL = "openai-api/endpoint/", "openai-api/vllm/"
 
 
 @dataclass(frozen=True)
@@ -32,45 +39,81 @@ class Chosen:
         endpoint: Address of a server that speaks OpenAI's protocol; None for the model's usual.
         key: For that server.
         pointer: The harness's name of the one that points for perception, if that is another.
+        pointer_price: Of its tokens.
     """
 
     model: str
     endpoint: str | None = None
     key: str = "none"
     pointer: str | None = None
+    pointer_price: Price | None = None
 
 
 def evaluate(plan: Plan, chosen: Chosen, display: Literal["rich", "plain", "none"]) -> int:
     """Run what the folder lacks; returns how many episodes are missing in the end.
 
     Raises:
-        BadData: The folder is about something else.
+        BadData: The folder is about something else, or another run is at work there.
         OutputFailed: It can't be written.
+        ModelFailed: Nobody answers.
+        WorkerUnfit: No table can be set up.
+        WorkerDied: Tables die before they can be set up.
     """
-    seating, model = Seating(plan), _model(chosen)
-    # Before anything is asked; each sample would raise it otherwise.
-    pointer = "self" if plan.pointer == "self" else chosen.pointer or ""
-    take_up(plan, plan.order(str(model), pointer))
-    with reserved(plan.out), closing(seating):
-        (log,) = run_harness(
+    model = _model(chosen, chosen.model)
+    pointer = _model(chosen, chosen.pointer) if chosen.pointer else None
+    if pointer is not None and chosen.pointer_price is not None:
+        plan = replace(plan, prices={**plan.prices, str(pointer): chosen.pointer_price})
+    seating = Seating(plan)
+    order = plan.order(str(model), str(pointer or plan.pointer.removeprefix("oracle")))
+    with closing(seating):
+        # Before anything is asked; each sample would raise it otherwise.
+        if seating.take_up(order):
+            greet([_model(chosen, name) for name in (chosen.model, chosen.pointer) if name])
+        run_harness(
             harness_task(plan, seating),
             model=model,
-            model_roles={ROLE: chosen.pointer} if chosen.pointer else {},
+            model_roles={ROLE: pointer} if pointer else {},
             display=display,
             log_dir=str(plan.out / LOGS),
             max_samples=plan.workers,
         )
-    scores = [sample.scores or {} for sample in log.samples or []]
-    good = sum(1 for each in scores if each and each["probe"].value != MISSING)
-    return len(plan.tasks) * plan.epochs - good
+    if seating.stopped is not None:
+        raise seating.stopped
+    return missing_of(plan, order)
 
 
-def _model(chosen: Chosen) -> Model:
+def greet(models: Sequence[Model]) -> None:
+    """See that models answer at all, before hundreds of episodes wait for them.
+
+    Raises:
+        ModelFailed: One doesn't.
+    """
+    for model in models:
+        try:
+            anyio.run(_greet, model)
+        except Exception as error:  # whatever a provider's client may raise
+            remedy = "Check --endpoint, the name and the key"
+            raise ModelFailed(f"{model} doesn't answer: {said(error)}. {remedy}.") from error
+
+
+async def _greet(model: Model) -> None:
+    async with model:
+        config = GenerateConfig(max_retries=2, attempt_timeout=PATIENCE)
+        await model.generate("Say hello.", config=config)
+
+
+def _model(chosen: Chosen, name: str) -> Model:
+    """One of the models; none is shared between two event loops.
+
+    At an endpoint are the one that acts, and who has a name that no provider stands before.
+    """
+    bare = name.removeprefix(_LOCAL)
+    own = chosen.endpoint is not None and (name == chosen.model or bare != name or "/" not in name)
     try:
-        if chosen.endpoint is None:
-            return get_model(chosen.model)
-        name = chosen.model.removeprefix("openai-api/vllm/")
-        return get_model(_SERVICE + name, base_url=chosen.endpoint, api_key=chosen.key)
+        if not own:
+            return get_model(name, memoize=False)
+        url, key = chosen.endpoint, chosen.key
+        return get_model(_SERVICE + bare, base_url=url, api_key=key, memoize=False)
     except Exception as error:  # a missing key or client; each provider raises its own
-        reason = " ".join(str(error).split())
-        raise ModelFailed(f"{chosen.model} can't be asked: {reason}") from error
+        reason = " ".join(_MARKUP.sub("", str(error)).split())
+        raise ModelFailed(f"{name} can't be asked: {reason}") from error

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from logging import getLogger
 from typing import Any
 
 from inspect_ai import Epochs
@@ -9,10 +10,14 @@ from inspect_ai import Task as HarnessTask
 from inspect_ai.dataset import MemoryDataset, Sample
 from inspect_ai.model import ChatMessageUser, GenerateConfig, get_model
 from inspect_ai.solver import Generate, Solver, TaskState, solver
+from inspect_ai.util import LimitExceededError
 
 from probe.bench.plan import Plan
 from probe.bench.scoring import MISSING, RIGHT, STORE, WRONG, accuracy_by_type, graded
 from probe.bench.seating import Played, Seating
+from probe.bench.stopping import Stopped
+
+_LOGGER = getLogger(__name__)
 
 RETRIES = 8
 """How often a request is tried again that the server couldn't take or lost."""
@@ -35,8 +40,8 @@ def harness_task(plan: Plan, seating: Seating | None = None) -> HarnessTask:
         metrics=[accuracy_by_type(len(plan.tasks), plan.epochs)],
         epochs=Epochs(plan.epochs, "mean"),
         config=GenerateConfig(max_retries=RETRIES, attempt_timeout=PATIENCE),
-        # A sample of ours never raises; one that does all the same mustn't take others with it.
-        fail_on_error=False,
+        # A sample of ours raises only where no other would fare better.
+        fail_on_error=True,
         name=plan.arm.replace("-", "_"),
         metadata={"suite": plan.suite.name, "records": str(plan.out), "points": plan.points},
     )
@@ -53,7 +58,15 @@ def _seat(seating: Seating) -> Solver:
     @solver(name="probe_seat")
     def seat() -> Solver:
         async def solve(state: TaskState, generate: Generate) -> TaskState:
-            played = await seating.play(str(state.sample_id), state.epoch - 1, get_model())
+            try:
+                played = await seating.play(str(state.sample_id), state.epoch - 1, get_model())
+            except (Stopped, LimitExceededError):
+                raise
+            except Exception as error:  # a fault of ours; it mustn't take other samples with it
+                _LOGGER.warning("An episode came to nothing", exc_info=error)
+                reason = f"{type(error).__name__}: {error}"
+                state.store.set(STORE, {"value": MISSING, "explanation": reason})
+                return state
             _show(state, played)
             if played.limit is not None:
                 raise played.limit

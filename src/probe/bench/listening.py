@@ -1,10 +1,9 @@
-"""One model in one episode: asks it, counts what it said and cost, notes what went wrong."""
+"""The model that acts in one episode: asks it, has its replies and what went wrong counted."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from inspect_ai.event import ModelEvent
 from inspect_ai.log import transcript
 from inspect_ai.model import (
     CachePolicy,
@@ -18,18 +17,11 @@ from inspect_ai.model import (
 from inspect_ai.tool import ToolInfo
 from inspect_ai.util import LimitExceededError
 
-from probe.bench.prices import Price, cost_of, tokens_in
+from probe.bench.as_sent import as_sent
+from probe.bench.prices import Price
+from probe.bench.tally import Tally, said
 from probe.episodes.seat import Points, Reply, Seat
 from probe.errors import ModelFailed
-
-_LONGEST = 200
-"""Characters of what a server says that a record keeps."""
-
-_ODD_STOPS = {
-    "content_filter": "refused by the server's filter",
-    "max_tokens": "cut off after the most tokens allowed",
-    "model_length": "cut off for want of context",
-}
 
 
 class Listener:
@@ -41,6 +33,7 @@ class Listener:
         opening: The first messages.
         cache: Where replies are kept, so that an episode that is begun anew pays for none twice.
         price: Of its tokens.
+        tally: Of the episode.
     """
 
     def __init__(
@@ -50,16 +43,14 @@ class Listener:
         opening: Sequence[ChatMessage],
         cache: CachePolicy,
         price: Price | None,
+        tally: Tally,
     ) -> None:
         self.messages = list(opening)
         self.replies: list[Reply] = []
-        self.faults: list[str] = []
         self.output: ModelOutput | None = None
-        self._model, self._tools, self._cache = model, list(tools), cache
-        self._price = price
+        self._model, self._tools, self._cache = as_sent(model), list(tools), cache
+        self._price, self._tally = price, tally
         self._asked = 0
-        self._tokens: tuple[int, int] | None = None
-        self._cost: float | None = None
 
     async def reply(self) -> ChatMessageAssistant:
         """What the model says next; it is added to the messages.
@@ -81,14 +72,19 @@ class Listener:
         except LimitExceededError:
             raise
         except Exception as error:  # whatever a provider's client may raise
-            self._note_retries(seen)
-            reason = f"{type(error).__name__}: {_said(error)}"
+            self._tally.note_retries(self._which, seen)
+            reason = said(error)
             self._fault(f"none, {reason}")
             name = self._model.name
             raise ModelFailed(f"{name} gave no reply {self._asked}: {reason}") from error
-        self._note_retries(seen)
+        self._tally.note_retries(self._which, seen)
         self._count(output)
         return output.message
+
+    @property
+    def unheard(self) -> bool:
+        """Whether it was asked and has never said anything."""
+        return self._asked > 0 and self.output is None
 
     def say(self, words: str) -> None:
         """Tell the model something."""
@@ -102,9 +98,10 @@ class Listener:
             points: How it counts places.
             more: What else went wrong.
         """
-        inward, outward = self._tokens or (None, None)
-        faults = (*self.faults, *more)
-        return Seat(arm, points, tuple(self.replies), inward, outward, self._cost, faults)
+        counted = self._tally
+        inward, outward = counted.tokens or (None, None)
+        faults = (*counted.faults, *more)
+        return Seat(arm, points, tuple(self.replies), inward, outward, counted.cost, faults)
 
     def _count(self, output: ModelOutput) -> None:
         self.output = output
@@ -113,41 +110,16 @@ class Listener:
             # vLLM leaves the line break before a call in the words; its template puts another.
             message.content = message.content.rstrip("\n")
         self.messages.append(message)
-        if output.stop_reason in _ODD_STOPS:
-            self._fault(_ODD_STOPS[output.stop_reason])
+        self._tally.count(self._which, output, self._price)
         if not output.message.text.strip() and not output.message.tool_calls:
             self._fault("empty")
         for call in output.message.tool_calls or []:
             if call.parse_error:
-                self._fault(f"{call.function} was called with what is no JSON")
-        usage = output.usage
-        if usage is None:
-            return
-        before = self._tokens or (0, 0)
-        self._tokens = before[0] + tokens_in(usage), before[1] + usage.output_tokens
-        cost = cost_of(usage, self._price)
-        if cost is not None:
-            self._cost = (self._cost or 0.0) + cost
+                self._fault(f"{call.function} was called with what is no JSON object")
 
-    def _note_retries(self, seen: int) -> None:
-        """What is tried again below us is in the harness's own log alone.
-
-        A provider's client tries again within an attempt of the harness, which tries again itself.
-        """
-        events = [each for each in transcript().events[seen:] if isinstance(each, ModelEvent)]
-        reasons = [each.error for each in events if each.error]
-        failed = len(reasons) + sum(each.retries or 0 for each in events)
-        if failed:
-            times = "once" if failed == 1 else f"{failed} times"
-            why = f": {' '.join(reasons[-1].split())[:_LONGEST]}" if reasons else ""
-            self._fault(f"the server failed {times}{why}")
+    @property
+    def _which(self) -> str:
+        return f"reply {self._asked}"
 
     def _fault(self, what: str) -> None:
-        self.faults.append(f"reply {self._asked}: {what}")
-
-
-def _said(error: Exception) -> str:
-    """What a server said; the harness's own words begin with the whole request."""
-    words = getattr(error, "provider_message", None) or str(error)
-    status = getattr(error, "status_code", None)
-    return " ".join(f"{status or ''} {words}".split())[:_LONGEST]
+        self._tally.fault(self._which, what)

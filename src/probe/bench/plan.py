@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import uuid
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
@@ -13,15 +14,24 @@ from probe.bench.prices import Price, Prices
 from probe.chat.prompts import Arm
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.files import line_of, read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, standing, start_folder
+from probe.episodes.folder import (
+    RECORDS,
+    SUITE,
+    check_suite,
+    reserved,
+    standing,
+    start_folder,
+)
 from probe.episodes.luck import NO_NOISE, Noise
 from probe.episodes.ordered import note_ordered
+from probe.episodes.record import EpisodeRecord
 from probe.episodes.seat import Points
 from probe.files import write_text
 from probe.perception.points import Convention
 from probe.runs.plan import Order
 from probe.runs.run import check_settings
 from probe.tasks.suite import Suite
+from probe.tasks.suite_file import write_suite
 from probe.tasks.task import Task
 
 Pointer = Literal["oracle", "self", "role"]
@@ -85,8 +95,47 @@ Done = Mapping[tuple[str, int], bytes]
 """Lines of records that are there already, by task and run."""
 
 
+@contextmanager
+def taken_up(plan: Plan, order: Order) -> Generator[tuple[Done, str]]:
+    """Make or take up the folder, for this process alone; nothing is changed if it is refused.
+
+    Raises:
+        BadData: See take_up; or another run is at work there.
+        OutputFailed: It can't be written.
+    """
+    check_folder(plan, order)
+    if not (plan.out / SUITE).exists():
+        write_suite(plan.out / SUITE, plan.suite)
+    with reserved(plan.out):
+        yield take_up(plan, order)
+
+
+def check_folder(plan: Plan, order: Order) -> None:
+    """See that a folder, if it is one, is about the same suite under the same conditions.
+
+    Raises:
+        BadData: It isn't.
+    """
+    check_suite(plan.out, plan.suite)
+    path = plan.out / RECORDS
+    if path.exists():
+        check_settings(path, read_records(path, whole=False), order)
+
+
+def missing_of(plan: Plan, order: Order) -> int:
+    """How many episodes of a plan have no record that counts."""
+    path = plan.out / RECORDS
+    return lacking(plan, _done(read_records(path) if path.exists() else [], order))
+
+
+def lacking(plan: Plan, done: Done) -> int:
+    """How many episodes of a plan are still to be done."""
+    wanted = {(task.id, run) for task in plan.tasks for run in range(plan.epochs)}
+    return len(wanted - done.keys())
+
+
 def take_up(plan: Plan, order: Order) -> tuple[Done, str]:
-    """Make or take up the folder of records.
+    """Make or take up the folder of records, which no other process may write to meanwhile.
 
     Returns:
         What has been done before, and under which name replies are kept.
@@ -101,9 +150,12 @@ def take_up(plan: Plan, order: Order) -> tuple[Done, str]:
     earlier = read_records(path) if path.exists() else []
     check_settings(path, earlier, order)
     note_ordered(plan.out, order.agent, order.arm, order.runs)
+    return _done(earlier, order), _name_of_replies(plan.out / REPLIES)
+
+
+def _done(earlier: Sequence[EpisodeRecord], order: Order) -> Done:
     mine = [it for it in earlier if (it.agent, it.arm) == (order.agent, order.arm)]
-    done = {(it.task, it.run): line_of(it) for it in standing(mine) if it.end != "fault"}
-    return done, _name_of_replies(plan.out / REPLIES)
+    return {(it.task, it.run): line_of(it) for it in standing(mine) if it.end != "fault"}
 
 
 def _name_of_replies(path: Path) -> str:

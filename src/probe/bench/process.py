@@ -24,8 +24,13 @@ AskPointer = Callable[[Asked], Awaitable[str | Unanswered]]
 _SPAWN = get_context("spawn")
 
 
+SILENCE = 1800.0
+"""Seconds without a word from a process after which it is taken to hang; a request takes seconds,
+and setting up for the first time minutes."""
+
+
 class TableDied(ProbeError):
-    """A process with a table has died; the message says how."""
+    """A process with a table has died, or hangs; the message says how."""
 
 
 class TableProcess:
@@ -35,10 +40,19 @@ class TableProcess:
         place: What it is told; the way to a model that points is laid here if one is wanted.
         pointing: Whether perception asks a model.
         limiter: Of threads that wait for processes.
+        silence: Seconds without a word after which it is taken to hang.
     """
 
-    def __init__(self, place: TablePlace, *, pointing: bool, limiter: CapacityLimiter) -> None:
+    def __init__(
+        self,
+        place: TablePlace,
+        *,
+        pointing: bool,
+        limiter: CapacityLimiter,
+        silence: float = SILENCE,
+    ) -> None:
         self._limiter = limiter
+        self._silence = silence
         self._pipe, theirs = _SPAWN.Pipe()
         self._asking, asking = _SPAWN.Pipe()
         told = replace(place, asking=asking) if pointing else place
@@ -53,7 +67,7 @@ class TableProcess:
 
         Raises:
             WorkerUnfit: It can't.
-            TableDied: It died before it could.
+            TableDied: It died before it could, or hangs.
         """
         first = cast("Ready", await self._heard())
         if first.problem:
@@ -96,7 +110,9 @@ class TableProcess:
             raise TableDied(self._how()) from error
 
     def _hear(self) -> object:
-        said = wait(self._pipes)
+        said = wait(self._pipes, self._silence)
+        if not said:
+            raise TableDied(f"A worker process said nothing for {self._silence:.0f} seconds")
         return (self._pipe if self._pipe in said else self._asking).recv()
 
     def _how(self) -> str:

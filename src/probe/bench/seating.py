@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from dataclasses import replace
-from functools import partial
 
 from anyio import Lock
 from anyio.to_thread import run_sync
-from inspect_ai.model import (
-    CachePolicy,
-    ChatMessageUser,
-    ContentImage,
-    ContentText,
-    Model,
-    get_model,
-)
+from inspect_ai.model import CachePolicy, Model, get_model, model_roles
 from inspect_ai.util import LimitExceededError
 
 from probe.bench.conversation import in_words, with_tools
 from probe.bench.listening import Listener
-from probe.bench.plan import Done, Plan, take_up
+from probe.bench.plan import Done, Plan, lacking, taken_up
+from probe.bench.pointing import Pointing
+from probe.bench.prices import Price
+from probe.bench.process import AskPointer
+from probe.bench.stopping import HOPELESS, Patience, Stopped
 from probe.bench.tables import Sitting, TableLost, Tables
-from probe.bench.wire import data_uri, first_messages, tool_infos
+from probe.bench.tally import Tally
+from probe.bench.wire import first_messages, tool_infos
 from probe.chat.messages import opening
 from probe.episodes.files import line_of, record_of
 from probe.episodes.folder import add_line
 from probe.episodes.grading import question_of
 from probe.episodes.record import EpisodeRecord
-from probe.errors import ModelFailed
+from probe.errors import BadData, ModelFailed, ProbeError
 from probe.runs.plan import Job, Order
 from probe.runs.table import TablePlace
 from probe.runs.table_talk import Asked, Grade, Leave, Left, Unanswered
@@ -36,6 +34,7 @@ from probe.tasks.grading import Score
 from probe.toolshed.result import Answer
 
 ROLE = "pointer"
+_GIVEN = f"--model-role {ROLE}"
 
 
 class Seating:
@@ -55,6 +54,21 @@ class Seating:
         self._order: Order | None = None
         self._done: Done = {}
         self._replies = ""
+        self._folder = ExitStack()
+        self._patience, self._over = Patience(), 0
+        self.stopped: ProbeError | None = None
+
+    def take_up(self, order: Order) -> int:
+        """Take up the folder, for this process alone; gives how many episodes it lacks.
+
+        Raises:
+            BadData: It is about something else, or another run is at work there.
+            OutputFailed: It can't be written.
+        """
+        folder = taken_up(self._plan, order)
+        self._done, self._replies = self._folder.enter_context(folder)
+        self._order = order
+        return lacking(self._plan, self._done)
 
     async def play(self, task: str, run: int, model: Model) -> Played:
         """One episode, or what an earlier run made of it.
@@ -63,7 +77,30 @@ class Seating:
             task: Its id.
             run: Number of the run.
             model: Who acts.
+
+        Raises:
+            Stopped: Nothing can be played; `stopped` is the reason.
         """
+        if self.stopped is not None:
+            raise Stopped(str(self.stopped))
+        try:
+            played = await self._play(task, run, model)
+        except HOPELESS as error:
+            self.stopped = error
+            self._folder.close()
+            raise Stopped(str(error)) from error
+        self._over += 1
+        if self._over == len(self._plan.tasks) * self._plan.epochs:
+            self._folder.close()
+        return played
+
+    def close(self) -> None:
+        """End the processes that nobody uses, and leave the folder to others."""
+        self._folder.close()
+        if self._tables is not None:
+            self._tables.close()
+
+    async def _play(self, task: str, run: int, model: Model) -> Played:
         order = await self._open(model)
         job = Job(self._tasks[task], run)
         assert self._tables is not None
@@ -71,57 +108,74 @@ class Seating:
         if line is not None:
             async with self._tables.seat(_nobody) as sitting:
                 return Played(await sitting.grade(Grade(job, line)), None)
-        listener = self._listener(job, model)
+        tally = Tally()
+        listener = self._listener(job, model, tally)
         limit = None
         try:
-            left, limit = await self._played(job, order, listener, model)
+            left, limit = await self._played(job, order, listener, model, tally)
         except TableLost as error:
             # What was done at the lost table can't be told any more.
             seat = replace(listener.seat(order.arm, order.points), replies=())
             record = replace(failed(job, order, str(error)), seat=seat)
             left = Left(line_of(record), None)
         await run_sync(add_line, self._plan.out, left.line)
-        return Played(left, listener, limit)
-
-    def close(self) -> None:
-        """End the processes that nobody uses."""
-        if self._tables is not None:
-            self._tables.close()
+        played = Played(left, listener, limit)
+        self._patience.heard(listener.unheard, played.record.fault)
+        return played
 
     async def _open(self, model: Model) -> Order:
-        """Take up the folder, once."""
+        """Take up the folder, if nobody has, and be ready for tables."""
         self._lock = self._lock or Lock()
         async with self._lock:
+            plan = self._plan
             if self._order is None:
-                plan = self._plan
-                order = plan.order(str(model), self._pointer_name(model))
-                self._done, self._replies = await run_sync(take_up, plan, order)
+                order = plan.order(str(model), self._pointer_name())
+                await run_sync(self.take_up, order)
+            order = self._order
+            assert order is not None
+            if self._tables is None:
                 place = self._place_of(order, plan.library, plan.cache, convention=plan.convention)
                 pointing = plan.pointer != "oracle"
                 self._tables = Tables(place, plan.workers, pointing=pointing)
-                self._order = order
-            return self._order
+            return order
 
-    def _pointer_name(self, model: Model) -> str:
-        if self._plan.pointer == "oracle":
-            return ""
-        return "self" if self._plan.pointer == "self" else str(get_model(role=ROLE))
+    def _pointer_name(self) -> str:
+        """Of the one that points; the harness leaves a role aside that nobody asks for."""
+        pointer, given = self._plan.pointer, ROLE in model_roles()
+        if given and self._plan.arm != "agentic":
+            raise BadData(_GIVEN, "nothing is pointed at without tools", "Leave it out")
+        if given and pointer != "role":
+            raise BadData(_GIVEN, f"the pointer is {pointer}", "Say -T pointer=role, too")
+        if pointer == "role" and not given:
+            raise BadData("-T pointer=role", "nobody has this role", f"Say {_GIVEN}=NAME, too")
+        return str(get_model(role=ROLE)) if given else pointer.removeprefix("oracle")
 
-    def _listener(self, job: Job, model: Model) -> Listener:
+    def _listener(self, job: Job, model: Model, tally: Tally) -> Listener:
         plan = self._plan
         scopes = {"folder": self._replies, "episode": f"{job.task.id} {job.run}"}
-        price = plan.prices.get(plan.called or "") or plan.prices.get(str(model))
         tools = tool_infos(plan.points) if plan.arm == "agentic" else []
-        return Listener(model, tools, [], CachePolicy(expiry=None, scopes=scopes), price)
+        cache = CachePolicy(expiry=None, scopes=scopes)
+        return Listener(model, tools, [], cache, self._price(model), tally)
+
+    def _pointing(self, model: Model, tally: Tally) -> AskPointer:
+        if self._plan.pointer == "oracle":
+            return _nobody
+        pointer = model if self._plan.pointer == "self" else get_model(role=ROLE)
+        cache = CachePolicy(expiry=None, scopes={"folder": self._replies, "role": ROLE})
+        price = self._price(model) if pointer is model else self._plan.prices.get(str(pointer))
+        return Pointing(pointer, tally, cache, price)
+
+    def _price(self, model: Model) -> Price | None:
+        prices = self._plan.prices
+        return prices.get(self._plan.called or "") or prices.get(str(model))
 
     async def _played(
-        self, job: Job, order: Order, listener: Listener, model: Model
+        self, job: Job, order: Order, listener: Listener, model: Model, tally: Tally
     ) -> tuple[Left, LimitExceededError | None]:
         """What came of an episode, and which limit of the user's ended it, if one did."""
         assert self._tables is not None
         plan = self._plan
-        known: dict[Asked, str] = {}
-        async with self._tables.seat(partial(self._point, model, known)) as sitting:
+        async with self._tables.seat(self._pointing(model, tally)) as sitting:
             shown = await sitting.sit(job)
             question = question_of(job.task)
             first = opening(plan.arm, plan.points, question, shown.pictures)
@@ -143,25 +197,6 @@ class Seating:
             await with_tools(listener, sitting, plan.points)
             return None
         return await in_words(listener, plan.arm, job.task, plan.points)
-
-    async def _point(self, model: Model, known: dict[Asked, str], asked: Asked) -> str | Unanswered:
-        """Ask the model that points; the same question twice in an episode gets the same reply."""
-        if asked in known:
-            return known[asked]
-        pointer = model if self._plan.pointer == "self" else get_model(role=ROLE)
-        pictures = [ContentImage(image=data_uri(picture)) for picture in asked.pictures]
-        message = ChatMessageUser(content=[*pictures, ContentText(text=asked.text)])
-        policy = CachePolicy(expiry=None, scopes={"folder": self._replies, "role": ROLE})
-        try:
-            output = await pointer.generate([message], cache=policy)
-        except LimitExceededError:
-            raise
-        except Exception as error:  # whatever a provider's client may raise
-            return Unanswered(f"{pointer.name}: {type(error).__name__}: {error}")
-        if not output.message.text.strip():
-            return Unanswered(f"{pointer.name} says nothing")
-        known[asked] = output.message.text
-        return known[asked]
 
 
 class Played:

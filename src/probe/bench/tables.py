@@ -7,10 +7,10 @@ from contextlib import asynccontextmanager
 
 from anyio import CapacityLimiter, Semaphore
 
-from probe.bench.process import AskPointer, TableProcess
+from probe.bench.process import SILENCE, AskPointer, TableDied, TableProcess
 from probe.episodes.turns import Call
-from probe.errors import ProbeError
-from probe.runs.crew import TRIES
+from probe.errors import ProbeError, WorkerDied
+from probe.runs.crew import TRIES, WorkerUnfit
 from probe.runs.plan import Job
 from probe.runs.table import TablePlace
 from probe.runs.table_talk import Broken, Grade, Leave, Left, Request, Response, Shown, Sit, Told
@@ -27,11 +27,21 @@ class Tables:
         place: What each is told.
         count: How many.
         pointing: Whether perception asks a model.
+        silence: Seconds without a word after which a process is taken to hang.
     """
 
-    def __init__(self, place: TablePlace, count: int, *, pointing: bool = False) -> None:
+    def __init__(
+        self,
+        place: TablePlace,
+        count: int,
+        *,
+        pointing: bool = False,
+        silence: float = SILENCE,
+    ) -> None:
         self._place = place
         self._pointing = pointing
+        self._silence = silence
+        self._stillborn = 0
         self._slots = Semaphore(count)
         self._limiter = CapacityLimiter(count)
         self._free: list[TableProcess] = []
@@ -54,15 +64,25 @@ class Tables:
         Raises:
             WorkerUnfit: None can be set up.
             TableDied: It died before it could work.
+            WorkerDied: So did those before it.
         """
         if self._free:
             return self._free.pop()
-        made = TableProcess(self._place, pointing=self._pointing, limiter=self._limiter)
+        made = TableProcess(
+            self._place, pointing=self._pointing, limiter=self._limiter, silence=self._silence
+        )
         try:
             await made.ready()
+        except TableDied as error:
+            made.kill()
+            self._stillborn += 1
+            if self._stillborn >= TRIES:
+                raise WorkerDied("setting up") from error
+            raise
         except BaseException:
             made.kill()
             raise
+        self._stillborn = 0
         return made
 
     def give_back(self, process: TableProcess) -> None:
@@ -79,7 +99,8 @@ class Sitting:
     """One episode at a table that may fail under it.
 
     A new table then takes its place, on which everything that was done is done again: the same
-    luck gives the same table, so that the model is asked nothing twice.
+    luck gives the same table, so that the model is asked nothing twice. A table that can't be set
+    up at all is no such failure: the next one couldn't either.
     """
 
     def __init__(self, tables: Tables, ask: AskPointer) -> None:
@@ -95,7 +116,7 @@ class Sitting:
         return tuple(self._failures)
 
     async def sit(self, job: Job) -> Shown:
-        """Have the table set; see Sit. All of these raise TableLost."""
+        """Have the table set; see Sit. All of these raise TableLost, WorkerUnfit, WorkerDied."""
         response = await self._do(Sit(job))
         assert isinstance(response, Shown)
         return response
@@ -129,14 +150,19 @@ class Sitting:
         return response
 
     async def _do(self, request: Request) -> Response:
-        self._done.append(request)
-        lacking = [request]
-        while isinstance(response := await self._try(lacking), Broken):
+        lacking = [request] if self._process is not None else [*self._done, request]
+        try:
+            while isinstance(response := await self._try(lacking), Broken):
+                self.get_up(break_off=True)
+                self._failures.append(response.reason)
+                if len(self._failures) >= TRIES:
+                    raise TableLost(f"{response.reason} ({TRIES} times in all)")
+                lacking = [*self._done, request]
+        except BaseException:
+            # The table may still wait for what its perception asked; this request never was.
             self.get_up(break_off=True)
-            self._failures.append(response.reason)
-            if len(self._failures) >= TRIES:
-                raise TableLost(f"{response.reason} ({TRIES} times in all)")
-            lacking = list(self._done)
+            raise
+        self._done.append(request)
         return response
 
     async def _try(self, requests: list[Request]) -> Response:
@@ -149,6 +175,8 @@ class Sitting:
                 response = await self._process.request(request, self._ask)
                 if isinstance(response, Broken):
                     return response
+        except (WorkerUnfit, WorkerDied):
+            raise
         except ProbeError as error:
             return Broken(str(error))
         return response

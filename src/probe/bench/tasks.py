@@ -12,13 +12,14 @@ from inspect_ai import task
 
 from probe.assets.library import open_all
 from probe.bench.harness import harness_task
-from probe.bench.plan import Plan, Pointer
+from probe.bench.plan import Plan, Pointer, check_folder
 from probe.bench.prices import read_prices
 from probe.chat.prompts import Arm
 from probe.episodes.conditions import Conditions, LightKind
 from probe.episodes.luck import NOISES, NoiseName
 from probe.episodes.seat import Points
 from probe.perception.points import Convention
+from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import find_suite
 
 # The harness puts a package's name before its tasks' names, but doesn't recognise one that is
@@ -48,7 +49,7 @@ def agentic(
         pointer=pointer,
         convention=pointing,
     )
-    return harness_task(plan)
+    return _fit(plan)
 
 
 @task(name=f"{_SPACE}direct")
@@ -63,7 +64,7 @@ def direct(
 ) -> HarnessTask:
     """The same questions, from the first picture alone."""
     plan = _plan("direct", suite, out, epochs, points, workers, prices)
-    return harness_task(replace(plan, conditions=Conditions(lighting=lighting)))
+    return _fit(replace(plan, conditions=Conditions(lighting=lighting)))
 
 
 @task(name=f"{_SPACE}blind")
@@ -76,7 +77,7 @@ def blind(
     prices: str | None = None,
 ) -> HarnessTask:
     """The same questions, without any picture."""
-    return harness_task(_plan("blind", suite, out, epochs, points, workers, prices))
+    return _fit(_plan("blind", suite, out, epochs, points, workers, prices))
 
 
 @task(name=f"{_SPACE}oracle_view")
@@ -89,7 +90,7 @@ def oracle_view(
     prices: str | None = None,
 ) -> HarnessTask:
     """The same questions, with pictures that show the evidence."""
-    return harness_task(_plan("oracle-view", suite, out, epochs, points, workers, prices))
+    return _fit(_plan("oracle-view", suite, out, epochs, points, workers, prices))
 
 
 def _plan(
@@ -115,6 +116,16 @@ def _plan(
         workers=workers,
         prices=read_prices(Path(prices)) if prices else {},
     )
+
+
+def _fit(plan: Plan) -> HarnessTask:
+    """The task, if its folder and objects are fit; each sample would find out by itself otherwise.
+
+    Who acts isn't known yet, so that --points are compared with the first sample.
+    """
+    check_folder(plan, plan.order("", ""))
+    check_objects(plan.suite, plan.library())
+    return harness_task(plan)
 
 
 def _folders() -> tuple[Path | None, Path]:

@@ -16,6 +16,7 @@ from inspect_ai.model import (
 )
 from inspect_ai.tool import ToolCall, ToolInfo, ToolParams
 
+from probe.bench.as_sent import is_object, unreadable_part
 from probe.chat.coordinates import told
 from probe.chat.messages import Message
 from probe.chat.tools import expressible, tools_for
@@ -23,9 +24,6 @@ from probe.episodes.seat import Points
 from probe.episodes.turns import Call
 from probe.runs.table_talk import Told
 from probe.toolshed.tools import ToolSchema
-
-_BEFORE, _AFTER = "tool call arguments:\n\n", "\n\nError details:"
-"""Around the arguments in what the harness says of a call that it can't read."""
 
 
 def tool_infos(points: Points) -> list[ToolInfo]:
@@ -50,25 +48,19 @@ def result_message(call: ToolCall, came: Told, points: Points) -> ChatMessageToo
 
 
 def call_of(call: ToolCall, words: str) -> Call:
-    """A call as the record keeps it; arguments that are no JSON object as they were sent."""
+    """A call as the record keeps it; arguments that are no JSON object as they were sent.
+
+    One that the harness finds too deep to read mustn't come to be a valid call after all.
+    """
     if call.parse_error is None:
         return Call.of(call.function, call.arguments, words)
-    _, found, rest = call.parse_error.partition(_BEFORE)
-    sent = rest.rpartition(_AFTER)[0] if found else call.parse_error
-    return Call(call.function, sent if _unreadable(sent) else json.dumps(sent), words)
+    sent = unreadable_part(call.parse_error)
+    return Call(call.function, json.dumps(sent) if is_object(sent) else sent, words)
 
 
 def data_uri(picture: bytes) -> str:
     """A JPEG file as an address."""
     return "data:image/jpeg;base64," + base64.b64encode(picture).decode()
-
-
-def _unreadable(text: str) -> bool:
-    """It mustn't come to be a valid call after all."""
-    try:
-        return not isinstance(json.loads(text), dict)
-    except (ValueError, RecursionError):
-        return True
 
 
 def _image(picture: object) -> ContentImage:

@@ -14,6 +14,7 @@ from probe.bench.models import settings_of
 from probe.bench.plan import Plan
 from probe.bench.prices import Price, Prices, read_prices
 from probe.chat.prompts import Arm
+from probe.cli.pointers import check_addresses
 from probe.cli.surroundings import cache_folder
 from probe.cli.varying import varied
 from probe.episodes.conditions import Conditions
@@ -65,11 +66,16 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
 
     Raises:
         MissingExtra: The harness isn't installed.
-        BadData: The folder is about something else, prices can't be read, or nobody has the model.
+        BadData: The folder is about something else, prices can't be read, options don't fit, or
+            nobody has the model.
     """
-    price = _price_of(seats)
+    check_addresses(seats.arm, seats.pointer, seats.endpoint)
+    prices: Prices = read_prices(seats.prices) if seats.prices else {}
+    price = _price_of(seats.model, seats, prices)
     if dry_run:
         _tell(suite, seats, out, price)
+        if seats.pointer != "oracle":
+            print(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")
         return
     for name in {seats.model, seats.pointer} - {"oracle", "self"}:
         if seats.endpoint is None:
@@ -85,21 +91,19 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
     plan = _plan(suite, seats, out, price)
     key = os.environ.get("OPENAI_API_KEY") or "none"
     pointer = settings_of(seats.pointer).id if plan.pointer == "role" else None
-    chosen = Chosen(settings_of(seats.model).id, seats.endpoint, key, pointer)
+    its_price = _price_of(seats.pointer, seats, prices) if pointer else None
+    chosen = Chosen(settings_of(seats.model).id, seats.endpoint, key, pointer, its_price)
     missing = evaluate(plan, chosen, "rich" if sys.stdout.isatty() else "plain")
     if missing:
         print(f"{missing} episodes are missing; the same command tries them again.")
 
 
-def _price_of(seats: Seats) -> Price | None:
-    """Of the model's tokens; says so if prices were given and its isn't among them."""
-    if seats.prices is None:
-        return None
-    prices: Prices = read_prices(seats.prices)
-    price = prices.get(seats.model) or prices.get(settings_of(seats.model).id)
-    if price is None:
+def _price_of(name: str, seats: Seats, prices: Prices) -> Price | None:
+    """Of a model's tokens; says so if prices were given and its isn't among them."""
+    price = prices.get(name) or prices.get(settings_of(name).id)
+    if price is None and seats.prices is not None:
         known = ", ".join(sorted(prices)) or "none"
-        print(f"{seats.prices} has no price of {seats.model}: no cost is told. Known: {known}.")
+        print(f"{seats.prices} has no price of {name}: no cost is told. Known: {known}.")
     return price
 
 

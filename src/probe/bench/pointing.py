@@ -1,0 +1,54 @@
+"""The model that points for perception: asked as the table's process wants it, and counted."""
+
+from __future__ import annotations
+
+from inspect_ai.log import transcript
+from inspect_ai.model import CachePolicy, ChatMessageUser, ContentImage, ContentText, Model
+from inspect_ai.util import LimitExceededError
+
+from probe.bench.prices import Price
+from probe.bench.tally import Tally, said
+from probe.bench.wire import data_uri
+from probe.runs.table_talk import Asked, Unanswered
+
+
+class Pointing:
+    """Answers what perception asks in one episode; the same question twice gets the same reply.
+
+    Args:
+        model: Who is asked.
+        tally: Of the episode.
+        cache: Where replies are kept, so that an episode that is begun anew pays for none twice.
+        price: Of its tokens.
+    """
+
+    def __init__(self, model: Model, tally: Tally, cache: CachePolicy, price: Price | None) -> None:
+        self._model, self._tally, self._cache, self._price = model, tally, cache, price
+        self._known: dict[Asked, str] = {}
+
+    async def __call__(self, asked: Asked) -> str | Unanswered:
+        """A reply, whatever it says: one that is empty is the model's own failing."""
+        if asked in self._known:
+            return self._known[asked]
+        which = f"pointing {len(self._known) + 1}"
+        seen = len(transcript().events)
+        try:
+            output = await self._model.generate([_message(asked)], cache=self._cache)
+        except LimitExceededError:
+            raise
+        except Exception as error:  # whatever a provider's client may raise
+            self._tally.note_retries(which, seen)
+            reason = said(error)
+            self._tally.fault(which, f"none, {reason}")
+            return Unanswered(f"{self._model.name} gave no reply, {which}: {reason}")
+        self._tally.note_retries(which, seen)
+        self._tally.count(which, output, self._price)
+        if not output.completion.strip():
+            self._tally.fault(which, "empty")
+        self._known[asked] = output.completion
+        return output.completion
+
+
+def _message(asked: Asked) -> ChatMessageUser:
+    pictures = [ContentImage(image=data_uri(picture)) for picture in asked.pictures]
+    return ChatMessageUser(content=[*pictures, ContentText(text=asked.text)])

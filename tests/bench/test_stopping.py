@@ -1,0 +1,84 @@
+"""A run stops where no other episode would fare better, and says why; the same command goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from typing import Any
+
+import pytest
+
+from bench.painted import demo, plan
+from bench.sitting_in import sit_in
+from model_server import Reply, serving
+from probe.bench.evaluation import Chosen, evaluate
+from probe.bench.stopping import MUTE, Patience
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS
+from probe.errors import ModelFailed, ProbeError
+from probe.runs.table import TablePlace
+
+pytestmark = pytest.mark.filterwarnings("default")
+
+SUITE = demo(2)
+NOWHERE = "http://127.0.0.1:9/v1"
+
+
+def test_patience_ends_with_episodes_in_a_row():
+    patience = Patience()
+    for _ in range(2):
+        for _ in range(MUTE - 1):
+            patience.heard(True, "refused")
+        patience.heard(False, None)
+    for _ in range(MUTE - 1):
+        patience.heard(True, "refused")
+    with pytest.raises(ModelFailed, match="refused"):
+        patience.heard(True, "refused")
+
+
+@pytest.mark.slow
+def test_a_server_that_isnt_there_costs_seconds(tmp_path):
+    with pytest.raises(ModelFailed, match="mine doesn't answer.*--endpoint"):
+        evaluate(plan(tmp_path, "agentic", SUITE), Chosen("mine", NOWHERE), "none")
+    assert not (tmp_path / RECORDS).exists()
+
+
+def test_an_unknown_pointer_is_named_before_anything_is_asked(tmp_path):
+    asked = replace(plan(tmp_path, "agentic", SUITE), pointer="role")
+    with pytest.raises(ModelFailed, match="oracel can't be asked"):
+        evaluate(asked, Chosen("mockllm/model", pointer="oracel"), "none")
+    assert not (tmp_path / RECORDS).exists()
+
+
+@pytest.mark.slow
+def test_a_model_that_never_says_anything_isnt_asked_for_ever(tmp_path):
+    asked = plan(tmp_path, "blind", SUITE, epochs=8)
+    with serving(lambda number, body: Reply(status=400)) as server:
+        log = sit_in(asked, server.url, max_retries=0)
+    assert log.status == "error"
+    assert log.error and f"{MUTE} episodes one after another" in log.error.message
+    assert MUTE <= len(read_records(tmp_path / RECORDS)) < 16
+
+
+@dataclass(frozen=True)
+class UnfitPlace(TablePlace):
+    """Can't be set up, and leaves a file beside the records each time."""
+
+    @contextmanager
+    def __call__(self) -> Generator[Any]:
+        assert self.cache is not None
+        with self.cache.open("a") as file:
+            file.write("tried\n")
+        raise ProbeError("there is no driver")
+        yield
+
+
+@pytest.mark.slow
+def test_tables_that_cant_be_set_up_stop_a_run_at_once(tmp_path):
+    asked = plan(tmp_path, "agentic", SUITE, workers=1, epochs=3)
+    with serving(lambda number, body: Reply("Hello.")) as server:
+        log = sit_in(asked, server.url, UnfitPlace)
+    assert log.status == "error" and log.error and "no driver" in log.error.message
+    assert (tmp_path / "deaths").read_text() == "tried\n"
+    assert server.bodies == [] and not (tmp_path / RECORDS).exists()

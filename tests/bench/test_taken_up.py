@@ -1,0 +1,73 @@
+"""A folder belongs to one process at a time, and to one suite under one set of conditions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from bench.painted import demo, plan
+from probe.bench.plan import missing_of, taken_up
+from probe.bench.seating import Seating
+from probe.bench.tasks import agentic, direct
+from probe.episodes.files import write_records
+from probe.episodes.folder import RECORDS, reserved, start_folder
+from probe.episodes.seat import Seat
+from probe.errors import BadData
+from probe.tasks.suite_file import demo_suite
+from run_folders import episode
+
+SUITE = demo(2)
+HALF = b'{"task": "half a li'
+
+
+def order_of(asked):
+    return replace(asked, called="m").order("m", "")
+
+
+def test_a_folder_that_another_run_is_at_is_left_as_it_is(tmp_path):
+    asked = plan(tmp_path, "agentic", SUITE)
+    start_folder(tmp_path, SUITE)
+    (tmp_path / RECORDS).write_bytes(HALF)
+    with (
+        reserved(tmp_path),
+        pytest.raises(BadData, match="another run"),
+        taken_up(asked, order_of(asked)),
+    ):
+        pass
+    assert (tmp_path / RECORDS).read_bytes() == HALF
+    with taken_up(asked, order_of(asked)):
+        assert (tmp_path / RECORDS).read_bytes() == b""
+
+
+def test_a_seating_keeps_others_out_until_it_is_closed(tmp_path):
+    asked = plan(tmp_path, "agentic", SUITE, epochs=3)
+    first, second = Seating(asked), Seating(asked)
+    assert first.take_up(order_of(asked)) == 6
+    with pytest.raises(BadData, match="another run"):
+        second.take_up(order_of(asked))
+    first.close()
+    assert second.take_up(order_of(asked)) == 6
+    second.close()
+
+
+def test_what_is_missing_is_counted_in_the_records(tmp_path):
+    asked = plan(tmp_path, "agentic", SUITE, epochs=2)
+    assert missing_of(asked, order_of(asked)) == 4
+    start_folder(tmp_path, SUITE)
+    one, two = SUITE.tasks
+    told = [episode(one, agent="m"), episode(one, agent="else"), episode(two, agent="m")]
+    lost = replace(told[2], run=1, end="fault", fault="no reply")
+    write_records(tmp_path / RECORDS, [replace(it, seat=Seat("agentic")) for it in (*told, lost)])
+    assert missing_of(asked, order_of(asked)) == 2
+
+
+def test_inspect_is_told_of_an_unfit_folder_before_any_sample(tmp_path):
+    start_folder(tmp_path / "other", SUITE)
+    with pytest.raises(BadData, match="another suite"):
+        direct(suite="demo", out=str(tmp_path / "other"))
+    whole = demo_suite()
+    start_folder(tmp_path / "quiet", whole)
+    write_records(tmp_path / "quiet" / RECORDS, [episode(whole.tasks[0], agent="m")])
+    with pytest.raises(BadData, match="another noise"):
+        agentic(suite="demo", out=str(tmp_path / "quiet"), noise="paper")
