@@ -27,9 +27,10 @@ class Reply:
 
 @dataclass
 class Served:
-    """A running server: its address and the bodies of all requests it got."""
+    """A running server: its address, how many requests it got, their bodies if it keeps them."""
 
     url: str
+    requests: int = 0
     bodies: list[dict[str, object]] = field(default_factory=list[dict[str, object]])
 
 
@@ -125,8 +126,15 @@ def in_contents(reply: Reply) -> dict[str, object]:
 
 
 @contextmanager
-def serving(script: Callable[[int, dict[str, object]], Reply]) -> Generator[Served]:
-    """Serve until the block ends; the script is given each request's number and body."""
+def serving(
+    script: Callable[[int, dict[str, object]], Reply], *, keep: bool = True
+) -> Generator[Served]:
+    """Serve until the block ends; the script is given each request's number and body.
+
+    Args:
+        script: Answers.
+        keep: Keep all bodies; with pictures, those of long conversations take gigabytes.
+    """
     served = Served("")
     lock = threading.Lock()
 
@@ -134,8 +142,10 @@ def serving(script: Callable[[int, dict[str, object]], Reply]) -> Generator[Serv
         def do_POST(self) -> None:
             body = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
             with lock:
-                number = len(served.bodies)
-                served.bodies.append(body)
+                number = served.requests
+                served.requests += 1
+                if keep:
+                    served.bodies.append(body)
             reply = script(number, body)
             time.sleep(reply.wait)
             whole = said(self.path, number, reply)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -15,9 +15,11 @@ from probe.assets.library import open_library
 from probe.bench.plan import Plan
 from probe.episodes.episode import Episode
 from probe.episodes.grading import question_of
+from probe.episodes.turns import Call
 from probe.perception.oracle import Oracle
 from probe.runs.plan import Job
 from probe.runs.table import TableKeeper, TablePlace
+from probe.runs.table_talk import Sit
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import demo_suite
 from probe.toolshed.toolshed import Toolshed
@@ -71,6 +73,14 @@ class PaintedPlace(TablePlace):
     def __call__(self) -> Generator[Any]:
         things: Any = SimpleNamespace(assets=None)
         yield PaintedKeeper(self, things, None).do  # type: ignore[arg-type]
+
+
+def shown(plan: Plan, calls: Sequence[Call]) -> tuple[bytes, list[bytes | None]]:
+    """What a table in this process shows: with the question, and after each call."""
+    place = PaintedPlace(plan.order("m", ""), plan.library, plan.cache)
+    with place() as do:
+        (first,) = do(Sit(Job(plan.tasks[0], 0))).pictures
+        return first, [do(call).picture for call in calls]
 
 
 def demo(count: int = 6) -> Suite:

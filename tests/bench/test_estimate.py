@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -11,16 +12,26 @@ from probe.bench.models import known_models, settings_of
 from probe.bench.prices import read_prices
 from probe.cli.seats import Seats, take_seats
 from probe.episodes.conditions import AS_FROZEN
+from probe.episodes.files import write_records
+from probe.episodes.folder import RECORDS
 from probe.episodes.luck import NO_NOISE
+from probe.episodes.seat import Seat
 from probe.errors import BadData
 from probe.runs.plan import Shard
 from probe.tasks.suite_file import demo_suite
+from probe.tasks.task import Task
+from run_folders import episode
 
 SUITE = demo_suite()
 SEATS = Seats(
-    "gpt-5.4", "agentic", 3, None, "oracle", None, None, NO_NOISE, AS_FROZEN, Shard(), 4
+    model="gpt-5.4", arm="agentic", epochs=3, points=None, pointer="oracle", endpoint=None,
+    prices=None, noise=NO_NOISE, conditions=AS_FROZEN, shard=Shard(), workers=4,
 )  # fmt: skip
 PRICES = "gpt-5.4:\n  tokens_in: 2\n  tokens_out: 10\n"
+
+
+def in_the_seat(task: Task, model: str = "gpt-5.4", arm: str = "agentic", **more: Any):
+    return replace(episode(task, agent=model, **more), seat=Seat(arm))
 
 
 def test_a_reply_in_words_costs_its_pictures_once():
@@ -46,8 +57,61 @@ def test_a_dry_run_asks_nothing_and_says_what_it_would_cost(tmp_path, capsys):
     take_seats(SUITE, replace(SEATS, prices=path), tmp_path / "out", dry_run=True)
     said = capsys.readouterr().out
     assert "6 tasks, 3 runs each: 18 episodes." in said
-    assert "720 replies" in said and "US dollars" in said and "nothing was asked" in said
+    assert "720 replies" in said and "US dollars" in said and "Nothing was asked" in said
+    # No bound: replies may be longer than is assumed.
+    assert "At most" not in said and "replies for 80: a model that reasons may write" in said
     assert not (tmp_path / "out").exists()
+
+
+def test_a_dry_run_leaves_out_what_was_done(tmp_path, capsys):
+    first, second = SUITE.tasks[:2]
+    records = [
+        in_the_seat(first, run=0), in_the_seat(first, run=2), in_the_seat(second, fault="gone"),
+        in_the_seat(second, model="another"), in_the_seat(second, arm="direct"),
+    ]  # fmt: skip
+    write_records(tmp_path / RECORDS, records)
+    take_seats(SUITE, SEATS, tmp_path, dry_run=True)
+    said = capsys.readouterr().out
+    assert f"2 of them are in {tmp_path} already" in said
+    assert f"{16 * 12} replies" in said and f"{16 * 40} replies" in said
+
+
+def test_a_model_without_a_price_is_named(tmp_path, capsys):
+    path = tmp_path / "prices.yaml"
+    path.write_text(PRICES)
+    take_seats(SUITE, replace(SEATS, model="mine", prices=path), tmp_path, dry_run=True)
+    said = capsys.readouterr().out
+    assert "has no price of mine: no cost is told. Known: gpt-5.4." in said
+    assert "US dollars" not in said
+
+
+@pytest.mark.parametrize(
+    ("model", "pointer", "words"),
+    [
+        ("mine", "oracle", "mine: is no short name.*--endpoint.*openai/mine"),
+        ("qwen3-vl-8b", "oracle", r"vllm serve Qwen.*--max-model-len 65536\).*--endpoint"),
+        ("openai/m", "theirs", "theirs: is no short name"),
+    ],
+)
+def test_a_model_that_nobody_serves_is_refused_with_what_to_do(
+    tmp_path, monkeypatch, model, pointer, words
+):
+    monkeypatch.delenv("VLLM_BASE_URL", raising=False)
+    seats = replace(SEATS, model=model, pointer=pointer)
+    with pytest.raises(BadData, match=words):
+        take_seats(SUITE, seats, tmp_path / "out", dry_run=False)
+    assert not (tmp_path / "out").exists()
+
+
+def test_an_endpoint_without_a_scheme_is_none(tmp_path):
+    seats = replace(SEATS, model="mine", endpoint="localhost:8000/v1")
+    with pytest.raises(BadData, match="Begin it with http://"):
+        take_seats(SUITE, seats, tmp_path, dry_run=True)
+
+
+def test_a_dry_run_says_that_pointing_comes_on_top(tmp_path, capsys):
+    take_seats(SUITE, replace(SEATS, pointer="self"), tmp_path, dry_run=True)
+    assert "Replies that point (self) come on top" in capsys.readouterr().out
 
 
 def test_prices_are_checked(tmp_path):

@@ -11,18 +11,25 @@ import pytest
 from inspect_ai import eval as evaluate
 from inspect_ai.model import get_model
 
-from bench.painted import PaintedPlace, demo, plan
-from bench.sitting_in import FIND, GRASP, LOOK, answer, kept
+from bench.painted import PaintedPlace, demo, plan, shown
+from bench.sitting_in import FIND, GRASP, answer, kept
 from model_server import Reply, serving
 from probe.bench.harness import harness_task
 from probe.bench.seating import Seating
+from probe.episodes.turns import Call
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
 SUITE = demo(1)
 (TASK,) = SUITE.tasks
-CALLS = (LOOK, FIND, GRASP, answer("E"))
+MUG = ("find_object", '{"description": "red mug"}')
+CALLS = (FIND, GRASP, MUG, answer("E"))
+"""Each but the last shows something else."""
+
 JPEG = b"\xff\xd8\xff"
+RESULTS = ("function_call_output", "tool_result")
+IDS = ("tool_call_id", "call_id", "tool_use_id")
+"""Where protocols name the call that a result is of."""
 
 
 class Moves:
@@ -30,34 +37,40 @@ class Moves:
 
     def __init__(self) -> None:
         self.bodies: list[dict[str, Any]] = []
+        self.ids: list[str] = []
 
     def __call__(self, number: int, body: dict[str, Any]) -> Reply:
         if TASK.question[:30] not in json.dumps(body, ensure_ascii=False):
             return Reply("hello, world")
         self.bodies.append(body)
+        self.ids.append(f"r{number}c0")
         return Reply(calls=(CALLS[len(self.bodies) - 1],))
 
 
-def leaves(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], str]]:
-    """All texts of a body with their places, in order."""
+def told(value: Any) -> Iterator[str | bytes]:
+    """Whose result begins (a call's id; Google's protocol has its name), and pictures, in order."""
     if isinstance(value, dict):
+        if value.get("role") == "tool" or value.get("type") in RESULTS:
+            yield next(str(value[key]) for key in IDS if key in value)
         for key, inner in value.items():
-            yield from leaves(inner, (*path, key))
+            if key == "functionResponse":
+                yield inner["name"]
+            yield from told(inner)
     elif isinstance(value, list):
-        for number, inner in enumerate(value):
-            yield from leaves(inner, (*path, str(number)))
-    elif isinstance(value, str):
-        yield path, value
+        for inner in value:
+            yield from told(inner)
+    elif isinstance(value, str) and (picture := picture_of(value)):
+        yield picture
 
 
-def is_picture(text: str) -> bool:
+def picture_of(text: str) -> bytes:
+    """The JPEG file that a text is; empty if it is none."""
     data = text.partition("base64,")[2] or text
     try:
-        return base64.urlsafe_b64decode(
-            data[:400].ljust(-(-len(data[:400]) // 4) * 4, "=")
-        ).startswith(JPEG)
+        found = base64.b64decode(data.replace("-", "+").replace("_", "/"), validate=True)
     except ValueError:
-        return False
+        return b""
+    return found if found.startswith(JPEG) else b""
 
 
 @pytest.mark.parametrize(
@@ -83,11 +96,12 @@ def test_pictures_arrive_after_each_call(tmp_path, name, base, arguments, turns)
     record = kept(tmp_path)[TASK.id]
     assert [step.call.name for step in record.steps] == [call[0] for call in CALLS], record.fault
     assert len(script.bodies) == 4
+    first, later = shown(seating._plan, [Call.of(tool, json.loads(said)) for tool, said in CALLS])
+    assert len({first, *later}) == len(CALLS) + 1
+    ids = [tool for tool, _ in CALLS] if turns == "contents" else script.ids
     for asked, body in enumerate(script.bodies):
-        found = [(path, is_picture(text)) for path, text in leaves(body[turns])]
-        places = [path[0] for path, picture in found if picture]
-        # One with the question, and one for each call so far; never two in one turn of the talk.
-        assert len(places) == asked + 1
-        assert places == sorted(places, key=int) and len(set(places)) == len(places)
+        # Of each call so far its result, then the picture that came of it.
+        pairs = zip(ids[:asked], later[:asked], strict=True)
+        assert list(told(body[turns])) == [first, *(part for pair in pairs for part in pair)]
     tools = json.dumps(script.bodies[0].get("tools"))
     assert all(f'"{call[0]}"' in tools for call in CALLS)

@@ -8,12 +8,14 @@ from functools import partial
 import pytest
 
 from bench.painted import demo, plan
-from bench.sitting_in import kept, seat_of, sit_in
+from bench.sitting_in import seat_of, sit_in
 from model_server import serving
 from policy_server import Policy, agent_in_run_0
 from probe.assets.library import open_library
 from probe.assets.tables import load_table
-from probe.episodes.files import line_of
+from probe.episodes.files import line_of, read_records
+from probe.episodes.folder import RECORDS
+from probe.episodes.luck import NOISES
 from probe.episodes.play import play
 from probe.render.renderer import Renderer
 from probe.runs.table import TablePlace
@@ -28,18 +30,25 @@ def test_a_policy_over_the_wire_gives_the_same_bytes(tmp_path):
     things = library()
     with Renderer() as renderer:
         direct = {
-            task.id: play(
-                task, agent_in_run_0("scripted", task, 0, things, renderer), "scripted", things,
-                load_table(task.scene.table, None), renderer,
+            (task.id, run): play(
+                task, agent_in_run_0("scripted", task, run, things, renderer), "scripted", things,
+                load_table(task.scene.table, None), renderer, run, NOISES["paper"],
             )
-            for task in SUITE.tasks
+            for task in SUITE.tasks for run in range(2)
         }  # fmt: skip
-        order = plan(tmp_path / "out", "agentic", SUITE, cache=None, workers=1)
-        order = replace(order, library=library, called="scripted")
+        order = plan(tmp_path / "out", "agentic", SUITE, cache=None, workers=1, epochs=2)
+        order = replace(order, library=library, called="scripted", noise=NOISES["paper"])
         with serving(Policy("scripted", SUITE, things, renderer)) as server:
             sit_in(order, server.url, TablePlace)
-    for id, record in kept(tmp_path / "out").items():
+    records = {(it.task, it.run): it for it in read_records(tmp_path / "out" / RECORDS)}
+    assert records.keys() == direct.keys()
+    for key, record in records.items():
         assert seat_of(record).faults == ()
         alone = replace(record, seat=None)
-        assert line_of(alone, timed=False) == line_of(direct[id], timed=False)
+        assert line_of(alone, timed=False) == line_of(direct[key], timed=False)
         assert seat_of(record).tokens_in == 100 * len(record.steps)
+    # The hand's errors are each run's own, or a mistaken number of the run would go unseen.
+    assert any(
+        [step.after for step in direct[id, 0].steps] != [step.after for step in direct[id, 1].steps]
+        for id, _ in direct
+    )

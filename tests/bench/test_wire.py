@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from bench.painted import demo, plan
+from bench.painted import demo, plan, shown
 from bench.sitting_in import (
     GRASP,
-    LOOK,
+    NAME,
     answer,
     kept,
     replies_so_far,
@@ -19,6 +19,7 @@ from bench.sitting_in import (
     values_of,
 )
 from model_server import Reply, serving
+from probe.bench.prices import Price
 from probe.chat.messages import messages
 from probe.toolshed.tools import tool_schemas
 
@@ -26,6 +27,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
 SUITE = demo(1)
 (TASK,) = SUITE.tasks
+MUG = ("find_object", '{"description": "red mug"}')
 PLACE = ("find_object", '{"description": "the thing at (625, 475)"}')
 
 
@@ -35,7 +37,7 @@ def script(number: int, body: dict) -> Reply:
     if turn == 0:
         return Reply("I wonder.")
     two = Reply("Look.", calls=(PLACE, ("push", "{}")))
-    return (two, Reply(calls=(GRASP, LOOK)), Reply(calls=(answer("E"),)))[turn - 1]
+    return (two, Reply(calls=(GRASP, MUG)), Reply(calls=(answer("E"),)))[turn - 1]
 
 
 def pictures_in(content) -> list[bytes]:
@@ -58,9 +60,10 @@ def test_the_last_request_is_the_record_told(tmp_path, points):
     assert log.status == "success"
     record = kept(tmp_path)[TASK.id]
     sent: Any = server.bodies[-1]["messages"]
-    pictures = [picture for message in sent for picture in pictures_in(message["content"])]
-    first, found, grasped, looked = pictures
-    later = [found, None, grasped, looked, None]
+    calls = [step.call for step in record.steps]
+    first, later = shown(plan(tmp_path, "agentic", SUITE, points=points), calls)
+    assert [picture is not None for picture in later] == [True, False, True, True, False]
+    assert len({first, *later}) == 5
     told = messages(record, [first], later)
     assert len(told) == len(sent) + 2  # the answer and its result come after the last request
     for ours, theirs in zip(told, sent, strict=False):
@@ -103,6 +106,16 @@ def test_answers_in_words(tmp_path):
     sent: Any = server.bodies[0]["messages"]
     assert len(pictures_in(sent[1]["content"])) == 1
     assert "tools" not in server.bodies[0]
+
+
+@pytest.mark.parametrize("called", ["mine", None])
+def test_the_record_has_the_cost_by_the_models_name(tmp_path, called):
+    price = Price(tokens_in=2, tokens_out=10)
+    prices = {called or NAME: price, "another": Price(tokens_in=9, tokens_out=9)}
+    with serving(lambda number, body: Reply("ANSWER: E")) as server:
+        sit_in(plan(tmp_path, "direct", SUITE, called=called, prices=prices), server.url)
+    # One reply: 100 tokens in, 10 out.
+    assert seat_of(kept(tmp_path)[TASK.id]).cost == pytest.approx(300e-6)
 
 
 def test_a_limit_of_tokens_ends_an_episode_without_an_answer(tmp_path):

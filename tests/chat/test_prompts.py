@@ -48,4 +48,5 @@ def as_json() -> str:
         for points in get_args(Points)
     }
     reminders = {arm: reminder(arm) for arm in ("agentic", "direct")}
+    reminders["point"] = reminder("direct", answered=True)
     return json.dumps({**told, "reminders": reminders}, indent=1) + "\n"

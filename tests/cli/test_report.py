@@ -11,6 +11,7 @@ from probe.cli.gathering import NoRuns, OtherSuite, gather, one_suite, short_nam
 from probe.cli.report import write_run_report
 from probe.cli.rescore import rescore
 from probe.episodes.folder import RECORDS
+from probe.episodes.ordered import note_ordered
 from probe.errors import BadData
 from probe.report.darkroom import Darkroom
 from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes
@@ -66,6 +67,17 @@ def test_what_was_never_run_and_what_failed_is_named(tmp_path):
     assert "worst 16.7 %, best 100.0 %" in page.section("scores")
     # A task that nobody was given has no card, but its line under "Missing".
     assert [each["verdict"] for each in data_of(page)["episodes"]] == ["right", "missing"]
+
+
+def test_a_run_that_was_cut_off_between_runs_has_no_headline(tmp_path):
+    less = replace(DEMO, tasks=PLAIN)
+    out = write_run(tmp_path / "run", [episode(task) for task in PLAIN], less)
+    note_ordered(out, "anna", "", 2)
+    page = Page(write_run_report([out]).read_text())
+    (card,) = json.loads((out / "scores.json").read_text())["cards"]
+    top = card["macro"]["headline"]
+    assert (top["value"], top["rows"], top["missing"]) == (None, 2 * len(PLAIN), len(PLAIN))
+    assert f"4 never run {PLAIN[0].id} run 1, {PLAIN[1].id} run 1" in page.section("missing")
 
 
 def test_a_failure_that_was_run_again_is_shown_and_does_not_count(tmp_path):

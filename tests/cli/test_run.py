@@ -8,6 +8,7 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.luck import NOISES
+from probe.episodes.ordered import read_ordered
 from probe.episodes.record import EpisodeRecord, Table
 from probe.episodes.turns import Question
 from probe.errors import BadData
@@ -47,6 +48,13 @@ def test_other_settings_are_refused_before_anything_is_written(tmp_path, order, 
     with pytest.raises(BadData, match=f"{words}. Choose another folder"):
         begin(tmp_path / "out", order)
     assert [path.name for path in (tmp_path / "out").iterdir()] == [RECORDS]
+
+
+def test_a_folder_says_how_many_runs_were_ordered(tmp_path):
+    begin(tmp_path, Order("random", runs=3))
+    begin(tmp_path, Order("scripted"))
+    begin(tmp_path, Order("random", runs=2))
+    assert read_ordered(tmp_path) == {("random", ""): 3, ("scripted", ""): 1}
 
 
 def test_what_is_there_is_not_run_again_but_faults_are(tmp_path):

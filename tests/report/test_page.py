@@ -8,6 +8,7 @@ import pytest
 
 from pages import Page
 from played_examples import played, report_of, write_page
+from probe.episodes.seat import Seat
 from probe.report.page import LARGEST_SINGLE, TooManyEpisodes, write_report
 from probe.report.rendering import digest
 from probe.tasks.task import Option
@@ -102,6 +103,21 @@ def test_a_complete_run_has_a_headline_with_all_that_belongs_to_it(tmp_path):
     assert "find, letter alone" in page.section("scores")
     assert page.section("missing") == "Missing Nothing. Every run of every task has a result."
     assert "one entrant, so nothing to compare" in page.section("differences")
+
+
+def test_what_went_wrong_between_models_and_us_is_all_named(tmp_path):
+    faults = ("reply 1: the server failed 2 times: 429", "reply 3: empty")
+    episodes = [
+        replace(episode(task, agent="m"), seat=Seat("agentic", faults=said))
+        for task, said in zip(DEMO.tasks, (faults, (), (EVIL,), *[()] * 3), strict=True)
+    ]
+    page = Page(write_page(tmp_path, [played(each) for each in episodes]))
+    missing = page.section("missing")
+    assert "2 episodes in which something went wrong, mended or not" in missing
+    assert f"{DEMO.tasks[0].id} m (agentic) run 0: {'; '.join(faults)}" in missing
+    assert DEMO.tasks[1].id not in missing
+    assert f"{DEMO.tasks[2].id} m (agentic) run 0:" in missing and "alert(1)" in missing
+    assert not [e for e in page.all("img") if e.attributes["src"] == "x"]
 
 
 def test_an_incomplete_run_has_none(tmp_path):

@@ -4,9 +4,11 @@ import pytest
 
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records, write_records
-from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.folder import ARM, RECORDS, SUITE, arm_of_folder
 from probe.episodes.luck import NOISES
+from probe.episodes.ordered import note_ordered, read_ordered
 from probe.episodes.record import EpisodeRecord, Table
+from probe.episodes.remarks import Remark, add_remark, read_remarks
 from probe.episodes.turns import Question
 from probe.errors import BadData
 from probe.runs.merge import merge_folders
@@ -63,6 +65,45 @@ def test_a_fault_gives_way_to_its_repetition(folders, tmp_path):
 def test_what_does_not_go_together_is_refused(folders, tmp_path, other, words):
     with pytest.raises(BadData, match=words):
         merge_folders(folders([record(0)], [other]), tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_number_of_ordered_runs_is_kept(folders, tmp_path):
+    parts = folders([record(0)], [record(1)])
+    merge_folders(parts, tmp_path / "unknown")
+    assert read_ordered(tmp_path / "unknown") == {}
+    for part in parts:
+        note_ordered(part, "a", "", 3)
+    note_ordered(parts[1], "a", "direct", 1)
+    merge_folders(parts, tmp_path / "out")
+    assert read_ordered(tmp_path / "out") == {("a", ""): 3, ("a", "direct"): 1}
+
+
+def test_different_numbers_of_ordered_runs_are_refused(folders, tmp_path):
+    parts = folders([record(0)], [record(1)])
+    note_ordered(parts[0], "a", "", 3)
+    note_ordered(parts[1], "a", "", 1)
+    with pytest.raises(BadData, match=r"/1: was to have 1 runs of each task by a, .* 3"):
+        merge_folders(parts, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_people_stay_people_and_what_they_said_comes_along(folders, tmp_path):
+    parts = folders([record(0)], [record(1, agent="b")])
+    said = [Remark(DEMO.tasks[n].id, "a", ambiguous=True, note=f"note {n}") for n in range(2)]
+    for part, remark in zip(parts, said, strict=True):
+        (part / ARM).write_text("human\n")
+        add_remark(part, remark)
+    assert merge_folders(parts, tmp_path / "out") == 2
+    assert arm_of_folder(tmp_path / "out") == "human"
+    assert read_remarks(tmp_path / "out") == said
+
+
+def test_people_and_agents_are_not_mixed(folders, tmp_path):
+    parts = folders([record(0)], [record(1)])
+    (parts[1] / ARM).write_text("human\n")
+    with pytest.raises(BadData, match="1: is of the arm human, .*0 of agents"):
+        merge_folders(parts, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 

@@ -40,6 +40,15 @@ def test_each_task_should_have_each_run():
     assert headline(rows, ROSTER) == Headline(None, 0.5, 0.875, rows=6, missing=2)
 
 
+def test_each_task_should_have_each_run_that_was_ordered():
+    rows = [row("find-1", ordered=2), row("find-2", ordered=2), row("size-1", ordered=2)]
+    assert gaps_of(rows, ROSTER) == [
+        Gap(task, kind, 1, "never run")
+        for task, kind in (("find-1", "find"), ("find-2", "find"), ("size-1", "size"))
+    ]
+    assert headline(rows, ROSTER) == Headline(None, 0.5, 1.0, rows=6, missing=3)
+
+
 def test_a_run_that_only_failed_is_expected_of_all():
     rows = [row("find-1"), row("find-2"), row("size-1"), faulty("find-1", run=1)]
     assert [gap.task for gap in gaps_of(rows, ROSTER)] == ["find-1", "find-2", "size-1"]

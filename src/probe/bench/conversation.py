@@ -40,20 +40,26 @@ async def with_tools(listener: Listener, sitting: Sitting, points: Points) -> No
 
 
 async def in_words(listener: Listener, arm: Arm, task: Task, points: Points) -> Answer | None:
-    """What a model answers that has no tools; it is reminded once.
+    """What a model answers that has no tools; it is reminded once, of the point too.
 
     Raises:
         ModelFailed: No reply came.
     """
     letters = "".join(option.letter for option in task.options)
+    answer: Answer | None = None
     for last in (False, True):
         said = await listener.reply()
         listener.replies.append(Reply(0, said.text))
-        answer = read_answer(said.text, points, letters)
-        if answer is not None or last:
-            return answer
-        listener.say(reminder(arm))
-    return None
+        answer = read_answer(said.text, points, letters) or answer
+        if last or (answer and not _lacks_point(task, answer)):
+            break
+        listener.say(reminder(arm, answered=answer is not None))
+    return answer
+
+
+def _lacks_point(task: Task, answer: Answer) -> bool:
+    """Whether an object was named that has to be pointed at; "None of the above" can't be."""
+    return task.kind == "find" and answer.choice != "E" and answer.point_px is None
 
 
 async def _carried_out(

@@ -33,12 +33,11 @@ def harness_task(plan: Plan, seating: Seating | None = None) -> HarnessTask:
         plan: What is run.
         seating: Of that plan, if the caller wants to close it.
     """
-    tasks = len(plan.tasks)
     return HarnessTask(
         dataset=MemoryDataset([_sample(plan, task.id) for task in plan.tasks], plan.suite.name),
         solver=_seat(seating or Seating(plan)),
         scorer=graded(),
-        metrics=[accuracy_by_type(tasks)],
+        metrics=[accuracy_by_type(len(plan.tasks), plan.epochs)],
         epochs=Epochs(plan.epochs, "mean"),
         config=GenerateConfig(max_retries=RETRIES, attempt_timeout=PATIENCE),
         # A sample of ours raises only where no other would fare better.

@@ -23,6 +23,7 @@ from probe.episodes.folder import (
     start_folder,
 )
 from probe.episodes.luck import NO_NOISE, Noise
+from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.seat import Points
 from probe.files import write_text
@@ -148,6 +149,7 @@ def take_up(plan: Plan, order: Order) -> tuple[Done, str]:
     path = plan.out / RECORDS
     earlier = read_records(path) if path.exists() else []
     check_settings(path, earlier, order)
+    note_ordered(plan.out, order.agent, order.arm, order.runs)
     return _done(earlier, order), _name_of_replies(plan.out / REPLIES)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from statistics import fmean
 
@@ -16,26 +17,32 @@ STORE = "probe"
 
 
 @metric(scores="unreduced")
-def accuracy_by_type(tasks: int) -> Metric:
+def accuracy_by_type(tasks: int, epochs: int) -> Metric:
     """Macro average and each type; no number while anything is missing.
+
+    A sample that raised, or wasn't begun, has no score at all.
 
     Args:
         tasks: How many there should be.
+        epochs: Runs of each.
     """
 
     def compute(scores: list[SampleScore]) -> dict[str, float | int]:
         runs: dict[str, list[float]] = defaultdict(list)
         kinds: dict[str, str] = {}
-        missing = 0
         for score in scores:
             name = str(score.sample_id)
-            missing += score.score.value == MISSING
-            runs[name].append(float(score.score.value == RIGHT))
             kinds[name] = str((score.sample_metadata or {}).get("kind", "unknown"))
-        found = _by_kind(runs, kinds)
-        whole = missing == 0 and len(runs) == tasks and len({len(r) for r in runs.values()}) == 1
-        known = {name: value if whole else float("nan") for name, value in found.items()}
-        return {**known, "missing": missing}
+            if score.score.value != MISSING:
+                runs[name].append(float(score.score.value == RIGHT))
+        missing = tasks * epochs - sum(min(len(each), epochs) for each in runs.values())
+        whole = missing == 0 and len({len(each) for each in runs.values()}) == 1
+        if whole:
+            return {**_by_kind(runs, kinds), "missing": missing}
+        return {
+            **dict.fromkeys(["macro", *sorted(set(kinds.values()))], math.nan),
+            "missing": missing,
+        }
 
     return compute
 
@@ -59,4 +66,4 @@ def _by_kind(runs: dict[str, list[float]], kinds: dict[str, str]) -> dict[str, f
     for name, values in runs.items():
         tasks[kinds[name]].append(fmean(values))
     means = {kind: fmean(values) for kind, values in sorted(tasks.items())}
-    return {"macro": fmean(means.values()) if means else 0.0, **means}
+    return {"macro": fmean(means.values()), **means}

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from probe.chat.answers import read_answer
 from probe.chat.coordinates import as_said, told
 from probe.chat.prompts import Arm, arm_named, reminder, system_prompt
 from probe.episodes.record import EpisodeRecord, Step
@@ -102,13 +103,19 @@ def _conversation(
         if reply.calls == 0:
             yield Message("assistant", reply.words)
             if number < len(seat.replies):
-                yield Message("user", reminder(arm))
+                yield Message("user", reminder(arm, answered=_answered(reply, record, seat)))
             continue
         steps = list(enumerate(record.steps[at : at + reply.calls], start=at + 1))
         calls = tuple((f"call_{n}", _as_sent(step.call, seat.points)) for n, step in steps)
         yield Message("assistant", steps[0][1].call.words, calls=calls)
         yield from _results(steps, [later[n - 1] for n, _ in steps], seat.points)
         at += reply.calls
+
+
+def _answered(reply: Reply, record: EpisodeRecord, seat: Seat) -> bool:
+    """Whether a reply in words gives a letter; one that is reminded all the same lacks a point."""
+    letters = "".join(letter for letter, _ in record.question.options)
+    return read_answer(reply.words, seat.points, letters) is not None
 
 
 def _results(

@@ -26,6 +26,7 @@ class _Prompts(pydantic.BaseModel, extra="forbid", frozen=True):
     oracle_view: str = pydantic.Field(alias="oracle-view")
     remind_call: str
     remind_answer: str
+    remind_point: str
 
 
 def arm_named(name: str) -> Arm:
@@ -46,9 +47,11 @@ def system_prompt(arm: Arm, points: Points) -> str:
     return text.format(turns=TURNS, manipulations=MANIPULATIONS, places=IN_WORDS[points])
 
 
-def reminder(arm: Arm) -> str:
-    """What a model is told that neither called a tool nor answered."""
-    return _prompts().remind_call if arm == "agentic" else _prompts().remind_answer
+def reminder(arm: Arm, *, answered: bool = False) -> str:
+    """What a model is told that neither called a tool nor answered, or only left out the point."""
+    if arm == "agentic":
+        return _prompts().remind_call
+    return _prompts().remind_point if answered else _prompts().remind_answer
 
 
 @lru_cache(1)

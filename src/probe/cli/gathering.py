@@ -12,6 +12,7 @@ from rich.progress import track
 from probe.cli.grading import grade_folder
 from probe.cli.rescore import marked
 from probe.episodes.folder import SUITE, arm_of_folder
+from probe.episodes.ordered import read_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
 from probe.report.darkroom import Darkroom
@@ -112,9 +113,9 @@ def gather(
 
 
 def _entries(run: Path, suite: Suite, darkroom: Darkroom, arm: str | None) -> list[_Entry]:
-    arm = arm or arm_of_folder(run)
+    arm, ordered = arm or arm_of_folder(run), read_ordered(run)
     return [
-        _Entry(task, record, marked(suite.name, graded, arm), stills_of(task, record))
+        _Entry(task, record, marked(suite.name, graded, arm, ordered), stills_of(task, record))
         for graded in grade_folder(run, suite, darkroom)
         for task, record, _ in [graded]
     ]

@@ -15,14 +15,15 @@ import tyro
 from probe.assets.library import Library
 from probe.cli.surroundings import cache_folder, everything
 from probe.episodes.episode import Episode
-from probe.episodes.files import read_records
-from probe.episodes.folder import RECORDS, claim_arm, reserved, start_folder
+from probe.episodes.files import read_records, set_aside_cut
+from probe.episodes.folder import RECORDS, SUITE, check_suite, claim_arm, reserved
 from probe.episodes.luck import NOISES, Noise, NoiseName
 from probe.episodes.play import open_episode
+from probe.episodes.remarks import REMARKS
 from probe.errors import BadData, MissingExtra
 from probe.render.renderer import Renderer
-from probe.tasks.suite import check_objects
-from probe.tasks.suite_file import find_suite
+from probe.tasks.suite import Suite, check_objects
+from probe.tasks.suite_file import find_suite, write_suite
 from probe.tasks.task import Task
 
 ARM = "human"
@@ -54,18 +55,42 @@ def human(
         raise MissingExtra("The human seat", "human") from error
     tasks, things = find_suite(suite), everything()
     check_objects(tasks, things)
-    start_folder(out, tasks)
-    claim_arm(out, ARM)
-    _check_noise(out, NOISES[noise])
     # A polite end in any case: whoever is in the middle of a question can go on with it.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     workshop = Workshop(things, NOISES[noise])
-    with reserved(out), closing(Hall(tasks, out, workshop.furnish, seats)) as hall:
+    with (
+        taken_up(out, tasks, NOISES[noise]),
+        closing(Hall(tasks, out, workshop.furnish, seats)) as hall,
+    ):
         try:
             run(hall, port, _tell)
         except KeyboardInterrupt:
             print("Waiting until no arm moves any more.", flush=True)
     print(f"Records are in {out}; the same command goes on.")
+
+
+@contextmanager
+def taken_up(out: Path, suite: Suite, noise: Noise) -> Generator[None]:
+    """A folder that people's records are added to, by this process alone.
+
+    A line that was cut off when an earlier one was killed is moved to a file beside it.
+
+    Raises:
+        BadData: It is about another suite, has another noise, holds records of others, or another
+            run is at work there.
+        OutputFailed: It can't be written.
+    """
+    check_suite(out, suite)
+    if not (out / SUITE).exists():
+        write_suite(out / SUITE, suite)
+    with reserved(out):
+        claim_arm(out, ARM)
+        for name in (RECORDS, REMARKS):
+            cut = set_aside_cut(out / name)
+            if cut is not None:
+                print(f"The last line of {name} was cut off: moved to {cut}.")
+        _check_noise(out, noise)
+        yield
 
 
 def _check_noise(out: Path, noise: Noise) -> None:

@@ -13,6 +13,7 @@ from rich.table import Table
 from probe.cli.agents import ARMS
 from probe.cli.grading import Graded, graded
 from probe.episodes.folder import SUITE, arm_of_folder
+from probe.episodes.ordered import Ordered, read_ordered
 from probe.scores.marking import roster_of_tasks, row_of
 from probe.scores.row import Entrant, Row
 from probe.scores.row_files import write_csv, write_json_lines
@@ -33,7 +34,8 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
     """
     suite = read_suite(out / SUITE)
     arm = arm or arm_of_folder(out)
-    rows = [marked(suite.name, each, arm) for each in graded(out)]
+    ordered = read_ordered(out)
+    rows = [marked(suite.name, each, arm, ordered) for each in graded(out)]
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(out, rows, scores)
     console = Console(markup=False)
@@ -49,10 +51,21 @@ def arm_of(agent: str) -> str:
     return ARMS.get(agent, AGENTIC)
 
 
-def marked(suite: str, graded: Graded, arm: str | None = None) -> Row:
-    """The row of a graded record; without a given arm, in the record's or its agent's usual one."""
+def marked(
+    suite: str, graded: Graded, arm: str | None = None, ordered: Ordered | None = None
+) -> Row:
+    """The row of a graded record; without a given arm, in the record's or its agent's usual one.
+
+    Args:
+        suite: Its name.
+        graded: The record.
+        arm: How the agent was allowed to answer.
+        ordered: How many runs there were to be, of each agent in each arm of a record.
+    """
     task, record, score = graded
-    return row_of(task, record, score, suite=suite, arm=arm or record.arm or arm_of(record.agent))
+    arm = arm or record.arm or arm_of(record.agent)
+    runs = (ordered or {}).get((record.agent, record.arm))
+    return row_of(task, record, score, suite=suite, arm=arm, ordered=runs)
 
 
 def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:

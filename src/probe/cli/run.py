@@ -9,6 +9,7 @@ import tyro
 
 from probe.chat.prompts import Arm
 from probe.cli.agents import AgentName, make_agent
+from probe.cli.fitting import check_counts, check_pointer, refuse_stray
 from probe.cli.running import run_order
 from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
@@ -26,18 +27,18 @@ _TABLES = 4
 
 def run(
     suite: Annotated[str, tyro.conf.Positional],
-    agent: AgentName = "scripted",
+    agent: AgentName | None = None,
     out: Path = Path("outputs/run"),
-    runs: int = 1,
+    runs: int | None = None,
     noise: NoiseName = "none",
     workers: int | None = None,
     shard: str = "0/1",
     conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
     model: str | None = None,
-    arm: Arm = "agentic",
-    epochs: int = 3,
+    arm: Arm | None = None,
+    epochs: int | None = None,
     points: Points | None = None,
-    pointer: str = "oracle",
+    pointer: str | None = None,
     endpoint: str | None = None,
     prices: Path | None = None,
     dry_run: bool = False,
@@ -46,43 +47,49 @@ def run(
 
     Args:
         suite: "v1", "demo" or a file that `probe suite build` wrote.
-        agent: Who acts, without a model.
+        agent: Who acts, without a model; by default "scripted".
         out: Folder for the records.
-        runs: Episodes of each task, for agents without a model.
+        runs: Episodes of each task, for agents without a model; by default 1.
         noise: How far the hand errs; "paper" fails as often as the paper's.
         workers: Processes that run episodes; by default 1, for a model 4.
         shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
         conditions: In what episodes differ from their tasks; see docs/run.md.
         model: A model that acts instead, by a name of docs/models.md or the harness's own.
-        arm: How the model may answer: with tools, or at once from what it is shown.
-        epochs: Episodes of each task, for a model.
+        arm: How the model may answer: with tools (the default), or at once from what it is shown.
+        epochs: Episodes of each task, for a model; by default 3.
         points: How the model counts places in pictures; by default what suits it.
-        pointer: Who points for perception: "oracle" for nobody, "self" for the model, or the
-            name of another.
+        pointer: Who points for perception: "oracle" (the default) for nobody, "self" for the
+            model, or the name of another.
         endpoint: Address of a server that speaks OpenAI's protocol, up to and with its version.
         prices: A file that says what tokens cost.
         dry_run: Only say how much would be asked of the model.
     """
-    asked = find_suite(suite)
     part = Shard(*parse_shard(shard))
+    check_counts({"--runs": runs, "--epochs": epochs, "--workers": workers})
     if model is None:
-        order = Order(agent, runs, NOISES[noise], conditions, part)
-        run_order(asked, order, make_agent, everything(), out, workers or 1)
+        refuse_stray("without --model", {
+            "--arm": arm, "--epochs": epochs, "--points": points, "--pointer": pointer,
+            "--endpoint": endpoint, "--prices": prices, "--dry-run": dry_run or None,
+        })  # fmt: skip
+        order = Order(agent or "scripted", runs or 1, NOISES[noise], conditions, part)
+        run_order(find_suite(suite), order, make_agent, everything(), out, workers or 1)
     else:
+        refuse_stray("with --model", {"--agent": agent, "--runs": runs})
+        check_pointer(pointer or "oracle", arm or "agentic", conditions)
         seats = Seats(
-            model,
-            arm,
-            epochs,
-            points,
-            pointer,
-            endpoint,
-            prices,
-            NOISES[noise],
-            conditions,
-            part,
-            workers or _TABLES,
+            model=model,
+            arm=arm or "agentic",
+            epochs=epochs or 3,
+            points=points,
+            pointer=pointer or "oracle",
+            endpoint=endpoint,
+            prices=prices,
+            noise=NOISES[noise],
+            conditions=conditions,
+            shard=part,
+            workers=workers or _TABLES,
         )
-        take_seats(asked, seats, out, dry_run=dry_run)
+        take_seats(find_suite(suite), seats, out, dry_run=dry_run)
         if dry_run:
             return
     print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")

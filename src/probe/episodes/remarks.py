@@ -11,7 +11,7 @@ import pydantic
 from probe.episodes.files import append_line
 from probe.episodes.folder import alone
 from probe.errors import BadData
-from probe.files import fault
+from probe.files import fault, write_bytes
 
 REMARKS = "remarks.jsonl"
 LONGEST = 1000
@@ -51,9 +51,17 @@ def add_remark(out: Path, remark: Remark) -> None:
         BadData: The file ends in half a line.
         OutputFailed: It can't be written; nothing of it is left.
     """
-    line = RemarkDocument(**asdict(remark)).model_dump_json().encode() + b"\n"
     with alone(out):
-        append_line(out / REMARKS, line)
+        append_line(out / REMARKS, _line(remark))
+
+
+def write_remarks(out: Path, remarks: Iterable[Remark]) -> None:
+    """Write a whole file of remarks or none.
+
+    Raises:
+        OutputFailed: It can't be written.
+    """
+    write_bytes(out / REMARKS, b"".join(map(_line, remarks)))
 
 
 def read_remarks(out: Path) -> list[Remark]:
@@ -75,6 +83,10 @@ def read_remarks(out: Path) -> list[Remark]:
 def latest(remarks: Iterable[Remark]) -> dict[tuple[str, str], Remark]:
     """By task and person, what they said last."""
     return {(remark.task, remark.agent): remark for remark in remarks}
+
+
+def _line(remark: Remark) -> bytes:
+    return RemarkDocument(**asdict(remark)).model_dump_json().encode() + b"\n"
 
 
 def _read(place: str, line: bytes) -> Remark:

@@ -105,9 +105,8 @@ def differences(first: EpisodeRecord, second: EpisodeRecord) -> list[str]:
     if len(first.steps) != len(second.steps):
         found.append(f"number of steps: {len(first.steps)} and {len(second.steps)}")
     for number, (a, b) in enumerate(zip(first.steps, second.steps, strict=False), start=1):
-        parts = ("call", "status", "text", "point_px", "after")
         found += [
-            f"step {number}: {part}" for part in parts if getattr(a, part) != getattr(b, part)
+            f"step {number}: {part}" for part in _PARTS if getattr(a, part) != getattr(b, part)
         ]
     if not found and line_of(first, timed=False) != line_of(second, timed=False):
         found.append("the sign of a zero")

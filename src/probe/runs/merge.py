@@ -6,8 +6,17 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from probe.episodes.files import read_records, write_records
-from probe.episodes.folder import RECORDS, SUITE, in_order, standing
+from probe.episodes.folder import (
+    RECORDS,
+    SUITE,
+    arm_of_folder,
+    claim_arm,
+    in_order,
+    standing,
+)
+from probe.episodes.ordered import joined, write_ordered
 from probe.episodes.record import EpisodeRecord
+from probe.episodes.remarks import read_remarks, write_remarks
 from probe.errors import BadData
 from probe.runs.variation import read_variation, write_variation
 from probe.tasks.suite import Suite
@@ -17,9 +26,12 @@ from probe.tasks.suite_file import read_suite, write_suite
 def merge_folders(parts: Sequence[Path], out: Path) -> int:
     """Write the records of several folders into a new one, in order of tasks; returns how many.
 
+    What people said of questions comes along; what they are in the middle of doesn't.
+
     Raises:
-        BadData: They are about different suites, were run under different conditions, an episode
-            is in two of them, one can't be read, or the new folder isn't new.
+        BadData: They are about different suites, were run under different conditions, were to have
+            different numbers of runs, only some are people's, an episode is in two of them, one
+            can't be read, or the new folder isn't new.
         OutputFailed: It can't be written.
     """
     if (out / SUITE).exists() or (out / RECORDS).exists():
@@ -35,12 +47,34 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
             first = first or record
             _check(part, record, first, found)
         kept += records
+    arm, ordered = _arm(parts), joined(parts)
+    remarks = [remark for part in parts for remark in read_remarks(part)]
     variation = read_variation(parts[0])
     if variation is not None:
         write_variation(out, variation)
+    if arm is not None:
+        claim_arm(out, arm)
+    if ordered:
+        write_ordered(out, ordered)
+    if remarks:
+        write_remarks(out, remarks)
     write_suite(out / SUITE, suite)
     write_records(out / RECORDS, in_order(kept, suite))
     return len(kept)
+
+
+def _arm(parts: Sequence[Path]) -> str | None:
+    """The arm that all folders claim for their records, if they do."""
+    first, *others = (arm_of_folder(part) for part in parts)
+    for part, arm in zip(parts[1:], others, strict=True):
+        if arm != first:
+            reason = f"is {_claim(arm)}, {parts[0]} {_claim(first)}"
+            raise BadData(part, reason, "Merge people's folders with people's alone")
+    return first
+
+
+def _claim(arm: str | None) -> str:
+    return "of agents" if arm is None else f"of the arm {arm}"
 
 
 def _check_suite(part: Path, suite: Suite) -> None:

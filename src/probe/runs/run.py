@@ -10,6 +10,7 @@ from pathlib import Path
 
 from probe.episodes.files import line_of, read_records, set_aside_cut
 from probe.episodes.folder import RECORDS, SUITE, add_line, check_suite, reserved
+from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.runs.crew import Lost, carry_out
@@ -49,6 +50,7 @@ def begun(out: Path, suite: Suite, order: Order) -> Generator[Beginning]:
         write_suite(out / SUITE, suite)
     with reserved(out):
         cut = set_aside_cut(out / RECORDS)
+        note_ordered(out, order.agent, order.arm, order.runs)
         earlier = _earlier(out)
         done = {(it.task, it.agent, it.arm, it.run) for it in earlier if it.end != "fault"}
         jobs = order.jobs(suite.tasks, done)

@@ -38,6 +38,7 @@ def row_of(
     suite: str,
     arm: str,
     usage: Usage | None = None,
+    ordered: int | None = None,
 ) -> Row:
     """The row of an episode.
 
@@ -48,6 +49,7 @@ def row_of(
         suite: Name of the suite.
         arm: How the agent was allowed to answer; the row's arm says under which conditions, too.
         usage: Of the model; by default what the record says of it.
+        ordered: Runs of each task that there are to be; None if unknown.
     """
     done = [step.call.name for step in record.steps if step.status in ("done", "failed")]
     return Row.model_validate(
@@ -60,6 +62,7 @@ def row_of(
             "agent": record.agent,
             "arm": under(arm, record),
             "run": record.run,
+            "ordered": ordered,
             "answer": _letter(record),
             "right": task.answer,
             "correct": score.correct,

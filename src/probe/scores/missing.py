@@ -56,8 +56,16 @@ def settled(rows: Iterable[Row]) -> list[Row]:
     return list(kept.values())
 
 
+def runs_of(rows: Iterable[Row]) -> set[int]:
+    """Runs that each task of an entrant should have: those ordered, and those any task has."""
+    found = set[int]()
+    for row in rows:
+        found |= {row.run, *range(row.ordered or 0)}
+    return found
+
+
 def gaps_of(rows: Sequence[Row], roster: Roster, runs: Collection[int] = ()) -> list[Gap]:
-    """What one entrant lacks: each task of the roster should have each run that any task has.
+    """What one entrant lacks: each task of the roster should have each run of runs_of.
 
     Args:
         rows: Of the entrant.
@@ -71,7 +79,7 @@ def gaps_of(rows: Sequence[Row], roster: Roster, runs: Collection[int] = ()) -> 
         if roster.get(row.task) != Listed(row.kind, row.stratum, row.options):
             raise ContraryRows(row, "the task isn't of this suite")
     there = {(row.task, row.run): row for row in rows}
-    wanted = sorted({row.run for row in rows} | set(runs)) or [0]
+    wanted = sorted(runs_of(rows) | set(runs)) or [0]
     found = list[Gap]()
     for task, listed in roster.items():
         for run in wanted:

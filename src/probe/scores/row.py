@@ -27,6 +27,7 @@ class Row(pydantic.BaseModel, frozen=True, extra="forbid", allow_inf_nan=False):
         stratum: Part of the type that is also reported apart: Find's "hidden" or "partly".
         options: Number of options to choose from.
         agent, arm, run: Who answered, how it was allowed to, and which of its runs this is.
+        ordered: Runs of each task that it was to have; None where nobody wrote that down.
         answer, right: The letter it gave, and the right one.
         correct: The answer counts; in Find the point too.
         letter_correct: The letter alone is right.
@@ -51,6 +52,7 @@ class Row(pydantic.BaseModel, frozen=True, extra="forbid", allow_inf_nan=False):
     agent: str
     arm: str
     run: int = pydantic.Field(ge=0)
+    ordered: int | None = pydantic.Field(default=None, ge=1)
     answer: Letter | None = None
     right: Letter
     correct: bool

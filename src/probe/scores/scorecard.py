@@ -10,7 +10,7 @@ from probe.scores.breakdown import Effort, Execution, Outcomes, effort, executio
 from probe.scores.estimates import corrected, macro_chance
 from probe.scores.icc import icc
 from probe.scores.intervals import Interval, bootstrap, standard_error, student, wilson
-from probe.scores.missing import Gap, Headline, gaps_of, headline, present
+from probe.scores.missing import Gap, Headline, gaps_of, headline, present, runs_of
 from probe.scores.power import detectable_gap
 from probe.scores.roster import Listed, Roster, chance_by_kind
 from probe.scores.row import Entrant, Row
@@ -128,8 +128,8 @@ def _part(
     worth: Worth = is_correct,
 ) -> Figure:
     some = {task: listed for task, listed in roster.items() if keep(listed)}
-    runs = {row.run for row in rows}
-    return _figure(name, [row for row in rows if row.task in some], some, seed, worth, runs)
+    mine = [row for row in rows if row.task in some]
+    return _figure(name, mine, some, seed, worth, runs_of(rows))
 
 
 def _figure(

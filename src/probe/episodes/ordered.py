@@ -1,0 +1,80 @@
+"""How many runs of each task were ordered, in a file beside the records that there are so far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+import pydantic
+
+from probe.errors import BadData
+from probe.files import read_document, write_text
+
+ORDERED = "ordered.json"
+
+Ordered = Mapping[tuple[str, str], int]
+"""Runs of each task by agent and arm, as records have both."""
+
+
+class _Line(pydantic.BaseModel, frozen=True, extra="forbid"):
+    agent: str
+    arm: str
+    runs: int = pydantic.Field(ge=1)
+
+
+class OrderedDocument(pydantic.BaseModel, frozen=True, extra="forbid"):
+    """The file."""
+
+    ordered: tuple[_Line, ...]
+
+
+def read_ordered(out: Path) -> Ordered:
+    """What was ordered in a folder; nothing is known of agents that aren't there.
+
+    Raises:
+        BadData: The file can't be read.
+    """
+    path = out / ORDERED
+    if not path.exists():
+        return {}
+    found = read_document(path, OrderedDocument, "Delete it, and start the same run again")
+    return {(it.agent, it.arm): it.runs for it in found.ordered}
+
+
+def note_ordered(out: Path, agent: str, arm: str, runs: int) -> None:
+    """Write down an order before it is carried out; of two orders the larger one stands.
+
+    Raises:
+        BadData: What is there can't be read.
+        OutputFailed: It can't be written.
+    """
+    earlier, key = read_ordered(out), (agent, arm)
+    if runs > earlier.get(key, 0):
+        write_ordered(out, {**earlier, key: runs})
+
+
+def write_ordered(out: Path, ordered: Ordered) -> None:
+    """Write down all that was ordered in a folder.
+
+    Raises:
+        OutputFailed: It can't be written.
+    """
+    lines = [_Line(agent=agent, arm=arm, runs=runs) for (agent, arm), runs in ordered.items()]
+    document = OrderedDocument(ordered=tuple(lines))
+    write_text(out / ORDERED, document.model_dump_json(indent=1) + "\n")
+
+
+def joined(parts: Iterable[Path]) -> Ordered:
+    """What was ordered in several folders together.
+
+    Raises:
+        BadData: Of an agent in an arm two folders have different numbers, or a file can't be read.
+    """
+    known: dict[tuple[str, str], int] = {}
+    for part in parts:
+        for (agent, arm), runs in read_ordered(part).items():
+            before = known.setdefault((agent, arm), runs)
+            if before != runs:
+                reason = f"was to have {runs} runs of each task by {agent}, another folder {before}"
+                raise BadData(part, reason, "Run all parts with the same number first")
+    return known

@@ -1,0 +1,61 @@
+"""Answers in words: what is asked for once more, and what stands in the end."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from uuid import uuid4
+
+import anyio
+import pytest
+from inspect_ai.model import CachePolicy, ChatMessageSystem, get_model
+
+from bench.sitting_in import NAME
+from model_server import Reply, serving
+from probe.bench.conversation import in_words
+from probe.bench.listening import Listener
+from probe.bench.tally import Tally
+from probe.chat.messages import messages
+from probe.chat.prompts import reminder
+from probe.episodes.seat import Seat
+from probe.tasks.suite_file import demo_suite
+from probe.toolshed.result import Answer
+from run_folders import episode
+
+FIND, COUNT = (
+    next(task for task in demo_suite().tasks if task.kind == kind) for kind in ("find", "count")
+)
+WORDS, POINT = reminder("direct"), reminder("direct", answered=True)
+
+
+def asked(task, *said: str) -> tuple[Answer | None, Listener]:
+    """What comes of replies, and the conversation."""
+    cache = CachePolicy(expiry=None, scopes={"test": uuid4().hex})
+    with serving(lambda number, body: Reply(said[number])) as server:
+        model = get_model(NAME, base_url=server.url, api_key="none", memoize=False)
+        first = [ChatMessageSystem(content="Answer.")]
+        listener = Listener(model, [], first, cache, None, Tally())
+        return anyio.run(in_words, listener, "direct", task, "pixels"), listener
+
+
+@pytest.mark.parametrize(
+    ("task", "said", "reminded", "answer"),
+    [
+        (FIND, ["ANSWER: B (5, 6)"], [], Answer("B", (5.0, 6.0))),
+        (FIND, ["ANSWER: E"], [], Answer("E")),
+        (COUNT, ["ANSWER: B"], [], Answer("B")),
+        (FIND, ["ANSWER: B", "ANSWER: B at (5, 6)"], [POINT], Answer("B", (5.0, 6.0))),
+        (FIND, ["ANSWER: B", "ANSWER: C"], [POINT], Answer("C")),
+        (FIND, ["ANSWER: B", "I can't."], [POINT], Answer("B")),
+        (FIND, ["Hm.", "ANSWER: B"], [WORDS], Answer("B")),
+        (COUNT, ["Hm.", "Hm."], [WORDS], None),
+    ],
+)
+def test_what_is_lacking_is_asked_for_once(task, said, reminded, answer):
+    found, listener = asked(task, *said)
+    assert found == answer
+    assert [it.text for it in listener.messages if it.role == "user"] == reminded
+    seat = Seat("direct", replies=tuple(listener.replies))
+    record = replace(episode(task), steps=(), seat=seat)
+    assert [it.text for it in messages(record, [b""])[2:]] == [
+        it.text for it in listener.messages[1:]
+    ]

@@ -1,0 +1,71 @@
+"""`probe human` short of its page: how it takes up a folder."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from probe.cli.human import taken_up
+from probe.episodes.files import append_record, read_records
+from probe.episodes.folder import RECORDS, arm_of_folder
+from probe.episodes.luck import NO_NOISE, NOISES
+from probe.episodes.remarks import REMARKS, Remark, add_remark, read_remarks
+from probe.errors import BadData
+from run_folders import DEMO, episode
+
+RECORD = replace(episode(DEMO.tasks[0], agent="Ada"), noise=NO_NOISE)
+REMARK = Remark(DEMO.tasks[0].id, "Ada", ambiguous=True)
+HALF = b'{"task": "cou'
+
+
+@pytest.fixture
+def killed(tmp_path):
+    """A folder whose server was killed while it wrote a record and a remark."""
+    with taken_up(tmp_path, DEMO, NO_NOISE):
+        append_record(tmp_path / RECORDS, RECORD)
+        add_remark(tmp_path, REMARK)
+    for name in (RECORDS, REMARKS):
+        with (tmp_path / name).open("ab") as file:
+            file.write(HALF)
+    return tmp_path
+
+
+def test_what_was_cut_off_is_set_aside(killed, capsys):
+    with taken_up(killed, DEMO, NO_NOISE):
+        assert read_records(killed / RECORDS) == [RECORD]
+        assert read_remarks(killed) == [REMARK]
+    assert arm_of_folder(killed) == "human"
+    said = capsys.readouterr().out
+    for name in (RECORDS, REMARKS):
+        assert (killed / f"{name}.cut").read_bytes() == HALF + b"\n"
+        assert f"moved to {killed / name}.cut" in said
+
+
+def test_another_server_at_work_is_left_alone(killed):
+    with taken_up(killed, DEMO, NO_NOISE):
+        with (killed / RECORDS).open("ab") as file:
+            file.write(HALF)
+        with (
+            pytest.raises(BadData, match="another run is at work"),
+            taken_up(killed, DEMO, NO_NOISE),
+        ):
+            pass
+        assert (killed / RECORDS).read_bytes().endswith(HALF)
+
+
+def test_a_folder_has_one_suite_one_noise_and_people_alone(tmp_path):
+    with taken_up(tmp_path, DEMO, NO_NOISE):
+        append_record(tmp_path / RECORDS, RECORD)
+    for suite, noise, words in (
+        (replace(DEMO, name="other"), NO_NOISE, "another suite"),
+        (DEMO, NOISES["paper"], "another noise"),
+    ):
+        with pytest.raises(BadData, match=words), taken_up(tmp_path, suite, noise):
+            pass
+    append_record(tmp_path / "agents" / RECORDS, RECORD)
+    with (
+        pytest.raises(BadData, match="others have records"),
+        taken_up(tmp_path / "agents", DEMO, NO_NOISE),
+    ):
+        pass
