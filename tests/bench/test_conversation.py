@@ -32,7 +32,8 @@ def asked(task, *said: str) -> tuple[Answer | None, Listener]:
     cache = CachePolicy(expiry=None, scopes={"test": uuid4().hex})
     with serving(lambda number, body: Reply(said[number])) as server:
         model = get_model(NAME, base_url=server.url, api_key="none", memoize=False)
-        listener = Listener(model, [], [ChatMessageSystem(content="Answer.")], cache, None, Tally())
+        first = [ChatMessageSystem(content="Answer.")]
+        listener = Listener(model, [], first, cache, None, Tally())
         return anyio.run(in_words, listener, "direct", task, "pixels"), listener
 
 

@@ -107,6 +107,17 @@ def test_a_model_that_nobody_serves_is_refused_with_what_to_do(
     assert not (tmp_path / "out").exists()
 
 
+def test_an_endpoint_without_a_scheme_is_none(tmp_path):
+    seats = replace(SEATS, model="mine", endpoint="localhost:8000/v1")
+    with pytest.raises(BadData, match="Begin it with http://"):
+        take_seats(SUITE, seats, tmp_path, dry_run=True)
+
+
+def test_a_dry_run_says_that_pointing_comes_on_top(tmp_path, capsys):
+    take_seats(SUITE, replace(SEATS, pointer="self"), tmp_path, dry_run=True)
+    assert "Replies that point (self) come on top" in capsys.readouterr().out
+
+
 def test_prices_are_checked(tmp_path):
     path = tmp_path / "prices.yaml"
     path.write_text(PRICES)

@@ -25,10 +25,7 @@ from probe.perception.dials import Dials
         ({"model": "m", "epochs": -1, "dry_run": True}, "--epochs: -1 is too few. Say 1 or more"),
         ({"runs": 0}, "--runs: 0 is too few"),
         ({"workers": 0}, "--workers: 0 is too few"),
-        (
-            {"model": "m", "pointer": "self", "arm": "direct"},
-            "nothing is pointed at in the arm direct",
-        ),
+        ({"model": "m", "pointer": "self", "arm": "direct"}, "does nothing with --arm direct"),
         (
             {"model": "m", "pointer": "self", "conditions": Conditions(ideal="perception")},
             "--pointer: does nothing with --dials or --ideal",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from probe.chat.prompts import Arm
 from probe.episodes.conditions import NO_DIALS, Conditions
 from probe.errors import BadData
 
@@ -34,14 +35,16 @@ def check_counts(given: Mapping[str, int | None]) -> None:
             raise BadData(name, f"{number} is too few", "Say 1 or more")
 
 
-def check_pointer(pointer: str, conditions: Conditions) -> None:
+def check_pointer(pointer: str, arm: Arm, conditions: Conditions) -> None:
     """See that a model that is to point would be asked.
 
     Raises:
-        BadData: It wouldn't: perception is the oracle's all the same.
+        BadData: It wouldn't: there are no tools, or perception is the oracle's all the same.
     """
     if pointer == "oracle":
         return
+    if arm != "agentic":
+        raise BadData("--pointer", f"does nothing with --arm {arm}", "Leave it out")
     if conditions.dials != NO_DIALS or conditions.ideal == "perception":
         reason = "does nothing with --dials or --ideal perception, which are about the oracle"
         raise BadData("--pointer", reason, "Leave one of the two out")

@@ -77,7 +77,7 @@ def run(
         run_order(find_suite(suite), order, make_agent, everything(), out, workers or 1)
     else:
         refuse_stray("with --model", {"--agent": agent, "--runs": runs})
-        check_pointer(pointer or "oracle", conditions)
+        check_pointer(pointer or "oracle", arm or "agentic", conditions)
         seats = Seats(
             library=partial(open_all, assets_folder(), cache_folder()),
             model=model,

@@ -14,7 +14,6 @@ from probe.bench.models import settings_of
 from probe.bench.plan import Plan
 from probe.bench.prices import Price, Prices, read_prices
 from probe.chat.prompts import Arm
-from probe.cli.pointers import check_addresses
 from probe.cli.surroundings import cache_folder
 from probe.cli.varying import varied
 from probe.episodes.conditions import Conditions
@@ -66,12 +65,10 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
 
     Raises:
         MissingExtra: The harness isn't installed.
-        BadData: The folder is about something else, prices can't be read, options don't fit, or
-            nobody has the model.
+        BadData: The folder is about something else, prices can't be read, or nobody has the model.
     """
-    check_addresses(seats.arm, seats.pointer, seats.endpoint)
-    prices: Prices = read_prices(seats.prices) if seats.prices else {}
-    price = _price_of(seats.model, seats, prices)
+    _check_address(seats.endpoint)
+    price = _price_of(seats, seats.model)
     if dry_run:
         _tell(suite, seats, out, price)
         if seats.pointer != "oracle":
@@ -91,20 +88,34 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
     plan = _plan(suite, seats, out, price)
     key = os.environ.get("OPENAI_API_KEY") or "none"
     pointer = settings_of(seats.pointer).id if plan.pointer == "role" else None
-    its_price = _price_of(seats.pointer, seats, prices) if pointer else None
+    its_price = _price_of(seats, seats.pointer) if pointer else None
     chosen = Chosen(settings_of(seats.model).id, seats.endpoint, key, pointer, its_price)
     missing = evaluate(plan, chosen, "rich" if sys.stdout.isatty() else "plain")
     if missing:
         print(f"{missing} episodes are missing; the same command tries them again.")
 
 
-def _price_of(name: str, seats: Seats, prices: Prices) -> Price | None:
+def _price_of(seats: Seats, name: str) -> Price | None:
     """Of a model's tokens; says so if prices were given and its isn't among them."""
+    if seats.prices is None:
+        return None
+    prices: Prices = read_prices(seats.prices)
     price = prices.get(name) or prices.get(settings_of(name).id)
-    if price is None and seats.prices is not None:
+    if price is None:
         known = ", ".join(sorted(prices)) or "none"
         print(f"{seats.prices} has no price of {name}: no cost is told. Known: {known}.")
     return price
+
+
+def _check_address(endpoint: str | None) -> None:
+    """See that it is one.
+
+    Raises:
+        BadData: It isn't.
+    """
+    if endpoint is not None and not endpoint.startswith(("http://", "https://")):
+        remedy = "Begin it with http:// or https://"
+        raise BadData("--endpoint", f"{endpoint!r} is no address of a server", remedy)
 
 
 def _check_served(name: str) -> None:
