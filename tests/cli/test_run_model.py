@@ -72,7 +72,7 @@ def test_shards_are_run_merged_and_reported(tmp_path):
                 *("--out", tmp_path / str(number)),
             )
     # Find is asked twice, for want of a point.
-    assert [pictures_in(body) for body in server.bodies] == [1] * 3
+    assert [pictures_in(body) for body in asked(server)] == [1] * 3
     whole = tmp_path / "whole"
     probe("merge", tmp_path / "0", tmp_path / "1", "--out", whole)
     probe("report", whole)
