@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from typing import Any
 
 import pytest
@@ -16,7 +17,7 @@ from probe.bench.evaluation import Chosen, evaluate
 from probe.bench.stopping import MUTE, Patience
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
-from probe.errors import ModelFailed, ProbeError
+from probe.errors import MissingExtra, ModelFailed, ProbeError
 from probe.runs.table import TablePlace
 
 pytestmark = pytest.mark.filterwarnings("default")
@@ -49,6 +50,22 @@ def test_an_unknown_pointer_is_named_before_anything_is_asked(tmp_path):
     with pytest.raises(ModelFailed, match="oracel can't be asked"):
         evaluate(asked, Chosen("mockllm/model", pointer="oracel"), "none")
     assert not (tmp_path / RECORDS).exists()
+
+
+def test_a_client_that_isnt_installed_is_named(tmp_path):
+    if find_spec("xai_sdk") is not None:
+        pytest.skip("xAI's client is installed")
+    with pytest.raises(MissingExtra, match=r"grok/grok-4.3 needs .*probe-vqa\[bench,grok\]"):
+        evaluate(plan(tmp_path, "agentic", SUITE), Chosen("grok/grok-4.3"), "none")
+    assert not (tmp_path / RECORDS).exists()
+
+
+def test_what_the_harness_says_is_told_without_its_markup(tmp_path, monkeypatch):
+    """It dresses the missing key's name up in brackets, for a terminal."""
+    monkeypatch.delenv("OPENAI_API_KEY", raising=False)
+    with pytest.raises(ModelFailed, match="OPENAI_API_KEY") as told:
+        evaluate(plan(tmp_path, "agentic", SUITE), Chosen("openai/gpt-5.4"), "none")
+    assert "[bold" not in str(told.value) and "[/" not in str(told.value)
 
 
 @pytest.mark.slow

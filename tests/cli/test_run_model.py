@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from model_server import Reply, serving
+from model_server import Reply, Served, serving
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.scores.row_files import read_csv
@@ -52,6 +52,11 @@ def suite_file(tmp_path: Path, tasks: tuple[Task, ...]) -> Path:
     return tmp_path / "some.json"
 
 
+def asked(server: Served) -> list[Any]:
+    """All requests but the first to each run's model, which only sees that it answers."""
+    return [body for body in server.bodies if "Say hello." not in str(body["messages"])]
+
+
 def pictures_in(body: dict[str, Any]) -> int:
     contents = [it["content"] for it in body["messages"] if isinstance(it["content"], list)]
     return sum(part["type"] == "image_url" for content in contents for part in content)
@@ -67,7 +72,7 @@ def test_shards_are_run_merged_and_reported(tmp_path):
                 *("--out", tmp_path / str(number)),
             )
     # Find is asked twice, for want of a point.
-    assert [pictures_in(body) for body in server.bodies] == [1] * 3
+    assert [pictures_in(body) for body in asked(server)] == [1] * 3
     whole = tmp_path / "whole"
     probe("merge", tmp_path / "0", tmp_path / "1", "--out", whole)
     probe("report", whole)
@@ -86,7 +91,7 @@ def test_other_arms_show_what_they_should(tmp_path, arm, pictures):
             *("run", suite, "--model", "mine", "--endpoint", server.url, "--arm", arm),
             *("--epochs", "1", "--workers", "1", "--out", tmp_path / "out"),
         )
-    assert [pictures_in(body) for body in server.bodies] == [pictures]
+    assert [pictures_in(body) for body in asked(server)] == [pictures]
     (record,) = read_records(tmp_path / "out" / RECORDS)
     assert record.arm == arm
 
@@ -120,3 +125,41 @@ def test_the_harness_finds_our_tasks_by_name(tmp_path):
         )
     (record,) = read_records(tmp_path / "out" / RECORDS)
     assert (record.arm, record.answer and record.answer.choice) == ("direct", "A")
+
+
+def test_a_pointer_is_asked_at_the_endpoint_too(tmp_path):
+    """Whoever has no provider before its name is there; its price is its own."""
+    suite, prices = suite_file(tmp_path, (COUNT,)), tmp_path / "prices.yaml"
+    prices.write_text("eyes:\n  tokens_in: 1000000\n  tokens_out: 0\n")
+
+    def says(number: int, body: dict[str, Any]) -> Reply:
+        if not body.get("tools"):
+            return Reply("[512, 512]")
+        look = ("find_object", '{"description": "the thing in the middle"}')
+        found = any(message["role"] == "tool" for message in body["messages"])
+        return Reply(calls=(CALL if found else look,))
+
+    with serving(says) as server:
+        probe(
+            *("run", suite, "--model", "mine", "--pointer", "eyes", "--endpoint", server.url),
+            *("--epochs", "1", "--workers", "1", "--prices", prices, "--out", tmp_path / "out"),
+        )
+    (record,) = read_records(tmp_path / "out" / RECORDS)
+    assert record.arm == "agentic, pointer openai-api/endpoint/eyes"
+    models = [str(body["model"]) for body in asked(server)]
+    assert (models[0], models[-1]) == ("mine", "mine") and "eyes" in models
+    # The server counts 100 tokens for each request, a dollar each; only the pointer has a price.
+    assert record.seat and record.seat.cost == 100 * models.count("eyes")
+
+
+def test_a_server_that_isnt_there_is_named_and_nothing_is_left(tmp_path):
+    suite = suite_file(tmp_path, (COUNT,))
+    ended = subprocess.run(
+        [sys.executable, "-m", "probe", "run", str(suite), "--model", "mine", "--endpoint",
+         "http://127.0.0.1:9/v1", "--out", str(tmp_path / "out")],
+        capture_output=True, text=True, timeout=PATIENCE,
+    )  # fmt: skip
+    assert ended.returncode == 1
+    assert "doesn't answer" in ended.stderr and "--endpoint" in ended.stderr
+    assert "Traceback" not in ended.stderr
+    assert not (tmp_path / "out" / RECORDS).exists()

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from typing import Literal
 
 import anyio
@@ -19,7 +20,7 @@ from probe.bench.plan import Plan, missing_of
 from probe.bench.prices import Price
 from probe.bench.seating import ROLE, Seating
 from probe.bench.tally import said
-from probe.errors import ModelFailed
+from probe.errors import MissingExtra, ModelFailed
 
 LOGS = "logs"
 """Folder of the harness's own logs, beside the records."""
@@ -55,6 +56,7 @@ def evaluate(plan: Plan, chosen: Chosen, display: Literal["rich", "plain", "none
     Raises:
         BadData: The folder is about something else, or another run is at work there.
         OutputFailed: It can't be written.
+        MissingExtra: A model's client isn't installed.
         ModelFailed: Nobody answers.
         WorkerUnfit: No table can be set up.
         WorkerDied: Tables die before they can be set up.
@@ -106,8 +108,14 @@ def _model(chosen: Chosen, name: str) -> Model:
     """One of the models; none is shared between two event loops.
 
     At an endpoint are the one that acts, and who has a name that no provider stands before.
+
+    Raises:
+        MissingExtra: Its client isn't installed.
+        ModelFailed: It can't be asked.
     """
     bare = name.removeprefix(_LOCAL)
+    if name.startswith("grok/") and find_spec("xai_sdk") is None:
+        raise MissingExtra(name, "bench,grok")
     own = chosen.endpoint is not None and (name == chosen.model or bare != name or "/" not in name)
     try:
         if not own:

@@ -13,8 +13,9 @@ from inspect_ai.solver import Generate, Solver, TaskState, solver
 from inspect_ai.util import LimitExceededError
 
 from probe.bench.plan import Plan
+from probe.bench.played import Played
 from probe.bench.scoring import MISSING, RIGHT, STORE, WRONG, accuracy_by_type, graded
-from probe.bench.seating import Played, Seating
+from probe.bench.seating import Seating
 from probe.bench.stopping import Stopped
 
 _LOGGER = getLogger(__name__)

@@ -13,6 +13,7 @@ from inspect_ai.util import LimitExceededError
 from probe.bench.conversation import in_words, with_tools
 from probe.bench.listening import Listener
 from probe.bench.plan import Done, Plan, lacking, taken_up
+from probe.bench.played import Played
 from probe.bench.pointing import Pointing
 from probe.bench.prices import Price
 from probe.bench.process import AskPointer
@@ -21,16 +22,14 @@ from probe.bench.tables import Sitting, TableLost, Tables
 from probe.bench.tally import Tally
 from probe.bench.wire import first_messages, tool_infos
 from probe.chat.messages import opening
-from probe.episodes.files import line_of, record_of
+from probe.episodes.files import line_of
 from probe.episodes.folder import add_line
 from probe.episodes.grading import question_of
-from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, ModelFailed, ProbeError
 from probe.runs.plan import Job, Order
 from probe.runs.table import TablePlace
 from probe.runs.table_talk import Asked, Grade, Leave, Left, Unanswered
 from probe.runs.work import failed
-from probe.tasks.grading import Score
 from probe.toolshed.result import Answer
 
 ROLE = "pointer"
@@ -120,7 +119,8 @@ class Seating:
             left = Left(line_of(record), None)
         await run_sync(add_line, self._plan.out, left.line)
         played = Played(left, listener, limit)
-        self._patience.heard(listener.unheard, played.record.fault)
+        # Where the user's limit ended it, it isn't for the model's silence.
+        self._patience.heard(listener.unheard and limit is None, played.record.fault)
         return played
 
     async def _open(self, model: Model) -> Order:
@@ -197,24 +197,6 @@ class Seating:
             await with_tools(listener, sitting, plan.points)
             return None
         return await in_words(listener, plan.arm, job.task, plan.points)
-
-
-class Played:
-    """An episode that is over.
-
-    Args:
-        left: Its record and worth.
-        listener: The conversation; None if it was played before.
-        limit: Of the harness, set by the user, that ended it.
-    """
-
-    def __init__(
-        self, left: Left, listener: Listener | None, limit: LimitExceededError | None = None
-    ) -> None:
-        self.record: EpisodeRecord = record_of(left.line)
-        self.score: Score | None = left.score
-        self.listener = listener
-        self.limit = limit
 
 
 async def _nobody(asked: Asked) -> Unanswered:
