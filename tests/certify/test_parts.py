@@ -38,3 +38,11 @@ def test_a_broken_log_is_named(tmp_path, text):
     parts.log_path(PLACE).write_text(text + "\n")
     with pytest.raises(BadData, match=r"count-7\.tsv: .*Delete it"):
         parts.log(PLACE)
+
+
+def test_a_candidate_that_two_processes_tried_counts_once(tmp_path):
+    parts = Parts(tmp_path)
+    for check in ("nest", "nest"):
+        parts.add(PLACE, line(check))
+    parts.add(PLACE, line(KEPT, 7001))
+    assert [each.seed for each in parts.log(PLACE)] == [7000, 7001]

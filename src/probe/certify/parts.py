@@ -98,8 +98,14 @@ class Parts:
             raise BadData(file, str(error), "Delete it; its place is then made anew") from error
 
     def add(self, place: Place, line: Line) -> None:
-        """Add a line to a place's log; whole or not at all."""
-        lines = [*self.log(place), line]
+        """Add a line to a place's log; whole or not at all.
+
+        A candidate that is there already counts once: two processes may be at the same place.
+        """
+        before = self.log(place)
+        if line.seed in {each.seed for each in before}:
+            return
+        lines = [*before, line]
         write_text(self.log_path(place), "".join(f"{each}\n" for each in lines))
 
     def keep(self, place: Place, task: Task, library: Library) -> None:

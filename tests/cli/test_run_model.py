@@ -1,0 +1,121 @@
+"""`probe run --model` and `inspect eval` as users type them, against a local server."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from model_server import Reply, serving
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS
+from probe.scores.row_files import read_csv
+from probe.tasks.suite import selection
+from probe.tasks.suite_file import demo_suite, write_suite
+from probe.tasks.task import Task
+
+pytestmark = pytest.mark.slow
+DEMO = demo_suite()
+COUNT, FIND = (next(task for task in DEMO.tasks if task.kind == kind) for kind in ("count", "find"))
+PATIENCE = 240.0
+CALL = ("answer_question", '{"choice": "A"}')
+
+
+def says_a(number: int, body: dict[str, Any]) -> Reply:
+    """Answers A: by a call where there are tools, else in words."""
+    return Reply(calls=(CALL,)) if body.get("tools") else Reply("ANSWER: A")
+
+
+def typed(*words: str | Path, **more: str) -> str:
+    """What a command prints; it must end well."""
+    ended = subprocess.run(
+        [*map(str, words)],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        env=os.environ | more,
+    )
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    return ended.stdout
+
+
+def probe(*words: str | Path) -> str:
+    return typed(sys.executable, "-m", "probe", *words)
+
+
+def suite_file(tmp_path: Path, tasks: tuple[Task, ...]) -> Path:
+    write_suite(tmp_path / "some.json", selection(DEMO, tasks, "some"))
+    return tmp_path / "some.json"
+
+
+def pictures_in(body: dict[str, Any]) -> int:
+    contents = [it["content"] for it in body["messages"] if isinstance(it["content"], list)]
+    return sum(part["type"] == "image_url" for content in contents for part in content)
+
+
+def test_shards_are_run_merged_and_reported(tmp_path):
+    suite = suite_file(tmp_path, (COUNT, FIND))
+    with serving(says_a) as server:
+        for number in range(2):
+            probe(
+                *("run", suite, "--model", "mine", "--endpoint", server.url, "--arm", "direct"),
+                *("--epochs", "1", "--workers", "1", "--shard", f"{number}/2"),
+                *("--out", tmp_path / str(number)),
+            )
+    assert [pictures_in(body) for body in server.bodies] == [1] * 2
+    whole = tmp_path / "whole"
+    probe("merge", tmp_path / "0", tmp_path / "1", "--out", whole)
+    probe("report", whole)
+    rows = {row.task: row for row in read_csv(whole / "rows.csv")}
+    assert {(row.agent, row.arm) for row in rows.values()} == {("mine", "direct")}
+    # Find needs a point as well, which nobody gave.
+    assert (rows[COUNT.id].correct, rows[FIND.id].correct) == (COUNT.answer == "A", False)
+    assert "mine" in (whole / "index.html").read_text()
+
+
+@pytest.mark.parametrize(("arm", "pictures"), [("blind", 0), ("oracle-view", 2)])
+def test_other_arms_show_what_they_should(tmp_path, arm, pictures):
+    suite = suite_file(tmp_path, (COUNT,))
+    with serving(says_a) as server:
+        probe(
+            *("run", suite, "--model", "mine", "--endpoint", server.url, "--arm", arm),
+            *("--epochs", "1", "--workers", "1", "--out", tmp_path / "out"),
+        )
+    assert [pictures_in(body) for body in server.bodies] == [pictures]
+    (record,) = read_records(tmp_path / "out" / RECORDS)
+    assert record.arm == arm
+
+
+def test_a_model_sits_at_a_changed_table(tmp_path):
+    suite = suite_file(tmp_path, (COUNT,))
+    with serving(says_a) as server:
+        probe(
+            *("run", suite, "--model", "mine", "--endpoint", server.url, "--epochs", "1"),
+            *("--table", "other", "--camera", "moved", "--pose-jitter", "0.003"),
+            *("--workers", "1", "--out", tmp_path / "out"),
+        )
+    (record,) = read_records(tmp_path / "out" / RECORDS)
+    assert record.end == "answered"
+    assert record.start.scene.table != COUNT.scene.table
+    moved = zip(record.start.scene.objects, COUNT.scene.objects, strict=True)
+    assert all(now.pose != then.pose for now, then in moved)
+    assert record.conditions.camera == "moved"
+
+
+def test_the_harness_finds_our_tasks_by_name(tmp_path):
+    suite = suite_file(tmp_path, (COUNT,))
+    inspect = Path(sys.executable).with_name("inspect")
+    with serving(says_a) as server:
+        typed(
+            *(inspect, "eval", "probe/direct", "--model", "openai-api/local/mine"),
+            *("-T", f"suite={suite}", "-T", f"out={tmp_path / 'out'}", "-T", "epochs=1"),
+            *("--display", "plain", "--log-dir", tmp_path / "logs"),
+            LOCAL_BASE_URL=server.url,
+            LOCAL_API_KEY="none",
+        )
+    (record,) = read_records(tmp_path / "out" / RECORDS)
+    assert (record.arm, record.answer and record.answer.choice) == ("direct", "A")
