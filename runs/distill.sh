@@ -16,7 +16,7 @@ PORT=${PORT:-8001}
 COUNTS=${COUNTS:---counts.count 4 --counts.find 4 --counts.size 2 --counts.reduce 1 --counts.compare 1}
 SELECT=${SELECT:---slack 3}
 TINY=${TINY:---width 96 --layers 2 --heads 2}  # how small: probe init-tiny --help
-TRAIN=${TRAIN:---learning-rate 1e-3 --global-batch 4 --epochs 2 --no-save-memory --loaders 1}
+TRAIN=${TRAIN:---learning-rate 2e-3 --global-batch 2 --epochs 2 --no-save-memory --loaders 1}
 probe=${PROBE:-.venv/bin/probe}
 
 step() { echo; echo "== $*"; }

@@ -6,9 +6,10 @@ import json
 import time
 import uuid
 from importlib import import_module
-from typing import Any
+from typing import Any, cast
 
 from probe.errors import MissingExtra, ProbeError
+from probe.train.conversations import NotUnderstood
 from probe.train.speaking import Said, Speaker
 
 
@@ -28,9 +29,9 @@ def application(speaker: Speaker, called: str) -> Any:
 
     async def complete(request: Any) -> Any:
         try:
-            body = json.loads(await request.body())
+            body = _body(await request.body())
             said = await threads.run_in_threadpool(speaker.reply, body)
-        except (ProbeError, ValueError, KeyError) as error:
+        except ProbeError as error:
             return responses.JSONResponse({"error": {"message": str(error)}}, status_code=400)
         return responses.JSONResponse(completion(said, called))
 
@@ -81,6 +82,16 @@ def completion(said: Said, called: str) -> dict[str, Any]:
             "total_tokens": said.tokens_in + said.tokens_out,
         },
     }
+
+
+def _body(content: bytes) -> dict[str, Any]:
+    try:
+        body: Any = json.loads(content)
+    except ValueError as error:
+        raise NotUnderstood("it is no JSON") from error
+    if not isinstance(body, dict) or "messages" not in body:
+        raise NotUnderstood("it has no messages")
+    return cast("dict[str, Any]", body)
 
 
 def _web(name: str) -> Any:

@@ -1,0 +1,61 @@
+"""The protocol of the small server; test_same_tokens and test_distill have models behind it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from probe.train.conversations import of_request
+from probe.train.replying import Reply
+from probe.train.serving import application
+from probe.train.speaking import Said
+
+REPLY = Reply("I look.", (("perceive_scene", "{}"),))
+
+
+class Replies:
+    """Says one thing to whoever is understood."""
+
+    def __init__(self, said: Said) -> None:
+        self._said = said
+
+    def reply(self, body):
+        of_request(body["messages"])
+        return self._said
+
+
+def asked(said: Said, body: Any) -> Any:
+    from starlette.testclient import TestClient
+
+    with TestClient(application(Replies(said), "student")) as client:  # type: ignore[arg-type]
+        return client.post("/v1/chat/completions", json=body)
+
+
+HELLO = {"messages": [{"role": "user", "content": "What is under the mug?"}]}
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_call_comes_in_openais_form():
+    told = asked(Said(REPLY, 30, 9, cut=False), HELLO).json()
+    (choice,) = told["choices"]
+    assert choice["finish_reason"] == "tool_calls" and choice["message"]["content"] == "I look."
+    (call,) = choice["message"]["tool_calls"]
+    assert call["function"] == {"name": "perceive_scene", "arguments": "{}"}
+    assert told["usage"] == {"prompt_tokens": 30, "completion_tokens": 9, "total_tokens": 39}
+    assert told["model"] == "student"
+
+
+@pytest.mark.filterwarnings("default")
+def test_words_and_words_that_are_cut_off():
+    for cut, ending in ((False, "stop"), (True, "length")):
+        (choice,) = asked(Said(Reply("ANSWER: B"), 3, 4, cut), HELLO).json()["choices"]
+        assert choice["finish_reason"] == ending
+        assert choice["message"] == {"role": "assistant", "content": "ANSWER: B"}
+
+
+@pytest.mark.filterwarnings("default")
+@pytest.mark.parametrize("body", [{}, {"messages": [{"content": "x"}]}, ["x"]])
+def test_what_is_not_understood_is_told(body):
+    answer = asked(Said(REPLY, 1, 1, cut=False), body)
+    assert answer.status_code == 400 and answer.json()["error"]["message"]
