@@ -94,7 +94,7 @@ class Push(_Arguments):
         pydantic.Field(
             ge=3,
             le=20,
-            description="How far, in centimetres. The picture is 58 cm wide.",
+            description="How far: 3 to 20 centimetres. The picture is 58 cm wide.",
         ),
     ]
 
