@@ -2,57 +2,24 @@
 
 from __future__ import annotations
 
-import os
-import time
-from collections.abc import Callable, Generator
-from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any
 
 import anyio
 import pytest
 
+from bench.odd_tables import CuriousPlace, HangingPlace, StillbornPlace
 from probe.bench.tables import Sitting, TableLost, Tables
 from probe.episodes.seat import Seat
 from probe.episodes.turns import Call
 from probe.errors import WorkerDied
-from probe.runs.table import TablePlace
-from probe.runs.table_talk import Asked, Leave, Left, Request, Response, Shown, Told
+from probe.runs.table_talk import Asked, Leave
 
 pytestmark = pytest.mark.slow
 
 WHERE = Asked((), "where?")
 ANY: Any = None
-SILENCE, PATIENCE = 20.0, 300.0
+SILENCE, PATIENCE = 12.0, 300.0
 """Seconds: more than a busy machine takes to start a process, and more than three times that."""
-
-
-class Curious:
-    """Asks where with each find_object; leaving, it tells the calls that were made at it."""
-
-    def __init__(self, place: TablePlace) -> None:
-        self._place = place
-        self._calls: list[str] = []
-
-    def do(self, request: Request) -> Response:
-        if isinstance(request, Leave):
-            return Left(" ".join(self._calls).encode(), None)
-        if not isinstance(request, Call):
-            return Shown(())
-        self._calls.append(request.name)
-        said = ""
-        if request.name == "find_object":
-            assert self._place.asking is not None
-            self._place.asking.send(Asked((), "where?"))
-            said = str(self._place.asking.recv())
-        return Told(said, None, False)
-
-
-@dataclass(frozen=True)
-class CuriousPlace(TablePlace):
-    @contextmanager
-    def __call__(self) -> Generator[Callable[[Request], Response]]:
-        yield Curious(self).do
 
 
 class LimitReached(Exception):
@@ -90,20 +57,6 @@ async def _in_time(sitting: Sitting) -> bytes:
         return (await sitting.leave(Leave(Seat("agentic")))).line
 
 
-@dataclass(frozen=True)
-class HangingPlace(TablePlace):
-    """Sits down, and never comes back from a call."""
-
-    @contextmanager
-    def __call__(self) -> Generator[Callable[[Request], Response]]:
-        def do(request: Request) -> Response:
-            if isinstance(request, Call):
-                time.sleep(PATIENCE)
-            return Shown(())
-
-        yield do
-
-
 def test_a_table_that_hangs_is_lost_and_not_waited_for():
     async def sitting_down() -> None:
         tables = Tables(HangingPlace(ANY, ANY), 1, silence=SILENCE)
@@ -114,16 +67,6 @@ def test_a_table_that_hangs_is_lost_and_not_waited_for():
             assert len(sitting.failures) == 3
 
     anyio.run(sitting_down)
-
-
-@dataclass(frozen=True)
-class StillbornPlace(TablePlace):
-    """Dies while it is set up."""
-
-    @contextmanager
-    def __call__(self) -> Generator[Callable[[Request], Response]]:
-        os._exit(9)
-        yield
 
 
 def test_tables_that_die_before_they_are_set_up_stop_everything():

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib.util import find_spec
-from typing import Any
 
 import pytest
 
+from bench.odd_tables import UnfitPlace
 from bench.painted import demo, plan
 from bench.sitting_in import sit_in
 from model_server import Reply, serving
@@ -17,8 +15,7 @@ from probe.bench.evaluation import Chosen, evaluate
 from probe.bench.stopping import MUTE, Patience
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
-from probe.errors import MissingExtra, ModelFailed, ProbeError
-from probe.runs.table import TablePlace
+from probe.errors import MissingExtra, ModelFailed
 
 pytestmark = pytest.mark.filterwarnings("default")
 
@@ -76,19 +73,6 @@ def test_a_model_that_never_says_anything_isnt_asked_for_ever(tmp_path):
     assert log.status == "error"
     assert log.error and f"{MUTE} episodes one after another" in log.error.message
     assert MUTE <= len(read_records(tmp_path / RECORDS)) < 16
-
-
-@dataclass(frozen=True)
-class UnfitPlace(TablePlace):
-    """Can't be set up, and leaves a file beside the records each time."""
-
-    @contextmanager
-    def __call__(self) -> Generator[Any]:
-        assert self.cache is not None
-        with self.cache.open("a") as file:
-            file.write("tried\n")
-        raise ProbeError("there is no driver")
-        yield
 
 
 @pytest.mark.slow

@@ -21,6 +21,8 @@ from probe.tasks.suite_file import demo_suite, write_suite
 
 PATIENCE = 300.0
 TASKS = 2
+PAGE = 4096
+"""Bytes; what files take of a small file system is a multiple of it."""
 
 
 def command(suite: Path, out: Path, *more: str) -> list[str]:
@@ -174,7 +176,8 @@ def disk(suite, reference, tmp_path):
     room = len((reference / RECORDS).read_bytes().splitlines()[0]) + 3000
     folder = tmp_path / "disk"
     folder.mkdir()
-    size = -(-(room + suite.stat().st_size) // 4096) * 4096
+    others = [path.stat().st_size for path in reference.iterdir() if path.name != RECORDS]
+    size = sum(-(-each // PAGE) * PAGE for each in (room, *others))
     option = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(folder)]
     if subprocess.run(option, capture_output=True).returncode == 0:
         yield Disk(folder)
