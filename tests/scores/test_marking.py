@@ -5,7 +5,9 @@ from dataclasses import replace
 
 import pytest
 
+from probe.episodes.conditions import Conditions
 from probe.episodes.record import EpisodeRecord, Seconds, Step, Table
+from probe.episodes.seat import Seat
 from probe.episodes.turns import Call, Question
 from probe.scene.visibility import Visibility
 from probe.scores.marking import Usage, roster_of_tasks, row_of, stratum_of
@@ -74,6 +76,18 @@ def test_a_row_says_what_the_record_and_the_score_say():
         "tokens_out": 20,
         "cost": 0.25,
     }
+
+
+def test_what_a_model_used_is_in_its_record():
+    seat = Seat("agentic", tokens_in=10, tokens_out=20, cost=0.25)
+    row = row_of(FIND, replace(RECORD, seat=seat), MISSED, suite="v1", arm="agentic")
+    assert (row.tokens_in, row.tokens_out, row.cost) == (10, 20, 0.25)
+
+
+def test_other_conditions_are_another_arm():
+    tilted = replace(RECORD, conditions=Conditions(camera="tilted"))
+    row = row_of(FIND, tilted, MISSED, suite="v1", arm="agentic")
+    assert row.arm == "agentic, camera tilted"
 
 
 def test_what_is_unknown_stays_unknown():

@@ -1,6 +1,6 @@
 import pytest
 
-from probe.scores.missing import Gap, Headline, filled, gaps_of, headline, present, settled
+from probe.scores.missing import Gap, Headline, filled, gaps_of, headline, present, runs_of, settled
 from probe.scores.units import ContraryRows
 from score_rows import faulty, roster, row, unit
 
@@ -47,6 +47,11 @@ def test_each_task_should_have_each_run_that_was_ordered():
         for task, kind in (("find-1", "find"), ("find-2", "find"), ("size-1", "size"))
     ]
     assert headline(rows, ROSTER) == Headline(None, 0.5, 1.0, rows=6, missing=3)
+
+
+def test_without_an_order_runs_are_those_that_exist():
+    assert runs_of([row("find-1", run=1), row("find-2", run=3)]) == {1, 3}
+    assert runs_of([row("find-1", run=1, ordered=3)]) == {0, 1, 2}
 
 
 def test_a_run_that_only_failed_is_expected_of_all():

@@ -34,12 +34,19 @@ def test_several_conditions_are_one_family():
 
 
 def test_what_is_missing_is_counted():
+    plain = [*PLAIN[:3], faulty("size-2")]
     rows = [faulty("find-1", arm=ARM), *tilted(1, 1, 1, 1)[1:]]
-    (shift,) = shifts(PLAIN, {LABEL: rows}, {})
-    assert (shift.missing, shift.pair.tasks) == (1, 3)
+    (shift,) = shifts(plain, {LABEL: rows}, {})
+    assert (shift.missing, shift.pair.tasks) == (2, 2)
+
+
+def test_no_certified_difference_where_no_task_holds():
+    broken = [it.task for it in PLAIN]
+    (shift,) = shifts(PLAIN, {LABEL: tilted(1, 0, 0, 0)}, {LABEL: broken})
+    assert (shift.certified, shift.certified_tasks) == (None, 0)
 
 
 def test_somebody_else_is_no_comparison():
     rows = [row("find-1", agent="bob", arm=ARM)]
-    with pytest.raises(NoCounterpart, match="Run the same agent on both"):
+    with pytest.raises(NoCounterpart, match="camera tilted.*Run the same agent on both"):
         shifts(PLAIN, {LABEL: rows}, {})
