@@ -5,7 +5,9 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import shutil
 import tempfile
+from collections.abc import Generator
 from pathlib import Path
 from typing import TypeVar
 
@@ -37,6 +39,38 @@ def write_bytes(path: Path, content: bytes) -> None:
             with contextlib.suppress(OSError):
                 os.unlink(temporary)
         raise OutputFailed(path, error.strerror or str(error)) from error
+
+
+def check_new(out: Path) -> None:
+    """Refuse a folder that is there.
+
+    Raises:
+        BadData: It is.
+    """
+    if out.exists():
+        raise BadData(out, "is there already", "Choose a new folder")
+
+
+@contextlib.contextmanager
+def whole_folder(folder: Path) -> Generator[Path]:
+    """A hidden folder beside it that takes its place when the block ends well, else goes.
+
+    Raises:
+        OutputFailed: The disk is full, it can't be written, or the place is taken.
+    """
+    building: Path | None = None
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        building = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}."))
+        yield building
+        building.chmod(0o755)
+        building.rename(folder)
+    except OSError as error:
+        raise OutputFailed(folder, error.strerror or str(error)) from error
+    finally:
+        if building is not None:
+            with contextlib.suppress(OSError):
+                shutil.rmtree(building)
 
 
 def write_text(path: Path, text: str) -> None:

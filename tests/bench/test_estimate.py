@@ -13,6 +13,7 @@ from probe.assets.library import open_all
 from probe.bench.estimate import PICTURE_TOKENS, estimate
 from probe.bench.models import known_models, settings_of
 from probe.bench.prices import read_prices
+from probe.cli.dry_run import would_ask
 from probe.cli.seats import Seats, take_seats
 from probe.episodes.conditions import AS_FROZEN
 from probe.episodes.files import write_records
@@ -58,7 +59,7 @@ def test_pictures_are_sent_again_with_each_reply():
 def test_a_dry_run_asks_nothing_and_says_what_it_would_cost(tmp_path, capsys):
     path = tmp_path / "prices.yaml"
     path.write_text(PRICES)
-    take_seats(SUITE, replace(SEATS, prices=path), tmp_path / "out", dry_run=True)
+    would_ask(SUITE, replace(SEATS, prices=path), tmp_path / "out")
     said = capsys.readouterr().out
     assert "6 tasks, 3 runs each: 18 episodes." in said
     assert "720 replies" in said and "US dollars" in said and "Nothing was asked" in said
@@ -74,7 +75,7 @@ def test_a_dry_run_leaves_out_what_was_done(tmp_path, capsys):
         in_the_seat(second, model="another"), in_the_seat(second, arm="direct"),
     ]  # fmt: skip
     write_records(tmp_path / RECORDS, records)
-    take_seats(SUITE, SEATS, tmp_path, dry_run=True)
+    would_ask(SUITE, SEATS, tmp_path)
     said = capsys.readouterr().out
     assert f"2 of them are in {tmp_path} already" in said
     assert f"{16 * 12} replies" in said and f"{16 * 40} replies" in said
@@ -83,7 +84,7 @@ def test_a_dry_run_leaves_out_what_was_done(tmp_path, capsys):
 def test_a_model_without_a_price_is_named(tmp_path, capsys):
     path = tmp_path / "prices.yaml"
     path.write_text(PRICES)
-    take_seats(SUITE, replace(SEATS, model="mine", prices=path), tmp_path, dry_run=True)
+    would_ask(SUITE, replace(SEATS, model="mine", prices=path), tmp_path)
     said = capsys.readouterr().out
     assert "has no price of mine: no cost is told. Known: gpt-5.4." in said
     assert "US dollars" not in said
@@ -103,18 +104,18 @@ def test_a_model_that_nobody_serves_is_refused_with_what_to_do(
     monkeypatch.delenv("VLLM_BASE_URL", raising=False)
     seats = replace(SEATS, model=model, pointer=pointer)
     with pytest.raises(BadData, match=words):
-        take_seats(SUITE, seats, tmp_path / "out", dry_run=False)
+        take_seats(SUITE, seats, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
 def test_an_endpoint_without_a_scheme_is_none(tmp_path):
     seats = replace(SEATS, model="mine", endpoint="localhost:8000/v1")
     with pytest.raises(BadData, match="Begin it with http://"):
-        take_seats(SUITE, seats, tmp_path, dry_run=True)
+        would_ask(SUITE, seats, tmp_path)
 
 
 def test_a_dry_run_says_that_pointing_comes_on_top(tmp_path, capsys):
-    take_seats(SUITE, replace(SEATS, pointer="self"), tmp_path, dry_run=True)
+    would_ask(SUITE, replace(SEATS, pointer="self"), tmp_path)
     assert "Replies that point (self) come on top" in capsys.readouterr().out
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import os
 import shutil
-import tempfile
 from pathlib import Path
 
 from probe.assets.cache import Cache, content_key
@@ -15,8 +14,8 @@ from probe.assets.mesh import Body
 from probe.assets.packing import LAYOUT, pack_body, unpack_body
 from probe.assets.pieces import PIECES_VERSION, convex_pieces
 from probe.assets.spec import ObjectSpec
-from probe.errors import BadData, BadMesh, OutputFailed, UnknownName
-from probe.files import write_bytes, write_text
+from probe.errors import BadData, BadMesh, UnknownName
+from probe.files import whole_folder, write_bytes, write_text
 
 MESH, ENTRY = "object.glb", "entry.json"
 VERSION = f"{LAYOUT} {GLB_VERSION} {PIECES_VERSION}"
@@ -74,21 +73,9 @@ def store_object(folder: Path, entry: Entry, glb: bytes) -> None:
     Raises:
         OutputFailed: The disk is full, the folder can't be written, or the id is taken.
     """
-    building: Path | None = None
-    home = folder / entry.id
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        building = Path(tempfile.mkdtemp(dir=folder, prefix=".adding-"))
+    with whole_folder(folder / entry.id) as building:
         write_bytes(building / MESH, glb)
         write_text(building / ENTRY, entry.model_dump_json(indent=2) + "\n")
-        os.chmod(building, 0o755)
-        os.rename(building, home)
-    except OSError as error:
-        raise OutputFailed(home, error.strerror or str(error)) from error
-    finally:
-        if building is not None:
-            with contextlib.suppress(OSError):
-                shutil.rmtree(building)
 
 
 def remove_object(folder: Path, object_id: str) -> None:

@@ -16,11 +16,9 @@ from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.files import line_of, read_records, set_aside_cut
 from probe.episodes.folder import (
     RECORDS,
-    SUITE,
     check_suite,
-    reserved,
+    occupied,
     standing,
-    start_folder,
 )
 from probe.episodes.luck import NO_NOISE, Noise
 from probe.episodes.ordered import note_ordered
@@ -31,7 +29,6 @@ from probe.perception.points import Convention
 from probe.runs.plan import Order
 from probe.runs.run import check_settings
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import write_suite
 from probe.tasks.task import Task
 
 Pointer = Literal["oracle", "self", "role"]
@@ -104,9 +101,7 @@ def taken_up(plan: Plan, order: Order) -> Generator[tuple[Done, str]]:
         OutputFailed: It can't be written.
     """
     check_folder(plan, order)
-    if not (plan.out / SUITE).exists():
-        write_suite(plan.out / SUITE, plan.suite)
-    with reserved(plan.out):
+    with occupied(plan.out, plan.suite):
         yield take_up(plan, order)
 
 
@@ -135,17 +130,16 @@ def lacking(plan: Plan, done: Done) -> int:
 
 
 def take_up(plan: Plan, order: Order) -> tuple[Done, str]:
-    """Make or take up the folder of records, which no other process may write to meanwhile.
+    """Take up a folder of records, which no other process may write to meanwhile.
 
     Returns:
         What has been done before, and under which name replies are kept.
 
     Raises:
-        BadData: It is about another suite, was run under other conditions, or can't be read.
+        BadData: It was run under other conditions, or can't be read.
         OutputFailed: It can't be written.
     """
     set_aside_cut(plan.out / RECORDS)
-    start_folder(plan.out, plan.suite)
     path = plan.out / RECORDS
     earlier = read_records(path) if path.exists() else []
     check_settings(path, earlier, order)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rich.console import Console
 from rich.progress import (
     BarColumn,
     MofNCompleteColumn,
@@ -23,6 +24,8 @@ def bar() -> Progress:
         TimeElapsedColumn(),
         TextColumn("left"),
         TimeRemainingColumn(),
+        # The harness sets up rich's global console anew, which ends what is shown there.
+        console=Console(),
         # Episodes and tasks take minutes; a rate over half a minute would know of none.
         speed_estimate_period=_HOUR,
     )

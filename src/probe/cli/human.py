@@ -16,14 +16,14 @@ from probe.assets.library import Library
 from probe.cli.surroundings import cache_folder, everything
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, SUITE, check_suite, claim_arm, reserved
+from probe.episodes.folder import RECORDS, check_suite, claim_arm, occupied
 from probe.episodes.luck import NOISES, Noise, NoiseName
 from probe.episodes.play import open_episode
 from probe.episodes.remarks import REMARKS
 from probe.errors import BadData, MissingExtra
 from probe.render.renderer import Renderer
 from probe.tasks.suite import Suite, check_objects
-from probe.tasks.suite_file import find_suite, write_suite
+from probe.tasks.suite_file import find_suite
 from probe.tasks.task import Task
 
 ARM = "human"
@@ -81,9 +81,7 @@ def taken_up(out: Path, suite: Suite, noise: Noise) -> Generator[None]:
         OutputFailed: It can't be written.
     """
     check_suite(out, suite)
-    if not (out / SUITE).exists():
-        write_suite(out / SUITE, suite)
-    with reserved(out):
+    with occupied(out, suite):
         claim_arm(out, ARM)
         for name in (RECORDS, REMARKS):
             cut = set_aside_cut(out / name)

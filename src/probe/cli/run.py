@@ -11,6 +11,7 @@ import tyro
 from probe.assets.library import open_all
 from probe.chat.prompts import Arm
 from probe.cli.agents import AgentName, make_agent
+from probe.cli.dry_run import would_ask
 from probe.cli.fitting import check_counts, check_pointer, refuse_stray
 from probe.cli.running import run_order
 from probe.cli.seats import Seats, take_seats
@@ -92,7 +93,9 @@ def run(
             shard=part,
             workers=workers or _TABLES,
         )
-        take_seats(find_suite(suite), seats, out, dry_run=dry_run)
         if dry_run:
+            would_ask(find_suite(suite), seats, out)
             return
+        if missing := take_seats(find_suite(suite), seats, out):
+            print(f"{missing} episodes are missing; the same command tries them again.")
     print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from probe.assets.library import Library
-from probe.bench.estimate import PICTURE_TOKENS, REPLY_TOKENS, Estimate, estimate
 from probe.bench.models import settings_of
 from probe.bench.plan import Plan
 from probe.bench.prices import Price, Prices, read_prices
@@ -17,8 +16,6 @@ from probe.chat.prompts import Arm
 from probe.cli.surroundings import cache_folder
 from probe.cli.varying import varied
 from probe.episodes.conditions import Conditions
-from probe.episodes.files import read_records
-from probe.episodes.folder import RECORDS
 from probe.episodes.luck import Noise
 from probe.episodes.seat import Points
 from probe.errors import BadData, MissingExtra
@@ -26,7 +23,6 @@ from probe.runs.plan import Shard
 from probe.runs.vary import changes_scenes
 from probe.tasks.suite import Suite, check_objects
 from probe.tasks.task import Task
-from probe.toolshed.toolshed import TURNS
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,20 +56,24 @@ class Seats:
         return tuple(suite.tasks[self.shard.number :: self.shard.count])
 
 
-def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
-    """Run a suite with a model, or say what that would ask of it.
+def take_seats(suite: Suite, seats: Seats, out: Path, *, plain: bool = False) -> int:
+    """Run a suite with a model.
+
+    Args:
+        suite: What is asked.
+        seats: Who is asked, and how.
+        out: Folder of the records.
+        plain: Print lines even to a terminal, where a bar of the caller's stands.
+
+    Returns:
+        How many episodes are missing by our fault.
 
     Raises:
         MissingExtra: The harness isn't installed.
         BadData: The folder is about something else, prices can't be read, or nobody has the model.
     """
-    _check_address(seats.endpoint)
-    price = _price_of(seats, seats.model)
-    if dry_run:
-        _tell(suite, seats, out, price)
-        if seats.pointer != "oracle":
-            print(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")
-        return
+    check_address(seats.endpoint)
+    price = price_of(seats.prices, seats.model)
     for name in {seats.model, seats.pointer} - {"oracle", "self"}:
         if seats.endpoint is None:
             _check_served(name)
@@ -85,29 +85,31 @@ def take_seats(suite: Suite, seats: Seats, out: Path, *, dry_run: bool) -> None:
         from probe.bench.evaluation import Chosen, evaluate
     except ImportError as error:
         raise MissingExtra("A model in the seat", "bench") from error
-    plan = _plan(suite, seats, out, price)
+    plan = plan_of(suite, seats, out, price)
     key = os.environ.get("OPENAI_API_KEY") or "none"
     pointer = settings_of(seats.pointer).id if plan.pointer == "role" else None
-    its_price = _price_of(seats, seats.pointer) if pointer else None
+    its_price = price_of(seats.prices, seats.pointer) if pointer else None
     chosen = Chosen(settings_of(seats.model).id, seats.endpoint, key, pointer, its_price)
-    missing = evaluate(plan, chosen, "rich" if sys.stdout.isatty() else "plain")
-    if missing:
-        print(f"{missing} episodes are missing; the same command tries them again.")
+    return evaluate(plan, chosen, "rich" if sys.stdout.isatty() and not plain else "plain")
 
 
-def _price_of(seats: Seats, name: str) -> Price | None:
-    """Of a model's tokens; says so if prices were given and its isn't among them."""
-    if seats.prices is None:
+def price_of(path: Path | None, name: str) -> Price | None:
+    """Of a model's tokens; says so if there is a file of prices and its isn't among them.
+
+    Raises:
+        BadData: The file can't be read.
+    """
+    if path is None:
         return None
-    prices: Prices = read_prices(seats.prices)
+    prices: Prices = read_prices(path)
     price = prices.get(name) or prices.get(settings_of(name).id)
     if price is None:
         known = ", ".join(sorted(prices)) or "none"
-        print(f"{seats.prices} has no price of {name}: no cost is told. Known: {known}.")
+        print(f"{path} has no price of {name}: no cost is told. Known: {known}.")
     return price
 
 
-def _check_address(endpoint: str | None) -> None:
+def check_address(endpoint: str | None) -> None:
     """See that it is one.
 
     Raises:
@@ -134,7 +136,8 @@ def _check_served(name: str) -> None:
         raise BadData(name, "is no short name, and names no provider", remedy)
 
 
-def _plan(suite: Suite, seats: Seats, out: Path, price: Price | None) -> Plan:
+def plan_of(suite: Suite, seats: Seats, out: Path, price: Price | None) -> Plan:
+    """What is run, in the terms of `probe.bench`."""
     pointing = settings_of(seats.model if seats.pointer == "self" else seats.pointer)
     return Plan(
         arm=seats.arm,
@@ -153,44 +156,3 @@ def _plan(suite: Suite, seats: Seats, out: Path, price: Price | None) -> Plan:
         prices={seats.model: price} if price else {},
         called=seats.model,
     )
-
-
-def _tell(suite: Suite, seats: Seats, out: Path, price: Price | None) -> None:
-    tasks = seats.tasks_of(suite)
-    whole = len(tasks) * seats.epochs
-    print(f"{len(tasks)} tasks, {seats.epochs} runs each: {whole} episodes.")
-    done = _done(suite, seats, out)
-    left = [task for task in tasks for run in range(seats.epochs) if (task.id, run) not in done]
-    if len(left) < whole:
-        print(f"{whole - len(left)} of them are in {out} already; what follows is of the others.")
-    usual = estimate(seats.arm, seats.counting, left, 1)
-    print(_line("If they are of usual length", usual, price))
-    if seats.arm == "agentic":
-        longest = estimate(seats.arm, seats.counting, left, 1, TURNS)
-        print(_line(f"If each takes all {TURNS} calls", longest, price))
-    print(
-        f"Pictures are taken for {PICTURE_TOKENS} tokens each, replies for {REPLY_TOKENS}: a model "
-        "that reasons may write thousands, which cost as replies do. Nothing was asked."
-    )
-
-
-def _done(suite: Suite, seats: Seats, out: Path) -> set[tuple[str, int]]:
-    """Episodes that the folder holds, by task and run."""
-    path = out / RECORDS
-    pointer = "self" if seats.pointer == "self" else settings_of(seats.pointer).id
-    order = _plan(suite, seats, out, None).order(
-        seats.model, "" if seats.pointer == "oracle" else pointer
-    )
-    records = read_records(path, whole=False) if path.exists() else []
-    mine = [it for it in records if (it.agent, it.arm) == (order.agent, order.arm)]
-    return {(it.task, it.run) for it in mine if it.end != "fault"}
-
-
-def _line(when: str, found: Estimate, price: Price | None) -> str:
-    cost = ""
-    if price is not None:
-        dollars = found.tokens_in * price.tokens_in + found.tokens_out * price.tokens_out
-        cost = f", {dollars / 1e6:,.2f} US dollars"
-    asked = f"{found.replies:,} replies, {found.pictures:,} pictures sent"
-    tokens = f"{found.tokens_in / 1e6:,.1f} million tokens in and {found.tokens_out / 1e6:,.2f} out"
-    return f"{when}: {asked}, about {tokens}{cost}."

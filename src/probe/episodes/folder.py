@@ -27,10 +27,27 @@ def start_folder(out: Path, suite: Suite) -> None:
         OutputFailed: It can't be written.
     """
     check_suite(out, suite)
-    if not (out / SUITE).exists():
-        write_suite(out / SUITE, suite)
+    _found(out, suite)
     if (out / RECORDS).exists():
         read_records(out / RECORDS)
+
+
+def _found(out: Path, suite: Suite) -> None:
+    if not (out / SUITE).exists():
+        write_suite(out / SUITE, suite)
+
+
+@contextmanager
+def occupied(out: Path, suite: Suite) -> Generator[None]:
+    """Make or take up a folder, which check_suite has seen, and keep other runs out of it.
+
+    Raises:
+        BadData: Another run is at work there.
+        OutputFailed: It can't be written.
+    """
+    _found(out, suite)
+    with reserved(out):
+        yield
 
 
 def check_suite(out: Path, suite: Suite) -> None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from probe.episodes.files import line_of, read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, SUITE, add_line, check_suite, reserved
+from probe.episodes.folder import RECORDS, add_line, check_suite, occupied
 from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
@@ -17,7 +17,6 @@ from probe.runs.crew import Lost, carry_out
 from probe.runs.plan import Job, Order
 from probe.runs.work import Workplace, failed
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import write_suite
 
 
 @dataclass(frozen=True)
@@ -46,9 +45,7 @@ def begun(out: Path, suite: Suite, order: Order) -> Generator[Beginning]:
     """
     check_suite(out, suite)
     check_settings(out / RECORDS, _earlier(out), order)
-    if not (out / SUITE).exists():
-        write_suite(out / SUITE, suite)
-    with reserved(out):
+    with occupied(out, suite):
         cut = set_aside_cut(out / RECORDS)
         note_ordered(out, order.agent, order.arm, order.runs)
         earlier = _earlier(out)

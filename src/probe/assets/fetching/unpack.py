@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import contextlib
 import shutil
 import stat
-import tempfile
 import zipfile
 import zlib
 from pathlib import Path, PurePosixPath
 
 from probe.errors import BadData, OutputFailed
+from probe.files import whole_folder
 
 MAX_BYTES = 20 * 2**30
 MAX_FILES = 100_000
@@ -25,25 +24,17 @@ def unpack(archive: Path, folder: Path) -> None:
         BadData: It is damaged, leads outside the folder, holds links, or would grow enormous.
         OutputFailed: The disk is full, or the folder can't be written.
     """
-    building: Path | None = None
     try:
         with zipfile.ZipFile(archive) as file:
             _check(archive, file.infolist())
-            folder.parent.mkdir(parents=True, exist_ok=True)
-            building = Path(tempfile.mkdtemp(dir=folder.parent, prefix=".unpacking-"))
-            file.extractall(building)
-        building.chmod(0o755)
-        if folder.exists():
-            shutil.rmtree(folder)
-        building.rename(folder)
+            with whole_folder(folder) as building:
+                file.extractall(building)
+                if folder.exists():
+                    shutil.rmtree(folder)
     except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
         raise BadData(archive, f"is no whole ZIP file ({error})", _AGAIN) from error
     except OSError as error:
         raise OutputFailed(folder, error.strerror or str(error)) from error
-    finally:
-        if building is not None:
-            with contextlib.suppress(OSError):
-                shutil.rmtree(building)
 
 
 def _check(archive: Path, entries: list[zipfile.ZipInfo]) -> None:

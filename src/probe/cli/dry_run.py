@@ -1,0 +1,67 @@
+"""How much a run with a model would ask of it, for `probe run --model --dry-run`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from probe.bench.estimate import PICTURE_TOKENS, REPLY_TOKENS, Estimate, estimate
+from probe.bench.models import settings_of
+from probe.bench.prices import Price
+from probe.cli.seats import Seats, check_address, plan_of, price_of
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS
+from probe.tasks.suite import Suite
+from probe.toolshed.toolshed import TURNS
+
+
+def would_ask(suite: Suite, seats: Seats, out: Path) -> None:
+    """Say how much it is; asks nothing.
+
+    Raises:
+        BadData: Prices can't be read, or the folder can't.
+    """
+    check_address(seats.endpoint)
+    _tell(suite, seats, out, price_of(seats.prices, seats.model))
+    if seats.pointer != "oracle":
+        print(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")
+
+
+def _tell(suite: Suite, seats: Seats, out: Path, price: Price | None) -> None:
+    tasks = seats.tasks_of(suite)
+    whole = len(tasks) * seats.epochs
+    print(f"{len(tasks)} tasks, {seats.epochs} runs each: {whole} episodes.")
+    done = _done(suite, seats, out)
+    left = [task for task in tasks for run in range(seats.epochs) if (task.id, run) not in done]
+    if len(left) < whole:
+        print(f"{whole - len(left)} of them are in {out} already; what follows is of the others.")
+    usual = estimate(seats.arm, seats.counting, left, 1)
+    print(_line("If they are of usual length", usual, price))
+    if seats.arm == "agentic":
+        longest = estimate(seats.arm, seats.counting, left, 1, TURNS)
+        print(_line(f"If each takes all {TURNS} calls", longest, price))
+    print(
+        f"Pictures are taken for {PICTURE_TOKENS} tokens each, replies for {REPLY_TOKENS}: a model "
+        "that reasons may write thousands, which cost as replies do. Nothing was asked."
+    )
+
+
+def _done(suite: Suite, seats: Seats, out: Path) -> set[tuple[str, int]]:
+    """Episodes that the folder holds, by task and run."""
+    path = out / RECORDS
+    pointer = "self" if seats.pointer == "self" else settings_of(seats.pointer).id
+    order = plan_of(suite, seats, out, None).order(
+        seats.model, "" if seats.pointer == "oracle" else pointer
+    )
+    records = read_records(path, whole=False) if path.exists() else []
+    mine = [it for it in records if (it.agent, it.arm) == (order.agent, order.arm)]
+    return {(it.task, it.run) for it in mine if it.end != "fault"}
+
+
+def _line(when: str, found: Estimate, price: Price | None) -> str:
+    cost = ""
+    if price is not None:
+        dollars = found.tokens_in * price.tokens_in + found.tokens_out * price.tokens_out
+        cost = f", {dollars / 1e6:,.2f} US dollars"
+    asked = f"{found.replies:,} replies, {found.pictures:,} pictures sent"
+    tokens = f"{found.tokens_in / 1e6:,.1f} million tokens in and {found.tokens_out / 1e6:,.2f} out"
+    return f"{when}: {asked}, about {tokens}{cost}."

@@ -1,0 +1,63 @@
+"""Near-duplicates among the objects that appear somewhere, kept once they are known."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from probe.assets.cache import content_key
+from probe.assets.fingerprint import Fingerprint
+from probe.assets.library import Library
+from probe.assets.split import groups_of
+from probe.cli.assets_split import near_duplicates
+from probe.cli.surroundings import everything, library, library_folder
+from probe.errors import BadData
+from probe.files import write_text
+
+
+def all_pools() -> Library:
+    """The objects of all pools that are there: scans and the user's own if their folders are."""
+    things, own = everything(), library_folder()
+    if not own.is_dir():
+        return things
+    return replace(things, specs=(*things.specs, *library("own").specs), own=own)
+
+
+def near_groups(
+    shown: Sequence[Mapping[str, Fingerprint]], things: Library, kept: Path, workers: int
+) -> list[list[str]]:
+    """Groups of near-duplicates among objects, from a file if they are known.
+
+    Args:
+        shown: Fingerprints of the objects that appear, by id: of each suite or collection.
+        things: All objects.
+        kept: Folder for what is known.
+        workers: Processes.
+
+    Raises:
+        BadData: An object that appears isn't there, so that nobody can tell what it is like.
+        OutputFailed: What was found can't be kept.
+    """
+    # An object of one's own may change and keep its id.
+    looks = sorted({f"{id} {mark}" for marks in shown for id, mark in marks.items()})
+    path = kept / f"{content_key('near-duplicates 2', *looks)}.json"
+    if path.exists():
+        return json.loads(path.read_text())
+    ids = sorted({id for marks in shown for id in marks})
+    _check_there(ids, things)
+    pairs = near_duplicates(things, ids, workers)
+    groups = [group for group in groups_of(ids, pairs) if len(group) > 1]
+    write_text(path, json.dumps(groups))
+    return groups
+
+
+def _check_there(ids: Sequence[str], things: Library) -> None:
+    known = {spec.id for spec in things.specs}
+    missing = [id for id in ids if id not in known]
+    if missing:
+        others = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
+        reason = f"appears{others}, but isn't here to be compared with other objects"
+        remedy = "Set PROBE_ASSETS (scans) or PROBE_LIBRARY (your own) to the folder that holds it"
+        raise BadData(missing[0], reason, f"{remedy}, or compare ids alone with --no-near")
