@@ -18,7 +18,7 @@ from probe.tasks.suite_file import write_suite
 from probe.tasks.task import Letter, QuestionKind, Task
 from probe.toolshed.result import Answer, Status
 from probe.train.batches import Batch, Grade
-from probe.train.selection import Candidate
+from probe.train.candidates import Candidate
 from probe.train.settings import Settings, claim
 from run_folders import DEMO
 from task_examples import FIND
@@ -69,6 +69,13 @@ def lesson(
     return Candidate(task, record, right)
 
 
+def reminded(it: Candidate) -> Candidate:
+    """The same episode, in which the teacher first said something that called for a reminder."""
+    assert it.record.seat is not None
+    replies = (Reply(0, "Let me think."), *it.record.seat.replies)
+    return replace(it, record=replace(it.record, seat=replace(it.record.seat, replies=replies)))
+
+
 def grade_of(it: Candidate) -> Grade:
     return Grade(
         task=it.task.id,
@@ -108,7 +115,7 @@ def write_batch(out: Path, lessons: Sequence[Candidate], name: str = "0of1-00000
 def begin_collection(out: Path) -> Path:
     settings = Settings(
         agent="teacher", pool="procedural", split=None, points="pixels", noise="none",
-        lighting="ambient",
+        lighting="ambient", shard="0/1", first=2_000_000,
     )  # fmt: skip
     claim(out, settings)
     return out

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import socket
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from model_server import Reply, serving
 from probe.tasks.suite import part
 from probe.tasks.suite_file import demo_suite, write_suite
 
@@ -21,10 +23,31 @@ SMALL = {
     "SELECT": "--slack 9 --no-near",
     "TINY": "--width 48 --layers 2 --words 600 --vision-width 32 --vision-layers 2 --side-px 64",
     "TRAIN": "--learning-rate 1e-3 --global-batch 1 --epochs 2",
+    "PROBE": f"{sys.executable} -m probe",
 }
 
 
+def distilled(folder: Path, port: str) -> subprocess.CompletedProcess[str]:
+    settings = {"SUITE": str(folder / "one.json"), "OUT": str(folder / "out"), "PORT": port}
+    return subprocess.run(
+        [str(ROOT / "runs/distill.sh")],
+        env={**os.environ, **SMALL, **settings},
+        capture_output=True,
+        text=True,
+        timeout=900,
+    )
+
+
+def who_answered(folder: Path) -> set[str]:
+    """As the harness's log has it from the replies, not from what was asked for."""
+    from inspect_ai.log import list_eval_logs, read_eval_log
+
+    logs = [read_eval_log(it) for it in list_eval_logs(str(folder))]
+    return {sample.output.model for log in logs for sample in log.samples or []}
+
+
 @pytest.mark.slow
+@pytest.mark.filterwarnings("default")
 def test_the_recipe(tmp_path):
     demo = demo_suite()
     one = next(task for task in demo.tasks if task.kind == "count")
@@ -32,18 +55,25 @@ def test_the_recipe(tmp_path):
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = str(free.getsockname()[1])
-    settings = SMALL | {"SUITE": str(tmp_path / "one.json"), "OUT": str(tmp_path / "out")}
-    settings |= {"PORT": port, "PROBE": f"{sys.executable} -m probe"}
-    done = subprocess.run(
-        [str(ROOT / "runs/distill.sh")],
-        env={**os.environ, **settings},
-        capture_output=True,
-        text=True,
-        timeout=900,
-    )
+    done = distilled(tmp_path, port)
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
-    table = (tmp_path / "out/table.md").read_text()
+    out = tmp_path / "out"
+    table = (out / "table.md").read_text()
     rows = [line.split(" | ")[0].strip("| ") for line in table.splitlines() if line[:1] == "|"][2:]
     assert {"untrained, direct", "trained, direct", "scripted, scripted"} < set(rows)
     assert "question-only, blind" in rows and any(row.startswith("always-") for row in rows)
-    assert (tmp_path / "out/trained/README.md").exists()
+    assert (out / "trained/README.md").exists()
+    for name in ("untrained", "trained"):
+        assert who_answered(out / "runs" / f"{name}-direct") == {name}
+    nobody_else_answers(tmp_path)
+
+
+def nobody_else_answers(folder: Path) -> None:
+    """The same again, where a stranger listens who says something to everybody."""
+    shutil.rmtree(folder / "out/runs")
+    with serving(lambda number, body: Reply("ANSWER: A")) as stranger:
+        port = stranger.url.rpartition(":")[2].removesuffix("/v1")
+        done = distilled(folder, port)
+    assert done.returncode == 1
+    assert f"Something else listens at port {port}" in done.stderr
+    assert stranger.requests == 0 and not (folder / "out/runs").exists()

@@ -62,3 +62,25 @@ def test_a_collection_of_nothing_but_evaluation_is_refused(tmp_path):
     with pytest.raises(BadData, match="holds no episode to learn from. Collect more"):
         select((tmp_path / "c1",), tmp_path / "s1", near=False)
     assert not (tmp_path / "s1").exists()
+
+
+def test_answers_without_tools_alone_need_a_share_of_all(tmp_path):
+    lessons = [lesson(task, arm="direct") for task in GOOD]
+    write_batch(begin_collection(tmp_path / "c1"), lessons)
+    with pytest.raises(BadData, match="holds no episode to learn from. Say --direct-share 1"):
+        select((tmp_path / "c1",), tmp_path / "s1", near=False)
+    select((tmp_path / "c1",), tmp_path / "s1", near=False, direct_share=1.0)
+    assert len(read_selection(tmp_path / "s1").episodes) == len(GOOD)
+
+
+def test_a_folder_that_is_there_is_told_before_anything_is_read(tmp_path):
+    (tmp_path / "s1").mkdir()
+    with pytest.raises(BadData, match="s1: is there already. Choose a new folder"):
+        select((tmp_path / "nowhere",), tmp_path / "s1")
+
+
+def test_things_that_are_not_here_are_told_and_not_left_uncompared(tmp_path):
+    write_batch(begin_collection(tmp_path / "c1"), [lesson(GOOD[0])])
+    words = r"thing_find_0_1: appears \(and 2 more\).*PROBE_ASSETS.*--no-near"
+    with pytest.raises(BadData, match=words):
+        select((tmp_path / "c1",), tmp_path / "s1")

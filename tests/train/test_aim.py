@@ -60,9 +60,18 @@ def test_budgets():
     assert aim.spent(Harvest(episodes=19)) == "episodes"
     money = Aim({"find": 100}, FIRST, most_cost=10.0)
     assert len(money.next_places(Harvest())) == 1
-    half = Harvest(Counter(find=10), cost=8.0, last={"find": FIRST})
+    half = Harvest(Counter(find=10), episodes=10, cost=8.0, last={"find": FIRST})
     assert len(money.next_places(half)) == 2
-    assert money.spent(Harvest(Counter(find=10), cost=9.5)) == "cost"
+    assert money.spent(Harvest(Counter(find=10), episodes=10, cost=9.5)) == "cost"
+
+
+def test_what_has_no_price_counts_as_much_as_the_rest():
+    aim = Aim({"find": 100}, FIRST, most_cost=10.0)
+    some = Harvest(Counter(find=10), episodes=10, unpriced=5, cost=4.0, last={"find": FIRST})
+    # 8 dollars for ten tasks: 0.8 each.
+    assert len(aim.next_places(some)) == 2
+    nobody_knows = Harvest(Counter(find=10), episodes=10, unpriced=10)
+    assert aim.spent(nobody_knows) == "cost"
 
 
 def test_successes_beyond_a_count_do_not_count():

@@ -1,9 +1,14 @@
 from __future__ import annotations
 
+import resource
+
 import pytest
 
-from probe.errors import BadData
-from probe.train.chosen import read_selection
+from lessons import lesson, training_task
+from probe.errors import BadData, OutputFailed
+from probe.train.chosen import read_selection, write_selection
+from probe.train.evaluation import evaluation_of
+from probe.train.selection import Recipe, select
 from train.conftest import LESSONS
 
 
@@ -35,5 +40,23 @@ def test_half_a_selection_is_none(selection):
     (folder / "selection.json").unlink()
     with pytest.raises(BadData, match=r"selection.json: No such file.*Select anew"):
         read_selection(folder)
-    with pytest.raises(BadData, match="holds something already"):
+    with pytest.raises(BadData, match=r"selected: is there already. Choose a new folder"):
         selection()
+
+
+def test_a_selection_that_was_stopped_leaves_nothing(tmp_path):
+    """The disk holds its suite, but not its records."""
+    it = lesson(training_task(1), statuses=[("mug" * 9000, "done")])
+    recipe = Recipe()
+    found = select([it], evaluation_of([]), recipe)
+    objects = {placed.object_id: (1.0, 2.0) for placed in it.task.scene.objects}
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, limits[1]))
+    try:
+        with pytest.raises(OutputFailed, match=r"records.jsonl.*nothing half-written is left"):
+            write_selection(tmp_path / "selected", found, recipe, objects, [], [])
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert list(tmp_path.iterdir()) == []
+    write_selection(tmp_path / "selected", found, recipe, objects, [], [])
+    assert len(read_selection(tmp_path / "selected").episodes) == 1

@@ -30,6 +30,7 @@ class World:
     Attributes:
         made, played: What was done, in order.
         stop_after: Episodes after which it is killed; None to go on.
+        lost: A task and an arm whose episode leaves no record.
     """
 
     out: Path
@@ -38,6 +39,7 @@ class World:
     played: list[tuple[str, str]] = field(default_factory=list)
     stop_after: int | None = None
     impossible: bool = False
+    lost: tuple[str, str] = ("", "")
 
     def hands(self) -> Hands:
         dark = partial(Darkroom, open_library=lambda: self.things)
@@ -64,6 +66,8 @@ class World:
             if self.stop_after is not None and len(self.played) >= self.stop_after:
                 raise KeyboardInterrupt
             self.played.append((task.id, arm))
+            if (task.id, arm) == self.lost:
+                continue
             number = (task.seed - FIRST_SEED) // 1000
             right = number % 2 == 0 if arm == "agentic" else number % 4 == 0
             append_record(path, lesson(task, arm=arm, right=right).record)
@@ -143,6 +147,15 @@ def test_a_budget_ends_it(tmp_path, things):
     aim = Aim({"count": 100}, FIRST, batch=4, most_cost=2.0)
     so_far = run(money, aim)
     assert 1.0 <= so_far.cost <= 2.0 and aim.spent(so_far) == "cost"
+
+
+def test_an_episode_that_left_no_record_is_missing(tmp_path, things):
+    world = World(tmp_path, things, lost=(counting_task(1).id, "direct"))
+    so_far = run(world, AIM)
+    assert so_far.missing == 1
+    # It isn't known from the picture, so that tools are tried.
+    assert (counting_task(1).id, "agentic") in world.played
+    assert so_far.tasks["count"] == len(world.made)
 
 
 def test_tasks_that_cannot_be_made_are_told(tmp_path, things):

@@ -1,8 +1,10 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from lessons import lesson, training_task
+from lessons import lesson, reminded, training_task
 from probe.train.efficiency import failures, limits, waste
 
 TASK = training_task(1)
@@ -30,4 +32,16 @@ def test_one_failure_at_a_thing_is_let_pass_and_two_are_not():
 
 def test_too_many_and_useless_calls():
     assert waste(moves(("mug", "done"), ("box", "done")), 1) == "too many manipulations"
-    assert waste(moves(("mug", "done"), ("box", "refused")), 1) == "a call that did nothing"
+    useless = moves(("mug", "done"), ("box", "refused"))
+    assert waste(useless, 1) == "a call or reply that did nothing"
+
+
+@pytest.mark.parametrize("arm", ["agentic", "direct"])
+def test_a_reply_that_needed_a_reminder_did_nothing(arm):
+    it = lesson(TASK, arm=arm)
+    assert waste(it.record, 1) is None
+    assert waste(reminded(it).record, 1) == "a call or reply that did nothing"
+
+
+def test_an_agent_without_a_seat_is_reminded_of_nothing():
+    assert waste(replace(lesson(TASK).record, seat=None), 1) is None

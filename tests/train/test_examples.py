@@ -8,6 +8,7 @@ import pytest
 from lessons import lesson, training_task
 from probe.chat.messages import messages
 from probe.chat.tools import as_sent
+from probe.episodes.turns import Call
 from probe.errors import BadData
 from probe.tasks.suite_file import CANARY
 from probe.train.examples import Canary, example_of
@@ -50,6 +51,22 @@ def test_places_are_counted_as_the_student_counts_them():
     counted = replace(record, seat=replace(seat, points="0-1000"))
     with pytest.raises(BadData, match="Say --points 0-1000"):
         example_of(task, counted, shown_in(it), "pixels")
+
+
+def test_words_along_with_calls_count_places_as_the_calls_do():
+    """What a teacher says beside a call stands in the call; what it says alone, in its reply."""
+    it = lesson(training_task(1))
+    find, *others = it.record.steps
+    call = Call.of("find_object", {"description": "the mug at (512, 256)"}, "I see it: (512, 256).")
+    record = replace(it.record, steps=(replace(find, call=call), *others))
+    thousandths = example_of(it.task, record, shown_in(it), "0-1000").messages[2]
+    assert thousandths.text == "I see it: (500, 250)."
+    assert json.loads(thousandths.calls[0][1].arguments)["description"] == "the mug at (500, 250)"
+    assert example_of(it.task, record, shown_in(it), "pixels").messages[2].text == call.words
+    # A teacher that counted thousandths said so itself.
+    assert record.seat is not None
+    counted = replace(record, seat=replace(record.seat, points="0-1000"))
+    assert example_of(it.task, counted, shown_in(it)).messages[2].text == call.words
 
 
 def test_a_canary_in_a_text_is_refused():

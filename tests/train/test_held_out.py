@@ -1,8 +1,11 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from probe.agents.learnt import Learnt
+from probe.errors import BadData
 from probe.train.floors import floors
 from probe.train.held_out import markdown, standings
 from run_folders import DEMO
@@ -32,6 +35,16 @@ def test_what_nobody_learnt_is_apart():
     assert cells[4:6] == ["50", "100"] and cells[6].startswith("0.0 (0-") and "(2)" in cells[6]
 
 
+def test_who_ran_only_what_is_held_out_leaves_the_other_columns_empty():
+    late = [row(task, agent="late") for task in TASKS[4:]]
+    for rows in ([row(task) for task in TASKS] + late, late + [row(task) for task in TASKS]):
+        lines = markdown(standings(rows, roster(*TASKS), ["beneath"])).splitlines()
+        (line,) = (it for it in lines if "late" in it)
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        assert len(cells) == len(lines[0].strip("|").split("|"))
+        assert cells[2:6] == ["0", "", "", ""] and cells[6].startswith("100.0 (")
+
+
 def test_a_missing_run_gives_no_number():
     rows = [row("find-0"), faulty("find-1"), row("size-0"), row("size-1")]
     text = markdown(standings(rows, roster(*TASKS[:4]), ["beneath"]))
@@ -52,6 +65,26 @@ def test_floors_say_what_the_suites_answers_say():
         pointless = task.kind == "find" and not named.startswith("None")
         if letter != "none":
             assert found[task.id] == (said == task.answer and not pointless)
+
+
+@pytest.mark.parametrize("letter", "ABCD")
+def test_the_best_constant_answer_is_taken(letter):
+    count = next(task for task in DEMO.tasks if task.kind == "count")
+    beneath = next(task for task in DEMO.tasks if task.kind == "beneath")
+    other = "A" if letter == "B" else "B"
+    tasks = [
+        *(replace(count, id=f"count-{n:08x}", answer=letter) for n in range(2)),
+        replace(count, id="count-00000009", answer=other),
+        # What is held out doesn't count.
+        *(replace(beneath, id=f"beneath-{n:08x}", answer=other) for n in range(9)),
+    ]
+    rows = floors(replace(DEMO, tasks=tuple(tasks)), ["beneath"], {})
+    assert {row.agent for row in rows} == {f"always-{letter}"}
+
+
+def test_there_must_be_something_to_be_best_at():
+    with pytest.raises(BadData, match="--types: leaves no type of demo that was trained"):
+        floors(DEMO, [task.kind for task in DEMO.tasks], {})
 
 
 def test_question_only_is_silent_about_what_it_never_learnt():

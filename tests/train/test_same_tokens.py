@@ -15,8 +15,9 @@ import pytest
 from bench.painted import demo, plan
 from bench.sitting_in import kept, seat_of, sit_in
 from probe.train.collating import IGNORED
+from probe.train.efficiency import reminded
 from probe.train.examples import example_of
-from probe.train.fine_tuning import collator_for
+from probe.train.loading import collator_for
 from probe.train.replying import read_reply
 from probe.train.rows import trl_row
 from probe.train.serving import application
@@ -39,11 +40,10 @@ EPISODES = {
     "agentic": [
         calling("I look first.", "perceive_scene", "{}"),
         calling("Söme words: “it”.", "find_object", '{"description": "the thing at (620, 480)"}'),
-        "I forgot to call.",
         calling("", "grasp_and_remove", '{"object_id": "object_1"}'),
         calling("Now I know.", "answer_question", '{"choice": "B", "point": [12, 700]}'),
     ],
-    "direct": ["I can't tell.", "It must be this one.\nANSWER: C (250, 750)"],
+    "direct": ["It must be this one.\nANSWER: C (250, 750)"],
 }
 
 
@@ -72,7 +72,7 @@ def listening(speaker):
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    app = application(speaker, "student")
+    app = application(speaker, "scripted")
     server = uvicorn.Server(uvicorn.Config(app, port=port, log_level="warning"))
     thread = threading.Thread(target=server.run)
     thread.start()
@@ -129,6 +129,8 @@ def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, ar
         sit_in(order, url)
     record = kept(tmp_path / "out")[SUITE.tasks[0].id]
     assert seat_of(record).faults == () and record.answer is not None
+    # All that is said is learnt: an episode with a reminder wouldn't be chosen.
+    assert not reminded(record)
     assert len(speaker.heard) == len(EPISODES[arm])
     batch = trained_on(record, speaker.bodies[-1], points, speaker, tmp_path)
     ids, labels = batch["input_ids"][0].tolist(), batch["labels"][0].tolist()

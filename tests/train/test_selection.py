@@ -5,10 +5,12 @@ from dataclasses import replace
 
 import pytest
 
-from lessons import lesson, training_task
+from lessons import lesson, reminded, training_task
 from probe.errors import BadData
+from probe.train.candidates import Candidate
 from probe.train.evaluation import evaluation_of
-from probe.train.selection import Candidate, Recipe, select
+from probe.train.selection import Recipe, select
+from run_folders import DEMO
 
 NOTHING = evaluation_of([])
 
@@ -97,6 +99,47 @@ def test_evaluation_is_refused_and_reported():
     assert [it.task for it in selection.refused] == [leaked.id]
     assert selection.dropped == {"of evaluation": 2}
     assert len(selection.chosen) == 1
+
+
+@pytest.mark.parametrize("right", [True, False])
+@pytest.mark.parametrize("last", [True, False])
+def test_a_verdict_holds_for_a_task_and_not_for_its_id(right, last):
+    """Collections with other objects give other scenes the same ids."""
+    clean = training_task(1)
+    leaked = replace(clean, scene=DEMO.tasks[0].scene)
+    lessons = [lesson(leaked), lesson(clean, right=right)]
+    found = select(lessons if last else lessons[::-1], evaluation_of([DEMO]), Recipe())
+    assert [it.task for it in found.chosen] == [clean] * right
+    assert [(it.task, it.leak) for it in found.refused] == [(leaked.id, "scene")]
+
+
+def test_a_type_that_was_solved_without_tools_alone_is_told():
+    direct = [lesson(training_task(n), arm="direct") for n in range(4)]
+    counted = [lesson(training_task(n, "count")) for n in range(4)]
+    words = r"find: 2 examples are wanted, .*without tools alone.*--direct-share 1, .*counts.find 0"
+    with pytest.raises(BadData, match=words):
+        chosen([*direct, *counted], counts={"find": 2})
+    # Who didn't ask for it is told how many there were.
+    found = chosen([*direct, *counted])
+    assert Counter(it.task.kind for it in found.chosen) == {"count": 4}
+    assert found.dropped == {"without tools, beyond --direct-share": 4}
+    assert len(chosen([*direct, *counted], counts={"find": 2}, direct_share=1.0).chosen) == 6
+
+
+def test_what_is_not_wanted_is_not_laid_to_the_share():
+    direct = [lesson(training_task(n), arm="direct") for n in range(6)]
+    agentic = [lesson(training_task(n)) for n in range(10, 16)]
+    found = chosen([*direct, *agentic], counts={"find": 4})
+    assert len(found.chosen) == 4
+    assert found.dropped == {"another of its task, or more than wanted": 8}
+
+
+@pytest.mark.parametrize("arm", ["agentic", "direct"])
+def test_an_episode_with_a_reminder_is_not_learnt(arm):
+    plain, other = lesson(training_task(1), arm=arm), lesson(training_task(2), arm=arm)
+    found = chosen([plain, reminded(other)], direct_share=1.0)
+    assert ids(found) == [(plain.task.id, arm)]
+    assert found.dropped == {"a call or reply that did nothing": 1}
 
 
 def test_the_order_of_episodes_does_not_matter():

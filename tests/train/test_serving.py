@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import socket
 from typing import Any
 
 import pytest
 
+from probe.cli.serve_model import serve_model
+from probe.errors import BadData
 from probe.train.conversations import of_request
 from probe.train.replying import Reply
-from probe.train.serving import application
+from probe.train.serving import application, reserved, serve
 from probe.train.speaking import Said
 
 REPLY = Reply("I look.", (("perceive_scene", "{}"),))
@@ -59,3 +62,33 @@ def test_words_and_words_that_are_cut_off():
 def test_what_is_not_understood_is_told(body):
     answer = asked(Said(REPLY, 1, 1, cut=False), body)
     assert answer.status_code == 400 and answer.json()["error"]["message"]
+
+
+@pytest.mark.filterwarnings("default")
+def test_it_answers_for_no_other_model():
+    said = Said(REPLY, 1, 1, cut=False)
+    assert asked(said, HELLO | {"model": "student"}).status_code == 200
+    answer = asked(said, HELLO | {"model": "teacher"})
+    assert answer.status_code == 404
+    error = answer.json()["error"]
+    assert error["code"] == "model_not_found" and error["param"] == "model"
+    assert "'teacher'" in error["message"] and "'student'" in error["message"]
+
+
+def test_a_port_that_is_taken_is_named_before_a_model_is_loaded():
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = other.getsockname()[1]
+        with pytest.raises(BadData, match=f"--port: {port} can't be used .*Choose another"):
+            serve_model("nowhere", port)
+    with pytest.raises(BadData, match="--port: 70000 can't be used"):
+        serve_model("nowhere", 70000)
+
+
+@pytest.mark.filterwarnings("default")
+def test_of_two_that_begin_at_once_one_serves():
+    with reserved(0) as held:
+        port = held.getsockname()[1]
+        with reserved(port) as faster:
+            faster.listen()
+            with pytest.raises(BadData, match=f"--port: {port} can't be used"):
+                serve(Replies(Said(REPLY, 1, 1, cut=False)), "student", held)  # type: ignore[arg-type]

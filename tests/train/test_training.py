@@ -7,12 +7,15 @@ import signal
 import subprocess
 import sys
 import time
+from importlib import import_module
 
 import pytest
 
-from probe.errors import BadData, MissingExtra
+from probe.errors import BadData, MissingExtra, OutputFailed
+from probe.train import libraries
 from probe.train.diary import read_diary
-from probe.train.fine_tuning import NoModel, load, train
+from probe.train.fine_tuning import train
+from probe.train.loading import NoModel, UnknownTemplate, load
 from probe.train.manifest import Manifest, write_manifest
 from probe.train.run_card import Run
 from probe.train.tuning import Tuning
@@ -21,6 +24,11 @@ from small_models import small_dataset, small_model
 TUNING = Tuning(learning_rate=1e-3, global_batch=4, save_every=2)
 OPTIONS = ("--learning-rate", "1e-3", "--global-batch", "4", "--save-every", "2")
 NOISE = 1e-3
+
+
+def _weights(folder):
+    # Named by text: the extra isn't there where the types are checked.
+    return import_module("safetensors.torch").load_file(folder / "model.safetensors")
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +61,9 @@ def test_a_killed_training_goes_on_with_the_same_loss(tmp_path, dataset, model):
     process.send_signal(signal.SIGKILL)
     assert process.wait() == -signal.SIGKILL
     assert not (cut / "model").exists() and (cut / "checkpoints/checkpoint-2").exists()
+    # As if it had been killed while it saved the next one.
+    (cut / "checkpoints/checkpoint-4").mkdir(exist_ok=True)
+    (cut / "checkpoints/checkpoint-4/trainer_state.json").write_text("")
     train(dataset, str(model), cut, TUNING, ())
     whole = losses(tmp_path / "whole")
     # 9 examples, 4 a step, twice.
@@ -82,9 +93,44 @@ def test_lora_leaves_a_whole_model(tmp_path, dataset, model):
     assert (tmp_path / "adapter/adapter_config.json").exists()
 
 
-def broken(tmp_path, dataset):
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+@pytest.mark.parametrize(("lora", "kept"), [(None, "float32"), (2, "bfloat16")])
+def test_where_a_gpu_computes_in_bfloat16_weights_are_trained_in_float32(
+    tmp_path, dataset, model, monkeypatch, lora, kept
+):
+    # Processors do so too.
+    monkeypatch.setattr(libraries, "computes_in_bfloat16", lambda: True)
+    tuning = Tuning(learning_rate=1e-5, global_batch=9, epochs=1, lora=lora)
+    folder = train(dataset, str(model), tmp_path, tuning, ())
+    run = Run.model_validate_json((tmp_path / "run.json").read_text())
+    assert run.weights == "float32"
+    assert "trained are float32" in (tmp_path / "README.md").read_text()
+    before, after = _weights(model), _weights(folder)
+    assert {str(it.dtype) for it in after.values()} == {f"torch.{kept}"}
+    if lora is None:
+        # A step of 1e-5 is a fraction of what bfloat16 tells apart near 0.02.
+        (name,) = (it for it in before if it.endswith("layers.1.mlp.up_proj.weight"))
+        assert (before[name] != after[name]).float().mean() > 0.9
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_a_model_is_never_without_its_card(tmp_path, dataset, model):
+    tuning = Tuning(learning_rate=1e-3, global_batch=9, epochs=1)
+    (tmp_path / "README.md").mkdir()
+    with pytest.raises(OutputFailed, match=r"README\.md"):
+        train(dataset, str(model), tmp_path, tuning, ())
+    assert not (tmp_path / "model").exists()
+    (tmp_path / "README.md").rmdir()
+    folder = train(dataset, str(model), tmp_path, tuning, ())
+    assert (tmp_path / "run.json").exists() and (tmp_path / "README.md").is_file()
+    assert sorted(losses(tmp_path)) == [1] and load(str(folder))
+
+
+def broken(tmp_path, folder):
     copy = tmp_path / "broken"
-    shutil.copytree(dataset, copy)
+    shutil.copytree(folder, copy)
     return copy
 
 
@@ -111,16 +157,38 @@ def test_nothing_is_trained_without_a_type_that_is_named(tmp_path, dataset):
     assert not (tmp_path / "out").exists()
 
 
-def test_a_batch_that_does_not_come_out_even_is_refused():
-    assert Tuning().accumulation(8) == 4
-    with pytest.raises(BadData, match="32 isn't a multiple of 3 x 1"):
-        Tuning().accumulation(3)
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_a_model_that_is_not_there_or_cut_off_is_named(tmp_path, dataset, model):
+    with pytest.raises(NoModel, match="nowhere can't be loaded"):
+        train(dataset, str(tmp_path / "nowhere"), tmp_path / "out", TUNING, ())
+    cut = broken(tmp_path, model)
+    weights = (cut / "model.safetensors").read_bytes()
+    for size in (0, 1000, len(weights) - 1000):
+        (cut / "model.safetensors").write_bytes(weights[:size])
+        with pytest.raises(NoModel, match="broken can't be loaded"):
+            train(dataset, str(cut), tmp_path / "out", TUNING, ())
+    assert not (tmp_path / "out").exists()
 
 
 @pytest.mark.slow
-def test_a_model_that_is_not_there_is_named(tmp_path, dataset):
-    with pytest.raises(NoModel, match="nowhere can't be loaded"):
-        train(dataset, str(tmp_path / "nowhere"), tmp_path / "out", TUNING, ())
+@pytest.mark.filterwarnings("default")
+def test_a_template_of_an_unknown_kind_is_named(tmp_path, dataset, model):
+    other = broken(tmp_path, model)
+    template = other / "chat_template.jinja"
+    template.write_text(template.read_text() + "{# mine #}")
+    for _ in range(2):
+        with pytest.raises(UnknownTemplate, match=r"turns in the chat template of .*broken"):
+            train(dataset, str(other), tmp_path / "out", TUNING, ())
+        template.unlink(missing_ok=True)
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.slow
+def test_one_process_with_several_gpus_is_refused(tmp_path, dataset, model, monkeypatch):
+    monkeypatch.setattr(libraries.torch().cuda, "device_count", lambda: 2)
+    with pytest.raises(BadData, match=r"GPUs: one process sees 2\. Start it through accelerate"):
+        train(dataset, str(model), tmp_path / "out", TUNING, ())
     assert not (tmp_path / "out").exists()
 
 

@@ -10,6 +10,7 @@ from typing import Annotated
 import tyro
 
 from probe.cli.bars import bar as progress_bar
+from probe.cli.seats import price_of
 from probe.cli.shards import parse_shard
 from probe.cli.teachers import hands_of
 from probe.cli.teaching import Site
@@ -35,7 +36,8 @@ class Extent:
         always_tools: With tools all tasks, even if the first picture was enough.
         direct_runs: Episodes of each task without tools; all must be right to count as known.
         most_episodes: Stop after so many episodes.
-        most_cost: Stop before more than so many US dollars are spent; needs prices.
+        most_cost: Make no more tasks once another would cost more than is left of so many US
+            dollars, by the mean so far; needs prices.
         shard: "0/2" and "1/2" on two machines share the work, into a folder each.
         batch: Tasks that are made and played at a time, at most.
         first: Number of the first episode; training starts at 2,000,000.
@@ -97,12 +99,18 @@ def collect(
         extent: How much, and in which arms.
     """
     aim = extent.aim(counts if total is None else in_proportion(counts, total))
-    if extent.most_cost is not None and site.model is not None and site.prices is None:
-        raise BadData("--most-cost", "nobody knows what tokens cost", "Add --prices FILE")
-    claim(out, site.settings)
+    if extent.most_cost is not None and site.model is not None:
+        _check_price(site.prices, site.model)
+    claim(out, site.settings(extent.shard, extent.first))
     print(f"Episodes go to {out}; Ctrl-C stops, the same command goes on.")
     so_far = _watched(out, aim, hands_of(site, out))
     _tell(out, aim, so_far)
+
+
+def _check_price(prices: Path | None, model: str) -> None:
+    if price_of(prices, model) is None:
+        remedy = f"Add --prices FILE with a price of {model}"
+        raise BadData("--most-cost", "nobody knows what tokens cost", remedy)
 
 
 def _watched(out: Path, aim: Aim, hands: Hands) -> Harvest:

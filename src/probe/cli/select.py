@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -11,21 +9,19 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
-from probe.assets.cache import content_key
 from probe.assets.fingerprint import Fingerprint
-from probe.assets.split import groups_of, read_split
-from probe.cli.assets_split import near_duplicates
-from probe.cli.surroundings import Pool, cache_folder, library
+from probe.assets.split import read_split
+from probe.cli.near import all_pools, near_groups
+from probe.cli.surroundings import cache_folder
 from probe.errors import BadData
-from probe.files import write_text
-from probe.tasks.suite import Suite
+from probe.files import check_new
 from probe.tasks.suite_file import find_suite, packaged_suites
 from probe.tasks.task import QuestionKind
 from probe.train.chosen import SelectionDocument, write_selection
 from probe.train.efficiency import SLACK
 from probe.train.evaluation import evaluation_of
 from probe.train.gathering import candidates_of
-from probe.train.selection import Recipe
+from probe.train.selection import BEYOND_SHARE, Recipe
 from probe.train.selection import select as selected
 
 _SHOWN = 5
@@ -40,7 +36,6 @@ def select(
     seed: int = 0,
     against: tuple[str, ...] = (),
     split: Path | None = None,
-    pool: Pool = "procedural",
     near: bool = True,
     workers: int = 2,
 ) -> None:
@@ -55,51 +50,36 @@ def select(
         seed: Chooses among equals.
         against: More suites to keep out: files that `probe suite build` wrote.
         split: Objects for evaluation (`probe assets split`), to be kept out with their like.
-        pool: Where the objects are, to compare them.
-        near: Look for near-duplicates among all objects, for scenes and split; the first time this
-            takes minutes, then it is known. Otherwise objects are compared by their ids.
+        near: Look for near-duplicates among all objects that appear, for scenes and split; the
+            first time this takes minutes, then it is known. Otherwise ids are compared.
         workers: Processes that compare objects.
     """
     if not collected:
         raise BadData("probe select", "was given no folder", "Name one that collect wrote")
     if not 0 <= direct_share <= 1:
         raise BadData("--direct-share", f"{direct_share} is no share", "Say a number from 0 to 1")
+    check_new(out)
     objects: dict[str, Fingerprint] = {}
     candidates, unfinished = candidates_of(collected, objects)
     if unfinished:
         print(f"{unfinished} batches aren't whole yet and are left out.")
     suites = [find_suite(name) for name in [*packaged_suites(), *against]]
-    groups = _groups(pool, objects, suites, workers) if near else []
     parts = read_split(split) if split else None
+    shown = [objects, *(suite.objects for suite in suites)]
+    groups = near_groups(shown, all_pools(), cache_folder() / "near", workers) if near else []
     evaluation = evaluation_of(suites, parts, groups)
     wanted: dict[str, int] = dict(counts.items()) if counts else {}
     recipe = Recipe(wanted, direct_share, slack, seed)
     found = selected(candidates, evaluation, recipe)
     if not found.chosen:
         _print_dropped(found.dropped)
-        raise BadData(collected[0], "holds no episode to learn from", "Collect more")
+        direct = "Say --direct-share 1, or collect with --arms agentic"
+        remedy = direct if found.dropped[BEYOND_SHARE] else "Collect more"
+        raise BadData(collected[0], "holds no episode to learn from", remedy)
     names = [suite.name for suite in suites]
     document = write_selection(out, found, recipe, objects, collected, names)
     _print(document, len(candidates))
     print(f"They are in {out}; `probe dataset {out} OUT` writes them down for trainers.")
-
-
-def _groups(
-    pool: Pool, objects: Collection[str], suites: Sequence[Suite], workers: int
-) -> list[list[str]]:
-    """Near-duplicates among all objects that appear, from the cache if they are known."""
-    things = library(pool)
-    used = {*objects, *(id for suite in suites for id in suite.objects)}
-    ids = sorted(used & {spec.id for spec in things.specs})
-    marks = {id: mark for suite in suites for id, mark in suite.objects.items()}
-    key = content_key("near-duplicates 1", *ids, *(str(marks.get(id)) for id in ids))
-    path = cache_folder() / "near" / f"{key}.json"
-    if path.exists():
-        return json.loads(path.read_text())
-    pairs = near_duplicates(things, ids, workers)
-    groups = [group for group in groups_of(ids, pairs) if len(group) > 1]
-    write_text(path, json.dumps(groups))
-    return groups
 
 
 def _print(document: SelectionDocument, episodes: int) -> None:

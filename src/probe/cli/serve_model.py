@@ -7,7 +7,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.train.serving import serve
+from probe.train.serving import reserved, serve
 from probe.train.speaking import Speaker
 
 
@@ -16,14 +16,17 @@ def serve_model(
 ) -> None:
     """Serve a model over OpenAI's protocol on this machine, one reply at a time, with transformers.
 
-    vLLM does the same many times faster where it runs; see docs/agent.md.
+    Without a temperature in the request it says what is likeliest. vLLM does the same many times
+    faster where it runs, but draws its words unless it is told otherwise; see docs/agent.md.
 
     Args:
         model: A folder that `probe train` wrote, or a name at Hugging Face.
         port: Where to listen.
-        name: What the model is called; by default its folder's name.
+        name: What the model is called, and must be called in requests; by default its folder's
+            name.
     """
     called = name or Path(model).name
-    speaker = Speaker(model)
-    print(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.", flush=True)
-    serve(speaker, called, port)
+    with reserved(port) as held:
+        speaker = Speaker(model)
+        print(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.", flush=True)
+        serve(speaker, called, held)

@@ -23,6 +23,9 @@ from probe.train.collecting import Hands, Play
 from probe.train.making import Studio, make_tasks
 from probe.train.teacher import TEACHER, Classroom, teacher_for
 
+_ROUNDS = 3
+"""How often episodes of a model that fail on our side are asked for."""
+
 
 def hands_of(site: Site, out: Path) -> Hands:
     """Who does the work in a folder."""
@@ -71,7 +74,11 @@ def _seated(site: Site, model: str) -> Play:
     )
 
     def play(suite: Suite, arm: Arm, runs: int, out: Path) -> Iterator[str]:
-        yield f"{len(suite.tasks)} tasks go to {model} ({arm})"
-        take_seats(suite, replace(seats, arm=arm, epochs=runs), out, dry_run=False)
+        asked, missing = replace(seats, arm=arm, epochs=runs), len(suite.tasks) * runs
+        for _ in range(_ROUNDS):
+            yield f"{missing} episodes go to {model} ({arm})"
+            missing = take_seats(suite, asked, out, plain=True)
+            if not missing:
+                return
 
     return play

@@ -61,9 +61,13 @@ class Site:
         """In what episodes differ from tasks."""
         return Conditions(lighting=self.lighting)
 
-    @property
-    def settings(self) -> Settings:
-        """What must stay the same in a folder."""
+    def settings(self, shard: str, first: int) -> Settings:
+        """What must stay the same in a folder.
+
+        Args:
+            shard: Which part of the tasks.
+            first: Number of the first episode.
+        """
         mark = None
         if self.split is not None:
             # Opening it says what is wrong with it, if something is.
@@ -76,4 +80,6 @@ class Site:
             points=self.counting,
             noise=self.noise,
             lighting=self.lighting,
+            shard=shard,
+            first=first,
         )

@@ -129,13 +129,19 @@ class Aim:
         return (self.most_episodes - so_far.episodes) // self.episodes_a_task
 
     def _by_cost(self, so_far: Harvest) -> int:
-        """By what episodes have cost so far; a first batch is small."""
+        """By what episodes have cost so far; a first batch is small.
+
+        Episodes whose cost isn't known are taken to cost as much as others; if none is known,
+        nothing more may be spent.
+        """
         assert self.most_cost is not None
-        left = self.most_cost - so_far.cost
-        tasks = sum(so_far.tasks.values())
-        if left <= 0:
-            return 0
+        tasks, priced = sum(so_far.tasks.values()), so_far.episodes - so_far.unpriced
         if not tasks:
             return len(self.counts)
-        each = so_far.cost / tasks
+        if not priced:
+            return 0
+        cost = so_far.cost * so_far.episodes / priced
+        left, each = self.most_cost - cost, cost / tasks
+        if left <= 0:
+            return 0
         return self.batch if each == 0 else int(left / each)

@@ -16,9 +16,12 @@ import pydantic
 from probe.certify.parts import Place
 from probe.certify.plan import ATTEMPTS
 from probe.chat.prompts import Arm
-from probe.episodes.folder import SUITE
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS, SUITE, in_order
+from probe.episodes.record import EpisodeRecord
 from probe.files import read_document, write_text
 from probe.runs.plan import Shard
+from probe.tasks.suite import Suite
 from probe.tasks.task import QuestionKind
 
 BATCHES, TASKS, GRADES = "batches", "tasks", "grades.json"
@@ -64,6 +67,17 @@ class Batch:
     def arm(self, arm: Arm) -> Path:
         """Where the records of an arm are."""
         return self.folder / arm
+
+    def records(self, arm: Arm, suite: Suite) -> dict[tuple[str, int], EpisodeRecord]:
+        """What an arm's records hold of each task and run: no faults that were made good since.
+
+        Raises:
+            BadData: One can't be read.
+        """
+        path = self.arm(arm) / RECORDS
+        records = read_records(path) if path.exists() else []
+        # Faults of ours may tell no arm; they come before what made them good.
+        return {(it.task, it.run): it for it in in_order(records, suite)}
 
     @property
     def whole(self) -> bool:

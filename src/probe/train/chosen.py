@@ -15,12 +15,13 @@ from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
-from probe.files import read_document, write_text
+from probe.files import check_new, read_document, whole_folder, write_text
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import Task
+from probe.train.candidates import Candidate
 from probe.train.evaluation import Leak
-from probe.train.selection import Candidate, Recipe, Selection
+from probe.train.selection import Recipe, Selection
 
 SELECTION = "selection.json"
 _REMEDY = "Select anew: probe select FOLDER... --out OUT"
@@ -80,33 +81,33 @@ def write_selection(
     sources: Sequence[Path],
     suites: Sequence[str],
 ) -> SelectionDocument:
-    """Write a selection; its document comes last, a folder with one is whole.
+    """Write a selection; the whole folder appears at once, or nothing does.
 
     Raises:
-        BadData: The folder holds one already.
-        OutputFailed: It can't be written.
+        BadData: The folder is there already.
+        OutputFailed: It can't be written; nothing is left of it.
     """
-    if (out / SUITE).exists() or (out / RECORDS).exists():
-        raise BadData(out, "holds something already", "Choose a new folder")
+    check_new(out)
     chosen = selection.chosen
     shown = {placed.object_id for it in chosen for placed in it.task.scene.objects}
     marks = {id: objects[id] for id in sorted(shown)}
-    write_suite(out / SUITE, Suite("selection", tuple(it.task for it in chosen), marks))
-    write_records(out / RECORDS, [it.record for it in chosen])
-    document = SelectionDocument(
-        files={name: _hash(out / name) for name in (SUITE, RECORDS)},
-        sources=tuple(map(str, sources)),
-        suites=tuple(suites),
-        examples=counts_of(chosen),
-        letters=dict(sorted(Counter(it.task.answer for it in chosen).items())),
-        limits=dict(selection.limits),
-        direct_share=recipe.direct_share,
-        slack=recipe.slack,
-        seed=recipe.seed,
-        dropped=dict(selection.dropped),
-        refused=tuple(Refused(**vars(it)) for it in selection.refused),
-    )
-    write_text(out / SELECTION, document.model_dump_json(indent=1) + "\n")
+    with whole_folder(out) as folder:
+        write_suite(folder / SUITE, Suite("selection", tuple(it.task for it in chosen), marks))
+        write_records(folder / RECORDS, [it.record for it in chosen])
+        document = SelectionDocument(
+            files={name: _hash(folder / name) for name in (SUITE, RECORDS)},
+            sources=tuple(map(str, sources)),
+            suites=tuple(suites),
+            examples=counts_of(chosen),
+            letters=dict(sorted(Counter(it.task.answer for it in chosen).items())),
+            limits=dict(selection.limits),
+            direct_share=recipe.direct_share,
+            slack=recipe.slack,
+            seed=recipe.seed,
+            dropped=dict(selection.dropped),
+            refused=tuple(Refused(**vars(it)) for it in selection.refused),
+        )
+        write_text(folder / SELECTION, document.model_dump_json(indent=1) + "\n")
     return document
 
 

@@ -15,8 +15,8 @@ from probe.assets.library import Library
 from probe.certify.build import assemble
 from probe.certify.parts import Parts, Place
 from probe.chat.prompts import Arm
-from probe.episodes.files import read_records
-from probe.episodes.folder import RECORDS, SUITE, in_order, standing
+from probe.episodes.folder import SUITE
+from probe.episodes.record import EpisodeRecord
 from probe.errors import Unsatisfiable
 from probe.report.darkroom import Darkroom
 from probe.tasks.suite import Suite, check_objects, selection
@@ -116,42 +116,46 @@ def _played(batch: Batch, suite: Suite, aim: Aim, hands: Hands) -> Generator[str
         rest = suite
         if aim.mode != "agentic":
             yield from hands.play(suite, "direct", aim.direct_runs, batch.arm("direct"))
-            grades += graded(batch.arm("direct"), darkroom)
+            grades += graded(batch, "direct", aim.direct_runs, darkroom)
             rest = suite if aim.always else _without(suite, grades)
         if aim.mode != "direct" and rest.tasks:
             write_suite(batch.arm("agentic") / SUITE, rest)
             yield from hands.play(rest, "agentic", 1, batch.arm("agentic"))
-            grades += graded(batch.arm("agentic"), darkroom)
+            grades += graded(batch, "agentic", 1, darkroom)
     batch.keep(grades)
 
 
-def graded(folder: Path, darkroom: Darkroom) -> list[Grade]:
-    """What the records of a folder are worth.
+def graded(batch: Batch, arm: Arm, runs: int, darkroom: Darkroom) -> list[Grade]:
+    """What came of each run of an arm's tasks, also of those that left no record.
 
     Raises:
         BadData: The suite or a record can't be read.
     """
-    suite = read_suite(folder / SUITE)
-    tasks = {task.id: task for task in suite.tasks}
-    records = standing(in_order(read_records(folder / RECORDS), suite))
-    found = list[Grade]()
-    for record in records:
-        task: Task = tasks[record.task]
-        score = None if record.end == "fault" else darkroom.score(task, record)
-        found.append(
-            Grade(
-                task=task.id,
-                kind=task.kind,
-                seed=task.seed,
-                arm=record.arm,
-                run=record.run,
-                correct=score and score.correct,
-                outcome=score.outcome if score else record.fault or "fault",
-                manipulations=record.manipulations,
-                cost=record.seat.cost if record.seat else None,
-            )
-        )
-    return found
+    suite = read_suite(batch.arm(arm) / SUITE)
+    found = batch.records(arm, suite)
+    return [
+        _grade(task, arm, run, found.get((task.id, run)), darkroom)
+        for task in suite.tasks
+        for run in range(runs)
+    ]
+
+
+def _grade(
+    task: Task, arm: Arm, run: int, record: EpisodeRecord | None, darkroom: Darkroom
+) -> Grade:
+    score = darkroom.score(task, record) if record and record.end != "fault" else None
+    fault = record.fault if record else "no record was left"
+    return Grade(
+        task=task.id,
+        kind=task.kind,
+        seed=task.seed,
+        arm=arm,
+        run=run,
+        correct=score and score.correct,
+        outcome=score.outcome if score else fault or "fault",
+        manipulations=record.manipulations if record else 0,
+        cost=record.seat.cost if record and record.seat else None,
+    )
 
 
 def _without(suite: Suite, grades: Sequence[Grade]) -> Suite:

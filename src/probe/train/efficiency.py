@@ -11,7 +11,9 @@ import yaml
 
 from probe.episodes.record import EpisodeRecord, Step
 
-Waste = Literal["too many manipulations", "failed twice at one thing", "a call that did nothing"]
+Waste = Literal[
+    "too many manipulations", "failed twice at one thing", "a call or reply that did nothing"
+]
 
 MOVES = ("grasp_and_remove", "push")
 SLACK = 1
@@ -34,16 +36,22 @@ def limits(successes: Iterable[tuple[str, EpisodeRecord]], slack: int = SLACK) -
 def waste(record: EpisodeRecord, limit: int) -> Waste | None:
     """What an episode wasted; None if it is efficient.
 
-    It may take `limit` manipulations; no thing may have withstood more than one of them; and each
-    call must have been one that the tools could do.
+    It may take `limit` manipulations; no thing may have withstood more than one of them; each call
+    must have been one that the tools could do; and no reply may have needed a reminder.
     """
     if record.manipulations > limit:
         return "too many manipulations"
     if any(count > 1 for count in failures(record).values()):
         return "failed twice at one thing"
-    if any(step.status in ("malformed", "refused") for step in record.steps):
-        return "a call that did nothing"
+    if reminded(record) or any(step.status in ("malformed", "refused") for step in record.steps):
+        return "a call or reply that did nothing"
     return None
+
+
+def reminded(record: EpisodeRecord) -> bool:
+    """Whether a model had to be told to call a tool, to answer, or to point at its answer."""
+    # Only an episode's last reply may be in words alone.
+    return record.seat is not None and any(it.calls == 0 for it in record.seat.replies[:-1])
 
 
 def failures(record: EpisodeRecord) -> Counter[str]:

@@ -15,7 +15,7 @@ from probe.chat.messages import PLAIN, Message, messages
 from probe.chat.prompts import arm_named
 from probe.chat.tools import as_sent
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.seat import Points, Reply, Seat
+from probe.episodes.seat import Points, Reply
 from probe.errors import BadData
 from probe.tasks.suite_file import CANARY
 from probe.tasks.task import Task
@@ -71,7 +71,7 @@ def example_of(
         BadData: The teacher counted places in another way, in which they can't be told.
         Canary: A suite's canary is in a text.
     """
-    record = replace(record, seat=_seat(record, points))
+    record = _retold(record, points)
     assert record.seat is not None
     arm = arm_named(record.seat.arm)
     conversation = _until_last_reply(messages(record, shown.first, shown.later))
@@ -88,17 +88,21 @@ def example_of(
     return made
 
 
-def _seat(record: EpisodeRecord, points: Points | None) -> Seat:
-    """The teacher's part, told in the way in which a student counts places."""
+def _retold(record: EpisodeRecord, points: Points | None) -> EpisodeRecord:
+    """What the teacher said, told in the way in which a student counts places."""
     seat = record.seat or replace(PLAIN, replies=tuple(Reply(1) for _ in record.steps))
     if points is None or points == seat.points:
-        return seat
+        return replace(record, seat=seat)
     if seat.points != "pixels":
         reason = f"the teacher counted places {seat.points}, and wrote them down so"
         remedy = f"Say --points {seat.points}, or collect with --points {points}"
         raise BadData(record.task, reason, remedy)
     replies = tuple(Reply(it.calls, told(it.words, points)) for it in seat.replies)
-    return replace(seat, points=points, replies=replies)
+    steps = tuple(
+        replace(step, call=replace(step.call, words=told(step.call.words, points)))
+        for step in record.steps
+    )
+    return replace(record, seat=replace(seat, points=points, replies=replies), steps=steps)
 
 
 def _until_last_reply(conversation: Sequence[Message]) -> list[Message]:

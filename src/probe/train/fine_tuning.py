@@ -6,25 +6,14 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from probe.errors import ProbeError
 from probe.train import libraries
-from probe.train.collating import Collator
 from probe.train.diary import diary_callback
+from probe.train.loading import collator_for, load
 from probe.train.manifest import Manifest, check_dataset
 from probe.train.run_card import write_card
 from probe.train.started import MODEL, ROWS, begun, last_checkpoint, take_up
 from probe.train.trainer_settings import settings_for
 from probe.train.tuning import Tuning
-
-
-class NoModel(ProbeError):
-    """There is no model to start from."""
-
-    def __init__(self, model: str, reason: str) -> None:
-        super().__init__(
-            f"{model} can't be loaded as a vision-language model ({reason}). Name a folder, or a "
-            "model at Hugging Face such as Qwen/Qwen3-VL-8B-Instruct."
-        )
 
 
 def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str, ...]) -> Path:
@@ -38,70 +27,50 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         types: Of which there must be examples, besides those that the manifest names.
 
     Raises:
-        BadData: Something is wrong with the data set, or the folder is another training's.
+        BadData: Something is wrong with the data set, the folder is another training's, or the
+            settings don't fit this machine.
         MissingExtra: A library isn't installed.
         NoModel: The model can't be loaded.
+        UnknownTemplate: Nobody knows what to take its loss on.
     """
     manifest = check_dataset(dataset, types)
     asked = begun(dataset, model, tuning)
     if (out / MODEL).exists():
         take_up(out, asked)
         return out / MODEL
-    loaded, processor = load(model)
+    # Before the model: then of several processes one alone reads its weights.
+    settings = settings_for(out, tuning)
+    loaded, processor = load(model, exact=tuning.lora is None)
+    collator = collator_for(processor)
     take_up(out, asked)
-    rows = _rows(dataset, out, manifest)
-    trainer = _trainer(loaded, processor, rows, out, tuning)
+    trainer = libraries.trl().SFTTrainer(
+        model=loaded,
+        args=settings,
+        train_dataset=_rows(dataset, out, manifest),
+        processing_class=processor,
+        data_collator=collator,
+        peft_config=_lora(tuning),
+        callbacks=[diary_callback(out)],
+    )
     last = last_checkpoint(out)
     trainer.train(resume_from_checkpoint=str(last) if last else None)
-    _keep(trainer, out, tuning)
+    weights = _numbers(trainer.model)
+    growing = _saved(trainer, out, tuning)
     if trainer.is_world_process_zero():
-        write_card(out, asked, manifest)
+        write_card(out, asked, manifest, weights)
         shutil.rmtree(out / ROWS, ignore_errors=True)
+        growing.rename(out / MODEL)  # at the very end: where it is, nothing is left to do
     return out / MODEL
 
 
-def load(model: str) -> tuple[Any, Any]:
-    """A model and its processor.
-
-    Raises:
-        MissingExtra: A library isn't installed.
-        NoModel: It can't be loaded.
-    """
-    torch, transformers = libraries.torch(), libraries.transformers()
-    kind = torch.bfloat16 if torch.cuda.is_available() else torch.float32
-    try:
-        processor = transformers.AutoProcessor.from_pretrained(model)
-        loaded = transformers.AutoModelForImageTextToText.from_pretrained(model, dtype=kind)
-    except (OSError, ValueError) as error:
-        raise NoModel(model, str(error).split("\n")[0]) from error
-    return loaded, processor
-
-
-def collator_for(processor: Any) -> Collator:
-    """What makes batches for a model; its template is TRL's, with the assistant's turns marked."""
-    templates = libraries.part("trl.chat_template_utils")
-    marked: Any = templates.get_training_chat_template(processor)
-    return Collator(processor, marked or processor.chat_template)
-
-
-def _trainer(loaded: Any, processor: Any, rows: Any, out: Path, tuning: Tuning) -> Any:
-    trl = libraries.trl()
-    peft = None
-    if tuning.lora is not None:
-        peft = libraries.part("peft").LoraConfig(
-            r=tuning.lora,
-            lora_alpha=2 * tuning.lora,
-            target_modules="all-linear",
-            task_type="CAUSAL_LM",
-        )
-    return trl.SFTTrainer(
-        model=loaded,
-        args=settings_for(out, tuning),
-        train_dataset=rows,
-        processing_class=processor,
-        data_collator=collator_for(processor),
-        peft_config=peft,
-        callbacks=[diary_callback(out)],
+def _lora(tuning: Tuning) -> Any:
+    if tuning.lora is None:
+        return None
+    return libraries.part("peft").LoraConfig(
+        r=tuning.lora,
+        lora_alpha=2 * tuning.lora,
+        target_modules="all-linear",
+        task_type="CAUSAL_LM",
     )
 
 
@@ -112,8 +81,14 @@ def _rows(dataset: Path, out: Path, manifest: Manifest) -> Any:
     return data.Dataset.from_parquet(files, cache_dir=str(out / ROWS))
 
 
-def _keep(trainer: Any, out: Path, tuning: Tuning) -> None:
-    """Save the model whole, LoRA's matrices merged into it; the folder appears when it is whole."""
+def _numbers(model: Any) -> str:
+    """Of what type the weights are that were trained."""
+    kinds = {str(it.dtype) for it in model.parameters() if it.requires_grad}
+    return ", ".join(sorted(kind.removeprefix("torch.") for kind in kinds))
+
+
+def _saved(trainer: Any, out: Path, tuning: Tuning) -> Path:
+    """Save the whole model, LoRA's matrices merged into it, into a hidden folder."""
     growing = out / f".{MODEL}"
     if tuning.lora is not None:
         trainer.save_model(str(out / "adapter"))
@@ -125,4 +100,4 @@ def _keep(trainer: Any, out: Path, tuning: Tuning) -> None:
     trainer.accelerator.wait_for_everyone()
     if trainer.is_world_process_zero():
         trainer.processing_class.save_pretrained(str(growing))
-        growing.rename(out / MODEL)
+    return growing

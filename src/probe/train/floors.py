@@ -12,6 +12,7 @@ from probe.agents.at_once import Rule, always, always_none
 from probe.agents.learnt import Learnt, most_likely
 from probe.episodes.grading import grade_episode, question_of
 from probe.episodes.turns import Question
+from probe.errors import BadData
 from probe.runs.plan import Job, Order
 from probe.runs.work import failed
 from probe.scores.marking import row_of
@@ -31,7 +32,13 @@ def floors(suite: Suite, held_out: Collection[str], learnt: Mapping[str, Learnt]
         suite: What is asked.
         held_out: Types on which the best constant answer isn't chosen.
         learnt: By question-only. About a type that is missing it gives no answer.
+
+    Raises:
+        BadData: No type is left that was trained.
     """
+    if {task.kind for task in suite.tasks} <= {*held_out}:
+        reason = f"leaves no type of {suite.name} that was trained"
+        raise BadData("--types", reason, "Name fewer, or compare runs of a suite with more types")
     constants: dict[str, Rule] = {f"always-{letter}": always(letter) for letter in LETTERS}
     constants["always-none"] = always_none
     played = {

@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-import shutil
-import tempfile
 from collections import Counter, defaultdict
-from collections.abc import Generator, Iterable, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
 
 from probe.assets.spec import ObjectSpec
-from probe.errors import BadData, OutputFailed
-from probe.files import write_bytes, write_text
+from probe.errors import BadData
+from probe.files import check_new, whole_folder, write_bytes, write_text
 from probe.train.card import card
 from probe.train.chosen import Chosen
 from probe.train.examples import Example
@@ -100,9 +96,8 @@ def write_dataset(
         MissingExtra: Hugging Face's library isn't installed.
         OutputFailed: It can't be written; nothing is left of it.
     """
-    if out.exists():
-        raise BadData(out, "is there already", "Choose a new folder")
-    with _appearing(out) as folder:
+    check_new(out)
+    with whole_folder(out) as folder:
         written = _Written()
         left = iter(examples)
         for name in table_names(len(chosen.episodes)):
@@ -122,24 +117,6 @@ def write_dataset(
         write_text(folder / CARD, card(form.name, manifest, chosen, specs))
         write_manifest(folder, manifest)
     return manifest
-
-
-@contextmanager
-def _appearing(out: Path) -> Generator[Path]:
-    """A folder that takes its place when the block ends well."""
-    folder: Path | None = None
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        folder = Path(tempfile.mkdtemp(dir=out.parent, prefix=f".{out.name}."))
-        yield folder
-        os.chmod(folder, 0o755)
-        os.rename(folder, out)
-    except OSError as error:
-        raise OutputFailed(out, error.strerror or str(error)) from error
-    finally:
-        if folder is not None:
-            with suppress(OSError):
-                shutil.rmtree(folder)
 
 
 def _add(

@@ -39,14 +39,13 @@ def standings(
         seed: Of the bootstrap.
     """
     kept = settled(rows)
+    trained = {it.kind for it in roster.values()} - {*held_out}
     order = list(dict.fromkeys(row.entrant for row in kept))
     entrants = by_entrant(kept)
     return [
         Standing(
             entrant,
-            _card(
-                entrants[entrant], roster, {it.kind for it in roster.values()} - {*held_out}, seed
-            ),
+            _card(entrants[entrant], roster, trained, seed),
             _card(entrants[entrant], roster, held_out, seed),
         )
         for entrant in order
@@ -55,21 +54,28 @@ def standings(
 
 def markdown(found: Sequence[Standing]) -> str:
     """A table: shares of right answers in per cent with 95 % intervals (t), and n tasks."""
-    kinds = [figure.name for figure in found[0].trained.kinds] if found[0].trained else []
-    others = [figure.name for figure in found[0].held_out.kinds] if found[0].held_out else []
+    kinds = _types(it.trained for it in found)
+    others = _types(it.held_out for it in found)
     head = ["", "runs", "n", "macro, trained types", *kinds]
     head += [f"**{kind}**, held out (n)" for kind in others]
     lines = [f"| {' | '.join(head)} |", f"|{'---|' * len(head)}"]
-    for each in found:
-        runs = max(card.macro.runs for card in (each.trained, each.held_out) if card)
-        cells = [f"{each.entrant.agent}, {each.entrant.arm}", str(runs)]
-        trained = each.trained
-        cells += [str(trained.macro.tasks), _share(trained.macro)] if trained else ["0", ""]
-        cells += [_share(figure, short=True) for figure in trained.kinds] if trained else []
-        held = each.held_out.kinds if each.held_out else ()
-        cells += [f"{_share(figure)} ({figure.tasks})" for figure in held]
-        lines.append(f"| {' | '.join(cells)} |")
+    lines += [f"| {' | '.join(_cells(each, kinds, others))} |" for each in found]
     return "\n".join(lines) + "\n"
+
+
+def _cells(each: Standing, kinds: Sequence[str], others: Sequence[str]) -> list[str]:
+    runs = max(card.macro.runs for card in (each.trained, each.held_out) if card)
+    cells = [f"{each.entrant.agent}, {each.entrant.arm}", str(runs)]
+    trained = each.trained
+    cells += [str(trained.macro.tasks), _share(trained.macro)] if trained else ["0", ""]
+    told = {figure.name: figure for figure in trained.kinds} if trained else {}
+    cells += [_share(told[kind], short=True) if kind in told else "" for kind in kinds]
+    held = {figure.name: figure for figure in each.held_out.kinds} if each.held_out else {}
+    return cells + [f"{_share(held[it])} ({held[it].tasks})" if it in held else "" for it in others]
+
+
+def _types(cards: Iterable[Scorecard | None]) -> list[str]:
+    return list(dict.fromkeys(figure.name for card in cards if card for figure in card.kinds))
 
 
 def _card(

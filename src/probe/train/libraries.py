@@ -57,6 +57,12 @@ def trl() -> Any:
     return _imported("trl")
 
 
+def computes_in_bfloat16() -> bool:
+    """Whether there is a GPU that does; older ones only make as if, slowly."""
+    cuda = torch().cuda
+    return bool(cuda.is_available() and cuda.is_bf16_supported(including_emulation=False))
+
+
 def part(name: str) -> Any:
     """Another one, or a part of one, by its full name.
 

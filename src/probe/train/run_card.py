@@ -30,6 +30,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
         examples: By type and arm.
         versions: Of libraries, ours included.
         hardware: What it ran on, in words.
+        weights: Type of the numbers that were trained, such as "float32".
         steps: How many.
         seconds: Of all sessions together, from their first step's log on.
         first_loss, last_loss: Means over a tenth of the steps.
@@ -40,14 +41,21 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
     examples: dict[str, dict[str, int]]
     versions: dict[str, str]
     hardware: str
+    weights: str
     steps: int
     seconds: float
     first_loss: float
     last_loss: float
 
 
-def write_card(out: Path, begun: Begun, manifest: Manifest) -> Run:
+def write_card(out: Path, begun: Begun, manifest: Manifest, weights: str) -> Run:
     """Write run.json and README.md into a training's folder.
+
+    Args:
+        out: The folder.
+        begun: What it was begun with.
+        manifest: The data set's.
+        weights: Type of the numbers that were trained.
 
     Raises:
         OutputFailed: They can't be written.
@@ -59,6 +67,7 @@ def write_card(out: Path, begun: Begun, manifest: Manifest) -> Run:
         examples=manifest.examples,
         versions={"probe-vqa": version("probe-vqa"), **libraries.versions()},
         hardware=hardware(),
+        weights=weights,
         steps=len(diary),
         seconds=round(seconds_of(out), 1),
         first_loss=round(_mean(diary[:tenth]), 4),
@@ -94,6 +103,7 @@ def _page(run: Run, manifest: Manifest, diary: Sequence[Entry]) -> str:
         settings=json.dumps(run.begun.tuning, indent=1),
         versions=", ".join(f"{name} {number}" for name, number in run.versions.items()),
         hardware=run.hardware,
+        weights=run.weights,
         steps=run.steps,
         minutes=f"{run.seconds / 60:.1f}",
         loss="\n".join(f"| {it.step} | {it.loss:.4f} | {it.learning_rate:.2e} |" for it in shown),

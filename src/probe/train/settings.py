@@ -22,15 +22,19 @@ class Settings(pydantic.BaseModel, extra="forbid", frozen=True):
         points: How places are counted in pictures.
         noise: How far the hand errs, by name.
         lighting: Of the pictures.
+        shard: Which part of the tasks, such as "0/2".
+        first: Number of the first episode of all shards.
     """
 
-    version: int = 1
+    version: int = 2
     agent: str
     pool: str
     split: str | None
     points: str
     noise: str
     lighting: str
+    shard: str
+    first: int
 
 
 def claim(out: Path, settings: Settings) -> None:

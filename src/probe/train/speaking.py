@@ -10,7 +10,7 @@ from typing import Any
 from probe.train import libraries
 from probe.train.collating import encoded
 from probe.train.conversations import of_request
-from probe.train.fine_tuning import load
+from probe.train.loading import load
 from probe.train.replying import Reply, read_reply
 
 MOST_WORDS = 512

@@ -1,12 +1,12 @@
 """The folder of a training: what it was begun with, and where it stopped.
 
-`training.json` is there from the start, `checkpoints/` grows, `model/` and the card come last.
+`training.json` is there from the start, `checkpoints/` grows, the card and then `model/` come last.
 """
 
 from __future__ import annotations
 
 import hashlib
-import shutil
+import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ from probe.train.tuning import Tuning
 
 TRAINING, CHECKPOINTS, MODEL, ROWS = "training.json", "checkpoints", "model", "rows"
 _LAST_FILE = "trainer_state.json"
-"""What transformers writes last into a checkpoint: one without it was cut off."""
+"""What transformers writes last into a checkpoint: one without it, or a part of it, was cut off."""
 
 
 class Begun(pydantic.BaseModel, extra="forbid", frozen=True):
@@ -70,14 +70,20 @@ def take_up(out: Path, asked: Begun) -> None:
 
 
 def last_checkpoint(out: Path) -> Path | None:
-    """The last whole one; those that were cut off are deleted."""
-    found: list[Path] = []
-    for folder in sorted((out / CHECKPOINTS).glob("checkpoint-*"), key=_step):
-        if (folder / _LAST_FILE).exists():
-            found.append(folder)
-        else:
-            shutil.rmtree(folder)
-    return found[-1] if found else None
+    """The last whole one.
+
+    One that was cut off stays until the same step is saved again: several processes may look.
+    """
+    found = sorted((out / CHECKPOINTS).glob("checkpoint-*"), key=_step)
+    return next((folder for folder in reversed(found) if _whole(folder)), None)
+
+
+def _whole(checkpoint: Path) -> bool:
+    try:
+        json.loads((checkpoint / _LAST_FILE).read_bytes())
+    except (OSError, ValueError):
+        return False
+    return True
 
 
 def _step(folder: Path) -> int:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from probe.chat.prompts import reminder, system_prompt
-from probe.errors import BadData
+from probe.files import check_new, whole_folder
 from probe.train import libraries
 from probe.train.manifest import check_dataset
 from probe.train.tiny_parts import Shape, processor_for, untrained
@@ -29,16 +29,15 @@ def make_tiny(dataset: Path, out: Path, shape: Shape) -> int:
     Raises:
         BadData: The data set is broken, or the folder is there already.
         MissingExtra: A library isn't installed.
+        OutputFailed: It can't be written.
     """
     check_dataset(dataset)
-    if out.exists():
-        raise BadData(out, "is there already", "Choose a new folder")
+    check_new(out)
     processor = processor_for(_texts(dataset), shape)
     model = untrained(processor, shape)
-    growing = out.with_name(f".{out.name}.growing")
-    model.save_pretrained(str(growing))
-    processor.save_pretrained(str(growing))
-    growing.rename(out)
+    with whole_folder(out) as growing:
+        model.save_pretrained(str(growing))
+        processor.save_pretrained(str(growing))
     return sum(weights.numel() for weights in model.parameters())
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from probe.errors import BadData
 from probe.train import libraries
 from probe.train.started import CHECKPOINTS
 from probe.train.tuning import Tuning
@@ -21,21 +22,25 @@ def settings_for(out: Path, tuning: Tuning) -> Any:
         tuning: How a model is trained.
 
     Raises:
-        BadData: The batch doesn't come out even over the processes that there are.
+        BadData: The batch doesn't come out even over the processes that there are, one process
+            sees several GPUs, or several would share LoRA's matrices.
     """
-    processes = int(libraries.part("accelerate").PartialState().num_processes)
     gpu = bool(libraries.torch().cuda.is_available())
+    # Without being told, it takes several processes without GPUs for as many trainings.
+    state = libraries.part("accelerate").PartialState(cpu=not gpu)
+    _one_gpu_each(str(state.distributed_type.value))
+    _one_alone_with_lora(tuning, int(state.num_processes))
     return libraries.trl().SFTConfig(
         output_dir=str(out / CHECKPOINTS),
         learning_rate=tuning.learning_rate,
         num_train_epochs=tuning.epochs,
         per_device_train_batch_size=tuning.device_batch,
-        gradient_accumulation_steps=tuning.accumulation(processes),
+        gradient_accumulation_steps=tuning.accumulation(int(state.num_processes)),
         lr_scheduler_type=tuning.schedule,
         warmup_steps=tuning.warmup,
         seed=tuning.seed,
         data_seed=tuning.seed,
-        bf16=gpu,
+        bf16=libraries.computes_in_bfloat16(),
         use_cpu=not gpu,
         gradient_checkpointing=tuning.save_memory,
         assistant_only_loss=True,
@@ -52,3 +57,17 @@ def settings_for(out: Path, tuning: Tuning) -> Any:
         report_to="none",
         disable_tqdm=False,
     )
+
+
+def _one_gpu_each(distributed: str) -> None:
+    gpus = int(libraries.torch().cuda.device_count())
+    if distributed == "NO" and gpus > 1:
+        remedy = "Start it through accelerate (docs/agent.md), or set CUDA_VISIBLE_DEVICES=0"
+        raise BadData("GPUs", f"one process sees {gpus}", remedy)
+
+
+def _one_alone_with_lora(tuning: Tuning, processes: int) -> None:
+    """Matrices that several GPUs divide among them can't be merged by one of them."""
+    if tuning.lora is not None and processes > 1:
+        remedy = "Train on one GPU (gpu_1.yaml), or all weights"
+        raise BadData("--lora", f"can't be shared by {processes} processes", remedy)

@@ -1,0 +1,71 @@
+"""`probe collect --model` as users type it, against a local server."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from lessons import BY_KIND, FIRST_SEED
+from model_server import Reply, serving
+from probe.assets.library import open_library
+from probe.certify.parts import Parts, Place
+from probe.train.batches import TASKS, batches
+
+PATIENCE = 240.0
+ONE_COUNT = (
+    *("--counts.count", "1", "--counts.find", "0", "--counts.compare", "0"),
+    *("--counts.size", "0", "--counts.reduce", "0"),
+)
+TASK = replace(BY_KIND["count"], id="count-00000001", seed=FIRST_SEED)
+
+
+def collect(out: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "probe", "collect", "--out", out, "--model", "mine", *words]
+    return subprocess.run(
+        [*map(str, command), *ONE_COUNT], capture_output=True, text=True, timeout=PATIENCE,
+        env=os.environ | {"COLUMNS": "1000"},
+    )  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("failures", "missing"), [(1, 0), (99, 1)])
+def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, missing):
+    Parts(tmp_path / TASKS).keep(
+        Place("count", 2_000_000), TASK, open_library("procedural", None, cache)
+    )
+    refused = list[int]()
+
+    def script(number: int, body: dict[str, Any]) -> Reply:
+        if "Say hello." in str(body["messages"]):
+            return Reply("Hello.")
+        if len(refused) < failures:
+            refused.append(number)
+            return Reply(status=400)
+        return Reply(f"ANSWER: {TASK.answer}")
+
+    with serving(script) as server:
+        ended = collect(
+            *(tmp_path, "--endpoint", server.url, "--arms", "direct", "--workers", "1"),
+            *("--most-episodes", "1"),
+        )
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert f"{missing} missing by our fault" in ended.stdout
+    (grade,) = batches(tmp_path)[0].grades()
+    assert grade.correct is (None if missing else True)
+    assert len(refused) == (3 if missing else 1)
+
+
+def test_a_budget_in_dollars_needs_a_price(tmp_path):
+    prices = tmp_path / "prices.yaml"
+    prices.write_text("another:\n  tokens_in: 2\n  tokens_out: 10\n")
+    ended = collect(tmp_path / "out", "--most-cost", "5", "--prices", prices)
+    assert ended.returncode != 0
+    assert "--most-cost: nobody knows what tokens cost" in ended.stderr
+    assert "with a price of mine" in ended.stderr
+    assert not (tmp_path / "out").exists()
