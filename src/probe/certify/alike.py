@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.spec import ObjectSpec
+from probe.certify.colour_words import colour_words_in
 from probe.certify.result import Rejected
 
 TWIN_TOLERANCE = 0.10
@@ -33,6 +34,8 @@ def draw_alike(
     tolerance: float,
     count: int,
     rng: np.random.Generator,
+    *,
+    one_colour: bool = False,
 ) -> tuple[ObjectSpec, ...]:
     """Draw objects alike in size and in how common their category is, in random order.
 
@@ -42,6 +45,7 @@ def draw_alike(
         tolerance: Of the longest side, as a share.
         count: How many.
         rng: Draws them.
+        one_colour: Whether their names are to say the same colours, or none.
 
     Raises:
         Rejected: What was drawn first has too few like it, several times over.
@@ -51,8 +55,9 @@ def draw_alike(
     for _ in range(_TRIES):
         drawn = []
         for index in rng.permutation(len(pool)):
-            if _alike([*drawn, pool[int(index)]], tolerance, common):
-                drawn.append(pool[int(index)])
+            more = [*drawn, pool[int(index)]]
+            if _alike(more, tolerance, common) and not (one_colour and _colours_differ(more)):
+                drawn = more
             if len(drawn) == count:
                 return tuple(drawn)
     raise Rejected("candidates", f"only {len(drawn)} like {drawn[0].name if drawn else 'nothing'}")
@@ -66,6 +71,10 @@ def _alike(specs: Sequence[ObjectSpec], tolerance: float, common: Counter[str]) 
         and max(counts) <= min(counts) * FREQUENCY_RATIO
         and told_apart(specs)
     )
+
+
+def _colours_differ(specs: Sequence[ObjectSpec]) -> bool:
+    return len({colour_words_in(spec.name) for spec in specs}) > 1
 
 
 def told_apart(specs: Sequence[ObjectSpec]) -> bool:

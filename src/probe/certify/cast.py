@@ -72,6 +72,8 @@ def draw_cast(
     rng: np.random.Generator,
     count: int = DEFAULT_COUNT,
     draw_more: Sequence[CoverDraw] = (),
+    *,
+    one_colour: bool = False,
 ) -> Cast:
     """Draw five candidates, something to cover any of them, and the others.
 
@@ -83,13 +85,16 @@ def draw_cast(
         rng: Draws everything.
         count: Things on the table.
         draw_more: Draw what else lies there, on top.
+        one_colour: Whether the candidates' names are to say the same colours.
 
     Raises:
         Rejected: The library has no such set.
     """
     pool = hideable(library, largest)
     for _ in range(CAST_TRIES):
-        candidates = draw_alike(pool, library.specs, tolerance, CANDIDATES, rng)
+        candidates = draw_alike(
+            pool, library.specs, tolerance, CANDIDATES, rng, one_colour=one_colour
+        )
         free = unlike(library.specs, candidates)
         room = [footprint_of(library, spec.id) for spec in candidates]
         covers: list[Cover] = []

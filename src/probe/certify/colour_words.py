@@ -27,6 +27,11 @@ def colours_in(text: str) -> tuple[Array, ...]:
     return tuple(_meant(shade, word) for shade, word in _NAMED.findall(text.lower()))
 
 
+def colour_words_in(text: str) -> frozenset[str]:
+    """Colours that a text names, in words: "light blue", "red"."""
+    return frozenset(" ".join(filter(None, found)) for found in _NAMED.findall(text.lower()))
+
+
 def _meant(shade: str, word: str) -> Array:
     plain = lab(np.array([_WORDS[word]]))[0]
     return plain + (_SHADES.get(shade, 0.0), 0.0, 0.0)

@@ -45,7 +45,8 @@ def generate_find(
     """
     rng = generator(seed, "find")
     if plan.partly:
-        cast = draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng)
+        # A colour that shows would tell; so all candidates have it.
+        cast = draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
     else:
         cast = draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng)
     post = draw_post(cast.covers, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
