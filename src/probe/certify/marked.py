@@ -165,13 +165,21 @@ def partly_covered(made: Set, place: int, wanted: float, rng: np.random.Generato
     Returns:
         None if it doesn't get there, or doesn't stay.
     """
+    found = peeks(made, place, wanted, rng)
+    if not found:
+        return None
+    return at_rest(made, place, min(found, key=lambda each: _off(each, wanted)))
+
+
+def peeks(made: Set, place: int, wanted: float, rng: np.random.Generator) -> list[Nest]:
+    """All that is tried on the way to partly_covered(), where a little shows; not yet at rest."""
     cover, spec, post = made.cast.covers[place], made.cast.marked[place], made.posts[place]
     turn = float(rng.uniform(0, 2 * math.pi))
     # Outwards: towards the middle, the other nest might be in its place.
     towards = math.atan2(post.y, post.x) + float(rng.uniform(-_ASIDE, _ASIDE))
     out = np.array([math.cos(towards), math.sin(towards)])
     low, high = 0.0, cover.reach + max(spec.size) / 2
-    best: Nest | None = None
+    found: list[Nest] = []
     for _ in range(_BISECTIONS):
         middle = (low + high) / 2
         x, y = np.array([post.x, post.y]) + middle * out
@@ -179,9 +187,9 @@ def partly_covered(made: Set, place: int, wanted: float, rng: np.random.Generato
         at = Post(float(x), float(y), post.radius)
         nest = _look(made, place, made.stage.nest(place + 1, [layer], at, laid=lies_on_side(spec)))
         if is_little(nest.seen) and not made.stage.jammed:
-            best = min(filter(None, (best, nest)), key=lambda each: _off(each, wanted))
+            found.append(nest)
         low, high = (middle, high) if nest.seen.fraction < wanted else (low, middle)
-    return best and _at_rest(made, place, best)
+    return found
 
 
 def _look(made: Set, place: int, poses: Poses) -> Nest:
@@ -191,7 +199,7 @@ def _look(made: Set, place: int, poses: Poses) -> Nest:
     return Nest(poses, made.view.visibility(scene, labels, [number])[number], labels, scene)
 
 
-def _at_rest(made: Set, place: int, nest: Nest) -> Nest | None:
+def at_rest(made: Set, place: int, nest: Nest) -> Nest | None:
     """The nest once all is still; None if its cover slides off before."""
     try:
         settled = _look(made, place, made.stage.settle(nest.poses))

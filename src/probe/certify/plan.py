@@ -35,9 +35,8 @@ class Plan:
         hidden: Count: hidden instances.
         partly: Find: the target is partly visible rather than hidden.
         removals: Reduce: how many things are to be removed.
-        cues: Compare: whether the patches that show tell the answer, twice. Size: whether the
-            thing that shows by more pixels is the larger one, and whether the one that shows by
-            the larger share is.
+        cues: Compare: the first says whether the patches that show tell the answer. Size: whether
+            the larger thing shows by more pixels, and whether what shows of it is longer.
     """
 
     letter: Letter
@@ -60,7 +59,7 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
     texts = wordings(kind)
     wording = _turn(range(len(texts)), episode, kind, "wording")
     visible, hidden = _turn(_COUNTS, episode, kind, "count")
-    crossed, first, second = _turn(_CROSSED, episode, kind, "crossed")
+    crossed, *cues = _turn(_CROSSED, episode, kind, "crossed")
     form = texts[wording].form
     return Plan(
         letter=crossed if kind in PAIRED else _turn(LETTERS, episode, kind, "letter"),
@@ -70,8 +69,7 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         hidden=hidden,
         partly=_turn((False, False, True), episode, kind, "partly"),
         removals=_turn(_REMOVALS, episode, kind, "removals"),
-        # What is larger in every way can't show by a larger share and yet by fewer pixels.
-        cues=(first, second if form == "longer" else first),
+        cues=(cues[0], cues[1]),
     )
 
 

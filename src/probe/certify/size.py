@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
@@ -14,11 +17,12 @@ from probe.certify.marked import (
     MarkedCast,
     Nest,
     Set,
+    at_rest,
     build_set,
     cast_marked,
     draw_marks,
     markable,
-    partly_covered,
+    peeks,
     settle_around,
 )
 from probe.certify.plan import Plan
@@ -27,15 +31,28 @@ from probe.certify.rules import LITTLE
 from probe.certify.writing import Draft, write_task
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
-from probe.scene.visibility import Visibility
 from probe.tasks.task import PAIR
 from probe.tasks.truth import which_size
+from probe.types import Array
 
 _PAIRS = 400
-_SHARES = 200
-_NESTS = 4
-_CLEARLY = 1.25
-"""Ratio from which on one patch counts as larger than the other."""
+_ROUNDS = 4
+_CHOICES = 2
+
+_LARGEST_RATIO = 2.5
+"""Most by which the bare areas of the two differ: else a little of both can't look alike."""
+
+_LEADS = ((math.log(1.05), math.log(2.0)), (math.log(1.05), math.log(1.5)))
+"""Least and most by which one of the two shows by more pixels, and is longer as far as it shows;
+logarithms of ratios. The same whichever it is: where amounts differ, they tell which is larger."""
+
+
+@dataclass(frozen=True)
+class _Patch:
+    """What shows of a thing: its pixels, and the diagonal of the box around them."""
+
+    area_px: int
+    diagonal_px: float
 
 
 def generate_size(
@@ -50,12 +67,13 @@ def generate_size(
     cast = _draw_cast(library, plan, rng)
     made = build_set(cast, seed, library, renderer, tables, rng)
     view = made.view
-    nests = _nests(made, library, plan, rng)
-    scene = settle_around(made, nests, rng)
-    seen = view.visibility(scene, view.labels(scene), made.marked)
+    scene = settle_around(made, _nests(made, plan, rng), rng)
+    labels = view.labels(scene)
+    a, b = (_patch(labels, number) for number in made.marked)
+    if not _as_planned(plan, _leads(plan, a, b)):
+        raise Rejected("cues", "what shows tells something else than planned")
+    seen = view.visibility(scene, labels, made.marked)
     first, second = (seen[number] for number in made.marked)
-    large = _larger_first(library, cast.marked)
-    _check_cues(plan, (first, second) if large else (second, first))
     a, b = (extent_of(library, spec.id) for spec in cast.marked)
     draft = Draft(
         kind="size",
@@ -84,7 +102,7 @@ def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> Marked
     pool = markable(library)
     for _ in range(_PAIRS):
         a, b = (pool[int(index)] for index in rng.choice(len(pool), size=2, replace=False))
-        if not told_apart([a, b]):
+        if not told_apart([a, b]) or _bare_ratio(a, b) > _LARGEST_RATIO:
             continue
         try:
             right = which_size(plan.form, extent_of(library, a.id), extent_of(library, b.id))
@@ -96,67 +114,72 @@ def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> Marked
     raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
 
 
-def _larger_first(library: Library, marked: Sequence[ObjectSpec]) -> bool:
-    """Whether A is the longer one."""
-    a, b = (extent_of(library, spec.id) for spec in marked)
-    return a.longest > b.longest
+def _bare_ratio(a: ObjectSpec, b: ObjectSpec) -> float:
+    """Of the areas that two things cover where they lie on their largest side, at least 1."""
+    one, other = (math.prod(sorted(spec.size)[1:]) for spec in (a, b))
+    return max(one / other, other / one)
 
 
-def _nests(made: Set, library: Library, plan: Plan, rng: np.random.Generator) -> tuple[Nest, Nest]:
-    """Both things, each showing as much as makes the cues right or wrong, as planned."""
-    alone = _alone(made, rng)
-    large = _larger_first(library, made.cast.marked)
-    for _ in range(_NESTS):
-        shares = _shares(alone, plan, large, rng)
-        first = partly_covered(made, 0, shares[0], rng)
-        second = first and partly_covered(made, 1, shares[1], rng)
-        if first and second:
-            pair = (first.seen, second.seen) if large else (second.seen, first.seen)
-            if _tells(*pair) == plan.cues:
-                return first, second
-    raise Rejected("nest", "the covers leave too much or too little in view")
+def _nests(made: Set, plan: Plan, rng: np.random.Generator) -> tuple[Nest, Nest]:
+    """A and B, each beneath its cover so that what shows is as planned.
 
-
-def _alone(made: Set, rng: np.random.Generator) -> tuple[int, int]:
-    """Pixels of both where they lie without covers."""
-    found: list[int] = []
-    for place in (0, 1):
-        tries = (partly_covered(made, place, sum(LITTLE) / 2, rng) for _ in range(_NESTS))
-        nest = next((nest for nest in tries if nest), None)
-        if nest is None:
-            raise Rejected("nest", f"{made.cast.covers[place].spec.name} can't cover a part")
-        found.append(nest.seen.alone_px)
-    return found[0], found[1]
-
-
-def _shares(
-    alone: tuple[int, int], plan: Plan, large_first: bool, rng: np.random.Generator
-) -> tuple[float, float]:
-    """Shares of A and B that are to show, drawn evenly from those that suit the plan.
-
-    Raises:
-        Rejected: There are none.
+    Many ways of lying are tried, and those pairs first that are the nearest to a goal, which is
+    drawn alike for every plan.
     """
-    for _ in range(_SHARES):
-        shares: tuple[float, float] = tuple(rng.uniform(*LITTLE, size=2).tolist())
-        seen = [Visibility(round(s * whole), whole) for s, whole in zip(shares, alone, strict=True)]
-        if _tells(*(seen if large_first else seen[::-1])) == plan.cues:
-            return shares
-    raise Rejected("cues", f"no parts of {alone[0]} and {alone[1]} px would mislead as planned")
+    goal = [
+        (1 if cue else -1) * rng.uniform(*window)
+        for cue, window in zip(plan.cues, _LEADS, strict=True)
+    ]
+    found: tuple[list[_Tried], list[_Tried]] = ([], [])
+    for _ in range(_ROUNDS):
+        for place, number in enumerate(made.marked):
+            wanted = math.exp(rng.uniform(*np.log(LITTLE)))
+            nests = peeks(made, place, wanted, rng)
+            found[place].extend(_Tried(nest, _patch(nest.labels, number)) for nest in nests)
+        for first, second in _suiting(found, plan, goal)[:_CHOICES]:
+            a, b = (at_rest(made, place, it.nest) for place, it in enumerate((first, second)))
+            if a and b and _as_planned(plan, _leads(plan, *_patches(made, a, b))):
+                return a, b
+    raise Rejected("nest", "nothing that was tried shows as planned")
 
 
-def _tells(larger: Visibility, smaller: Visibility) -> tuple[bool, bool] | None:
-    """Whether the larger thing shows by clearly more pixels, and by a clearly larger share.
-
-    None where either is unclear.
-    """
-    pixels = larger.visible_px / max(1, smaller.visible_px)
-    share = larger.fraction / max(1e-6, smaller.fraction)
-    if any(1 / _CLEARLY < ratio < _CLEARLY for ratio in (pixels, share)):
-        return None
-    return pixels > 1, share > 1
+@dataclass(frozen=True, eq=False)
+class _Tried:
+    nest: Nest
+    patch: _Patch
 
 
-def _check_cues(plan: Plan, seen: tuple[Visibility, Visibility]) -> None:
-    if _tells(*seen) != plan.cues:
-        raise Rejected("cues", "what shows tells something else than planned")
+def _suiting(
+    found: tuple[Sequence[_Tried], Sequence[_Tried]], plan: Plan, goal: Sequence[float]
+) -> list[tuple[_Tried, _Tried]]:
+    """The pairs that show as planned, the nearest to the goal first."""
+    leads = {(a, b): _leads(plan, a.patch, b.patch) for a, b in product(*found)}
+    suiting = [pair for pair, lead in leads.items() if _as_planned(plan, lead)]
+    return sorted(suiting, key=lambda pair: math.dist(leads[pair], goal))
+
+
+def _patches(made: Set, a: Nest, b: Nest) -> tuple[_Patch, _Patch]:
+    first, second = made.marked
+    return _patch(a.labels, first), _patch(b.labels, second)
+
+
+def _patch(labels: Array, number: int) -> _Patch:
+    rows, columns = np.nonzero(labels == number)
+    sides = [int(np.ptp(where)) + 1 if len(where) else 0 for where in (rows, columns)]
+    return _Patch(len(rows), math.hypot(*sides))
+
+
+def _leads(plan: Plan, a: _Patch, b: _Patch) -> tuple[float, float]:
+    """By how much the larger thing shows more, and longer; logarithms of ratios."""
+    larger, smaller = (a, b) if (plan.letter == "A") != (plan.form == "smaller") else (b, a)
+    return (
+        math.log(max(1, larger.area_px) / max(1, smaller.area_px)),
+        math.log(max(1.0, larger.diagonal_px) / max(1.0, smaller.diagonal_px)),
+    )
+
+
+def _as_planned(plan: Plan, leads: tuple[float, float]) -> bool:
+    return all(
+        least <= (lead if cue else -lead) <= most
+        for cue, lead, (least, most) in zip(plan.cues, leads, _LEADS, strict=True)
+    )
