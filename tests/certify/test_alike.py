@@ -35,6 +35,19 @@ def test_five_alike_can_be_told_apart_and_are_close_in_size(seed, tolerance):
     assert max(sizes) / min(sizes) <= 1 + tolerance
 
 
+@given(st.integers(0, 10**6))
+def test_five_of_one_colour_are_told_apart_by_category(seed):
+    drawn = draw_alike(POOL, POOL, 0.25, 5, np.random.default_rng(seed), one_colour=True)
+    assert len({one.name.split()[0] for one in drawn}) == 1
+    assert len({one.category for one in drawn}) == 5
+
+
+def test_two_colours_are_not_one():
+    pool = [spec(f"red and {o} {k}", k, "red", 0.04) for o in ("blue", "white") for k in "abc"]
+    with pytest.raises(Rejected):
+        draw_alike(pool, pool, 0.25, 4, np.random.default_rng(0), one_colour=True)
+
+
 def test_common_and_rare_categories_are_not_mixed():
     library = [*POOL, *(spec(f"mug {n}", "mug", f"colour {n}", 0.04) for n in range(40))]
     for seed in range(50):

@@ -10,6 +10,7 @@ import trimesh
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table
+from probe.certify.colour_words import colour_words_in
 from probe.certify.generate import generate
 from probe.certify.plan import ATTEMPTS, plan
 from probe.certify.result import Candidate
@@ -17,7 +18,7 @@ from probe.render.photograph import load_scene, measure
 from probe.render.renderer import Renderer
 from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
-from probe.tasks.task import QuestionKind, Task
+from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionKind, Task
 
 TABLES = ("oak_planks",)
 pytestmark = pytest.mark.slow
@@ -113,6 +114,8 @@ def test_find(library: Library, renderer: Renderer, partly):
     task = candidate.task
     (target,) = task.targets
     true_name = library[task.scene[target].object_id].name
+    offered = {colour_words_in(o.text) for o in task.options if o.text != NONE_OF_THE_ABOVE}
+    assert not partly or offered == {colour_words_in(true_name)}
     names = names_on_table(task, library)
     assert len(names) == len(set(names)) == 15
     check_options(task, true_name)
@@ -177,9 +180,20 @@ def test_size(library: Library, renderer: Renderer, episode):
     assert lengths[large] >= 1.25 * lengths[1 - large] or wanted.form != "longer"
     assert task.answer == "AB"[large if wanted.form != "smaller" else 1 - large] == wanted.letter
     numbers = [task.marks[large].instance, task.marks[1 - large].instance]
-    first, second = (measured[number] for number in numbers)
-    assert (first[1] > second[1], first[0] > second[0]) == wanted.cues
+    check_leads(task, numbers, wanted.cues, renderer)
     check_certificate(task, measured)
+
+
+def check_leads(task: Task, numbers: list[int], cues: tuple[bool, bool], renderer: Renderer):
+    """By pixels and by the box around them, the larger thing leads or lags as planned, slightly."""
+    labels = renderer.draw(task.scene.objects, top_camera(), rgb=False).labels
+    assert labels is not None
+    corners = [np.argwhere(labels == number) for number in numbers]
+    areas = [len(found) for found in corners]
+    spans = [np.hypot(*(found.max(axis=0) - found.min(axis=0) + 1)) for found in corners]
+    for (large, small), cue, most in zip((areas, spans), cues, (2.0, 1.5), strict=True):
+        assert (large > small) == cue
+        assert 1.05 <= max(large / small, small / large) <= most
 
 
 def test_compare(library: Library, renderer: Renderer):

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from probe.certify.colour_words import colours_in
+from probe.certify.colour_words import colour_words_in, colours_in
 from probe.certify.first_look import FirstLook, Sight
 from probe.certify.observer import observe, visible_count
 from probe.perception.scene_graph import Relation
@@ -72,3 +72,4 @@ def test_shades_are_lighter_and_darker():
     light, plain, dark = colours_in("light blue, blue and dark blue")
     assert light[0] > plain[0] > dark[0]
     assert colours_in("a bluebell") == ()
+    assert colour_words_in("Light blue and red bluebell") == {"light blue", "red"}
