@@ -37,6 +37,7 @@ class Plan:
         removals: Reduce: how many things are to be removed.
         cues: Compare: the first says whether the patches that show tell the answer. Size: whether
             the larger thing shows by more pixels, and whether what shows of it is longer.
+        overlapped: Size: whether things adjoin along more of the larger one's outline.
     """
 
     letter: Letter
@@ -47,6 +48,7 @@ class Plan:
     partly: bool
     removals: int
     cues: tuple[bool, bool]
+    overlapped: bool
 
 
 def plan(kind: QuestionKind, seed: int) -> Plan:
@@ -70,6 +72,7 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         partly=_turn((False, False, True), episode, kind, "partly"),
         removals=_turn(_REMOVALS, episode, kind, "removals"),
         cues=(cues[0], cues[1]),
+        overlapped=_turn((True, False), episode, kind, "overlapped"),
     )
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
+from scipy import ndimage
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
@@ -27,7 +28,7 @@ from probe.certify.marked import (
 )
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
-from probe.certify.rules import LITTLE
+from probe.certify.rules import LITTLE, is_seen
 from probe.certify.writing import Draft, write_task
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -36,23 +37,36 @@ from probe.tasks.truth import which_size
 from probe.types import Array
 
 _PAIRS = 400
-_ROUNDS = 4
+_ROUNDS = 5
 _CHOICES = 2
 
 _LARGEST_RATIO = 2.5
 """Most by which the bare areas of the two differ: else a little of both can't look alike."""
 
-_LEADS = ((math.log(1.05), math.log(2.0)), (math.log(1.05), math.log(1.5)))
-"""Least and most by which one of the two shows by more pixels, and is longer as far as it shows;
-logarithms of ratios. The same whichever it is: where amounts differ, they tell which is larger."""
+_LEADS = ((math.log(1.05), math.log(2.0)), (math.log(1.05), math.log(1.5)), (0.01, 0.3))
+"""Least and most by which one of the two shows by more pixels, is longer as far as it shows (both
+logarithms of ratios), and has things along more of its outline. The same whichever it is: where
+amounts differ, they tell which is larger."""
+
+_MOST = 0.28
+"""Largest share to begin with: from SEEN_SHARE on a thing is named, mostly the smaller one."""
+
+_BAND_PX = 4
 
 
 @dataclass(frozen=True)
 class _Patch:
-    """What shows of a thing: its pixels, and the diagonal of the box around them."""
+    """What shows of a thing.
+
+    Attributes:
+        area_px: Its pixels.
+        diagonal_px: Of the box around them.
+        overlapped: Share of the band around them that belongs to other things, not to the table.
+    """
 
     area_px: int
     diagonal_px: float
+    overlapped: float
 
 
 def generate_size(
@@ -73,6 +87,8 @@ def generate_size(
     if not _as_planned(plan, _leads(plan, a, b)):
         raise Rejected("cues", "what shows tells something else than planned")
     seen = view.visibility(scene, labels, made.marked)
+    if named := [number for number in made.marked if is_seen(seen[number])]:
+        raise Rejected("shows", f"{seen[named[0]].fraction:.0%} of a marked thing show")
     first, second = (seen[number] for number in made.marked)
     a, b = (extent_of(library, spec.id) for spec in cast.marked)
     draft = Draft(
@@ -126,15 +142,12 @@ def _nests(made: Set, plan: Plan, rng: np.random.Generator) -> tuple[Nest, Nest]
     Many ways of lying are tried, and those pairs first that are the nearest to a goal, which is
     drawn alike for every plan.
     """
-    goal = [
-        (1 if cue else -1) * rng.uniform(*window)
-        for cue, window in zip(plan.cues, _LEADS, strict=True)
-    ]
+    goal = [sign * rng.uniform(*window) for sign, window in zip(_signs(plan), _LEADS, strict=True)]
     found: tuple[list[_Tried], list[_Tried]] = ([], [])
     for _ in range(_ROUNDS):
         for place, number in enumerate(made.marked):
-            wanted = math.exp(rng.uniform(*np.log(LITTLE)))
-            nests = peeks(made, place, wanted, rng)
+            wanted = math.exp(rng.uniform(math.log(LITTLE[0]), math.log(_MOST)))
+            nests = [n for n in peeks(made, place, wanted, rng) if n.seen.fraction <= _MOST]
             found[place].extend(_Tried(nest, _patch(nest.labels, number)) for nest in nests)
         for first, second in _suiting(found, plan, goal)[:_CHOICES]:
             a, b = (at_rest(made, place, it.nest) for place, it in enumerate((first, second)))
@@ -165,21 +178,34 @@ def _patches(made: Set, a: Nest, b: Nest) -> tuple[_Patch, _Patch]:
 
 def _patch(labels: Array, number: int) -> _Patch:
     rows, columns = np.nonzero(labels == number)
-    sides = [int(np.ptp(where)) + 1 if len(where) else 0 for where in (rows, columns)]
-    return _Patch(len(rows), math.hypot(*sides))
+    if not len(rows):
+        return _Patch(0, 0.0, 0.0)
+    around = tuple(
+        slice(max(int(where.min()) - _BAND_PX, 0), int(where.max()) + _BAND_PX + 1)
+        for where in (rows, columns)
+    )
+    mine = labels[around] == number
+    band = labels[around][ndimage.binary_dilation(mine, iterations=_BAND_PX) & ~mine]
+    sides = (int(np.ptp(where)) + 1 for where in (rows, columns))
+    return _Patch(len(rows), math.hypot(*sides), float((band != 0).mean()))
 
 
-def _leads(plan: Plan, a: _Patch, b: _Patch) -> tuple[float, float]:
-    """By how much the larger thing shows more, and longer; logarithms of ratios."""
+def _leads(plan: Plan, a: _Patch, b: _Patch) -> tuple[float, float, float]:
+    """By how much the larger thing shows more, and longer, and with more along its outline."""
     larger, smaller = (a, b) if (plan.letter == "A") != (plan.form == "smaller") else (b, a)
     return (
         math.log(max(1, larger.area_px) / max(1, smaller.area_px)),
         math.log(max(1.0, larger.diagonal_px) / max(1.0, smaller.diagonal_px)),
+        larger.overlapped - smaller.overlapped,
     )
 
 
-def _as_planned(plan: Plan, leads: tuple[float, float]) -> bool:
+def _signs(plan: Plan) -> list[int]:
+    return [1 if cue else -1 for cue in (*plan.cues, plan.overlapped)]
+
+
+def _as_planned(plan: Plan, leads: Sequence[float]) -> bool:
     return all(
-        least <= (lead if cue else -lead) <= most
-        for cue, lead, (least, most) in zip(plan.cues, leads, _LEADS, strict=True)
+        least <= sign * lead <= most
+        for sign, lead, (least, most) in zip(_signs(plan), leads, _LEADS, strict=True)
     )
