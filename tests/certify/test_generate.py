@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 import pytest
 import trimesh
+from scipy import ndimage
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table
@@ -180,20 +181,26 @@ def test_size(library: Library, renderer: Renderer, episode):
     assert lengths[large] >= 1.25 * lengths[1 - large] or wanted.form != "longer"
     assert task.answer == "AB"[large if wanted.form != "smaller" else 1 - large] == wanted.letter
     numbers = [task.marks[large].instance, task.marks[1 - large].instance]
+    # From 30 % on, perception would name it, and with its name comes its size.
+    assert all(measured[number][0] < 0.30 for number in numbers)
     check_leads(task, numbers, wanted.cues, renderer)
     check_certificate(task, measured)
 
 
-def check_leads(task: Task, numbers: list[int], cues: tuple[bool, bool], renderer: Renderer):
-    """By pixels and by the box around them, the larger thing leads or lags as planned, slightly."""
+def check_leads(task: Task, numbers: list[int], cues: tuple[bool, ...], renderer: Renderer):
+    """By pixels, box and what adjoins, the larger thing leads or lags as planned, slightly."""
     labels = renderer.draw(task.scene.objects, top_camera(), rgb=False).labels
     assert labels is not None
     corners = [np.argwhere(labels == number) for number in numbers]
     areas = [len(found) for found in corners]
     spans = [np.hypot(*(found.max(axis=0) - found.min(axis=0) + 1)) for found in corners]
-    for (large, small), cue, most in zip((areas, spans), cues, (2.0, 1.5), strict=True):
+    for (large, small), cue, most in zip((areas, spans), cues[:2], (2.0, 1.5), strict=True):
         assert (large > small) == cue
         assert 1.05 <= max(large / small, small / large) <= most
+    away = [ndimage.distance_transform_cdt(labels != n, metric="taxicab") for n in numbers]
+    bands = [labels[(steps > 0) & (steps <= 4)] for steps in away]
+    large, small = (np.count_nonzero(band) / band.size for band in bands)
+    assert (large > small) == cues[2] and 0.01 <= abs(large - small) <= 0.3
 
 
 def test_compare(library: Library, renderer: Renderer):

@@ -26,9 +26,11 @@ def test_properties_balance_over_120_episodes(kind, base):
 @pytest.mark.parametrize("kind", PAIRED)
 def test_what_shows_tells_the_answer_in_half_of_the_pairs(kind):
     plans = [plan(kind, episode * ATTEMPTS) for episode in range(80)]
+    both = tuple(product((True, False), repeat=2))
     for letter in PAIR:
         mine = [p for p in plans if p.letter == letter]
-        assert Counter(p.cues for p in mine) == dict.fromkeys(product((True, False), repeat=2), 10)
+        assert Counter(p.cues[:2] for p in mine) == dict.fromkeys(both, 10)
+    assert Counter(p.cues[2:] for p in plans) == dict.fromkeys(both, 20)
 
 
 def test_all_attempts_of_an_episode_share_a_plan():

@@ -20,6 +20,7 @@ PAIRED: tuple[QuestionKind, ...] = "compare", "size"
 """Types that ask about two marked things."""
 
 _CROSSED = tuple(product(PAIR, (True, False), (True, False)))
+_MORE_CUES = tuple(product((True, False), repeat=2))
 _T = TypeVar("_T")
 
 
@@ -36,8 +37,8 @@ class Plan:
         partly: Find: the target is partly visible rather than hidden.
         removals: Reduce: how many things are to be removed.
         cues: Compare: the first says whether the patches that show tell the answer. Size: whether
-            the larger thing shows by more pixels, and whether what shows of it is longer.
-        overlapped: Size: whether things adjoin along more of the larger one's outline.
+            the larger thing shows by more pixels, whether what shows of it is longer, whether more
+            of its outline adjoins things, and whether the longer cover lies on it.
     """
 
     letter: Letter
@@ -47,8 +48,7 @@ class Plan:
     hidden: int
     partly: bool
     removals: int
-    cues: tuple[bool, bool]
-    overlapped: bool
+    cues: tuple[bool, bool, bool, bool]
 
 
 def plan(kind: QuestionKind, seed: int) -> Plan:
@@ -61,8 +61,9 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
     texts = wordings(kind)
     wording = _turn(range(len(texts)), episode, kind, "wording")
     visible, hidden = _turn(_COUNTS, episode, kind, "count")
-    crossed, *cues = _turn(_CROSSED, episode, kind, "crossed")
+    crossed, first, second = _turn(_CROSSED, episode, kind, "crossed")
     form = texts[wording].form
+    third, fourth = _turn(_MORE_CUES, episode, kind, "cues")
     return Plan(
         letter=crossed if kind in PAIRED else _turn(LETTERS, episode, kind, "letter"),
         wording=wording,
@@ -71,8 +72,7 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         hidden=hidden,
         partly=_turn((False, False, True), episode, kind, "partly"),
         removals=_turn(_REMOVALS, episode, kind, "removals"),
-        cues=(cues[0], cues[1]),
-        overlapped=_turn((True, False), episode, kind, "overlapped"),
+        cues=(first, second, third, fourth),
     )
 
 

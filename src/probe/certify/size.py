@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -126,8 +126,20 @@ def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> Marked
             continue
         cast = cast_marked(library, (a, b) if right == plan.letter else (b, a), (), rng)
         if cast:
-            return cast
+            return _covered(cast, plan)
     raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
+
+
+def _covered(cast: MarkedCast, plan: Plan) -> MarkedCast:
+    """The cast with its longer cover on the thing that it is planned for."""
+    longer_on_a = max(cast.covers[0].spec.size) > max(cast.covers[1].spec.size)
+    if longer_on_a == (plan.cues[3] == _a_is_larger(plan)):
+        return cast
+    return replace(cast, covers=(cast.covers[1], cast.covers[0]))
+
+
+def _a_is_larger(plan: Plan) -> bool:
+    return (plan.letter == "A") != (plan.form == "smaller")
 
 
 def _bare_ratio(a: ObjectSpec, b: ObjectSpec) -> float:
@@ -192,7 +204,7 @@ def _patch(labels: Array, number: int) -> _Patch:
 
 def _leads(plan: Plan, a: _Patch, b: _Patch) -> tuple[float, float, float]:
     """By how much the larger thing shows more, and longer, and with more along its outline."""
-    larger, smaller = (a, b) if (plan.letter == "A") != (plan.form == "smaller") else (b, a)
+    larger, smaller = (a, b) if _a_is_larger(plan) else (b, a)
     return (
         math.log(max(1, larger.area_px) / max(1, smaller.area_px)),
         math.log(max(1.0, larger.diagonal_px) / max(1.0, smaller.diagonal_px)),
@@ -201,7 +213,7 @@ def _leads(plan: Plan, a: _Patch, b: _Patch) -> tuple[float, float, float]:
 
 
 def _signs(plan: Plan) -> list[int]:
-    return [1 if cue else -1 for cue in (*plan.cues, plan.overlapped)]
+    return [1 if cue else -1 for cue in plan.cues[: len(_LEADS)]]
 
 
 def _as_planned(plan: Plan, leads: Sequence[float]) -> bool:
