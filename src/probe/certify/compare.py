@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
@@ -14,6 +15,7 @@ from probe.assets.spec import ObjectSpec
 from probe.certify.alike import told_apart
 from probe.certify.looks import Looks
 from probe.certify.marked import (
+    INSIDE_PX,
     MarkedCast,
     Nest,
     Set,
@@ -21,13 +23,15 @@ from probe.certify.marked import (
     cast_marked,
     draw_marks,
     markable,
-    partly_covered,
+    room,
     settle_around,
 )
-from probe.certify.palettes import main_colour, palette_of
+from probe.certify.pairing import draw_nests
+from probe.certify.palettes import main_colour
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
-from probe.certify.rules import LITTLE, is_clear
+from probe.certify.rims import CLEAR, rim_colours
+from probe.certify.rules import is_clear
 from probe.certify.view import View
 from probe.certify.writing import Draft, write_task
 from probe.render.renderer import Renderer
@@ -38,9 +42,19 @@ from probe.tasks.truth import which_darker, which_like
 from probe.types import Array
 
 _PAIRS = 2000
-_NESTS = 5
-_MARGIN = 5.0
-"""Least difference, CIEDE2000 or L*, by which patches tell or mislead."""
+_LEADS = 13.0, 27.0
+_LEADS_DARKER = 16.0, 40.0
+"""Least and most by which one patch fits better, CIEDE2000 and, for "darker", L*: the same whether
+it tells or misleads, for natural amounts differ. Each half of it is planned equally often."""
+
+_STRAY = 3.0
+"""By how much light may change it."""
+
+_ROOM_PX = 1.2 * INSIDE_PX
+"""Some of it may be lost to the crowd."""
+
+_OFTEN = 0.2
+"""Share of pairs of rims that have to tell as planned for two things to be tried."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +91,7 @@ def generate_compare(
     _check_reference(view, scene, reference)
     marks = draw_marks(made, scene)
     labels = view.labels(scene)
+    _check_paint(made, asked, library, plan, scene, labels)
     looks = Looks(renderer, scene, labels, library)
     measures = _measure(looks, made, asked, plan, reference)
     draft = Draft(
@@ -148,19 +163,24 @@ def _lead(form: Form, right: Array, wrong: Array, wanted: Array) -> float:
     return float(ciede2000(wrong, wanted) - ciede2000(right, wanted))
 
 
-def _tells(lead: float) -> bool | None:
-    """Whether patches tell the answer; None where they do neither."""
-    return None if abs(lead) < _MARGIN else lead > 0
+def _off(plan: Plan, lead: float) -> float:
+    """How far a lead is from the middle of what is planned; infinity outside of its half."""
+    least, most = _LEADS_DARKER if plan.form == "darker" else _LEADS
+    half = (most - least) / 2
+    middle = least + (0.75 if plan.large_lead else 0.25) * (most - least)
+    off = abs((lead if plan.cues[0] else -lead) - middle)
+    return off if off <= half / 2 + _STRAY else math.inf
 
 
 def _could_show(library: Library, plan: Plan, asked: _Asked) -> bool:
-    """Whether both have colours that, if these alone showed, would tell as planned."""
-    wanted = main_colour(library, (asked.reference or asked.marked[asked.right]).id)
-    right, wrong = (palette_of(library, asked.marked[k].id) for k in (asked.right, 1 - asked.right))
-    return any(
-        _tells(_lead(plan.form, np.array(r.lab), np.array(w.lab), wanted)) is plan.cues[0]
-        for r, w in product(right, wrong)
+    """Whether rims of both, if these alone showed, would tell as planned, often enough."""
+    a, b = (rim_colours(library, spec.id) for spec in asked.marked)
+    pairs = list(product(a, b))
+    fitting = sum(
+        _painted_off(library, plan, asked, (np.array(one), np.array(other))) < math.inf
+        for one, other in pairs
     )
+    return fitting >= _OFTEN * max(1, len(pairs))
 
 
 def _nests(
@@ -171,22 +191,31 @@ def _nests(
     Raises:
         Rejected: None of those that were tried do.
     """
+
+    def shown(place: int, nest: Nest) -> Array | None:
+        number = made.marked[place]
+        if room(nest.labels == number) < _ROOM_PX:
+            return None
+        shade = made.view.shades(nest.scene, nest.labels, number)[0]
+        return np.array(shade.lab) if shade.share >= CLEAR else None
+
+    return draw_nests(made, shown, lambda a, b: _painted_off(library, plan, asked, (a, b)), rng)
+
+
+def _check_paint(
+    made: Set, asked: _Asked, library: Library, plan: Plan, scene: Scene, labels: Array
+) -> None:
+    """That patches still tell as planned, by their textures: pictures take many times as long."""
+    a, b = (made.view.patch(scene, labels, number) for number in made.marked)
+    if _painted_off(library, plan, asked, (a, b)) == math.inf:
+        raise Rejected("patch", "among the crowd, the patches tell something else than planned")
+
+
+def _painted_off(
+    library: Library, plan: Plan, asked: _Asked, patches: tuple[Array, Array]
+) -> float:
     wanted = main_colour(library, (asked.reference or asked.marked[asked.right]).id)
-    tried: list[list[tuple[Nest, Array]]] = [[], []]
-    for _ in range(_NESTS):
-        for place in (0, 1):
-            nest = partly_covered(made, place, float(rng.uniform(*LITTLE)), rng)
-            if nest is not None:
-                number = made.marked[place]
-                patch = made.view.patch(nest.scene, nest.labels, number)
-                tried[place].append((nest, patch))
-        for (first, a), (second, b) in product(*tried):
-            right, wrong = (a, b) if asked.right == 0 else (b, a)
-            if _tells(_lead(plan.form, right, wrong, wanted)) is plan.cues[0]:
-                return first, second
-    if not all(tried):
-        raise Rejected("nest", "the covers leave too much or too little in view")
-    raise Rejected("patch", "no patches that tell as planned")
+    return _off(plan, _lead(plan.form, patches[asked.right], patches[1 - asked.right], wanted))
 
 
 def _check_reference(view: View, scene: Scene, reference: int | None) -> None:
@@ -221,6 +250,6 @@ def _measure(
     first = looks.lights[0]
     wanted = looks.main(reference or made.marked[asked.right], first)
     lead = _lead(plan.form, patches[asked.right], patches[1 - asked.right], wanted)
-    if _tells(lead) is not plan.cues[0]:
+    if _off(plan, lead) == math.inf:
         raise Rejected("cues", f"the patches lead by {lead:.0f}")
     return measures | {"patch_lead": lead}

@@ -16,7 +16,7 @@ from probe.certify.cast import draw_crowd
 from probe.certify.covers import Cover, draw_shield, lies_on_side, low_footprint_of
 from probe.certify.frame import SceneFrame, numbers
 from probe.certify.result import Rejected
-from probe.certify.rules import is_little
+from probe.certify.rules import is_little, is_seen
 from probe.certify.stage import Layer, Poses, Stage
 from probe.certify.view import View
 from probe.render.renderer import Renderer
@@ -153,7 +153,7 @@ def build_set(
     return Set(cast, Stage(cast.specs, library, posts), posts, view, frame)
 
 
-def partly_covered(made: Set, place: int, wanted: float, rng: np.random.Generator) -> Nest | None:
+def peeks(made: Set, place: int, wanted: float, rng: np.random.Generator) -> list[Nest]:
     """Move a thing out from under its cover until about so much of it shows.
 
     Args:
@@ -163,16 +163,8 @@ def partly_covered(made: Set, place: int, wanted: float, rng: np.random.Generato
         rng: Draws which way, and how both lie.
 
     Returns:
-        None if it doesn't get there, or doesn't stay.
+        All that was tried on the way and shows a little; not yet at rest.
     """
-    found = peeks(made, place, wanted, rng)
-    if not found:
-        return None
-    return at_rest(made, place, min(found, key=lambda each: _off(each, wanted)))
-
-
-def peeks(made: Set, place: int, wanted: float, rng: np.random.Generator) -> list[Nest]:
-    """All that is tried on the way to partly_covered(), where a little shows; not yet at rest."""
     cover, spec, post = made.cast.covers[place], made.cast.marked[place], made.posts[place]
     turn = float(rng.uniform(0, 2 * math.pi))
     # Outwards: towards the middle, the other nest might be in its place.
@@ -208,10 +200,6 @@ def at_rest(made: Set, place: int, nest: Nest) -> Nest | None:
     return settled if is_little(settled.seen) else None
 
 
-def _off(nest: Nest, wanted: float) -> float:
-    return abs(math.log(nest.seen.fraction / wanted))
-
-
 def settle_around(made: Set, nests: Sequence[Nest], rng: np.random.Generator) -> Scene:
     """The crowd around both nests, all at rest.
 
@@ -223,7 +211,8 @@ def settle_around(made: Set, nests: Sequence[Nest], rng: np.random.Generator) ->
     scene = made.frame.scene(made.stage.settle(made.stage.heap(poses, crowd, rng)))
     seen = made.view.visibility(scene, made.view.labels(scene), made.marked)
     for number in made.marked:
-        if not is_little(seen[number]):
+        # What is named goes with its size and colours.
+        if not is_little(seen[number]) or is_seen(seen[number]):
             share, pixels = seen[number].fraction, seen[number].visible_px
             raise Rejected("shows", f"{share:.0%}, {pixels} px of a marked thing show")
     return scene
@@ -249,9 +238,18 @@ def widest(mask: Array) -> tuple[int, int]:
     Raises:
         Rejected: The mask is too narrow for a mark anywhere.
     """
-    # The picture's own edge is one, too.
-    depth: Array = ndimage.distance_transform_edt(np.pad(mask, 1))[1:-1, 1:-1]
+    depth = _depth(mask)
     row, column = np.unravel_index(int(depth.argmax()), (PICTURE_PX, PICTURE_PX))
     if depth[row, column] < INSIDE_PX:
         raise Rejected("mark", f"a marked thing shows by a strip of {2 * depth.max():.0f} px")
     return int(column), int(row)
+
+
+def room(mask: Array) -> float:
+    """Distance in pixels of a mask's widest spot from its edge; 0 for an empty one."""
+    return float(_depth(mask).max())
+
+
+def _depth(mask: Array) -> Array:
+    # The picture's own edge is one, too.
+    return np.asarray(ndimage.distance_transform_edt(np.pad(mask, 1)))[1:-1, 1:-1]

@@ -39,6 +39,7 @@ class Plan:
         cues: Compare: the first says whether the patches that show tell the answer. Size: whether
             the larger thing shows by more pixels, whether what shows of it is longer, whether more
             of its outline adjoins things, and whether the longer cover lies on it.
+        large_lead: Compare: whether one patch fits better by much, as far as is allowed.
     """
 
     letter: Letter
@@ -49,6 +50,7 @@ class Plan:
     partly: bool
     removals: int
     cues: tuple[bool, bool, bool, bool]
+    large_lead: bool
 
 
 def plan(kind: QuestionKind, seed: int) -> Plan:
@@ -73,6 +75,7 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         partly=_turn((False, False, True), episode, kind, "partly"),
         removals=_turn(_REMOVALS, episode, kind, "removals"),
         cues=(first, second, third, fourth),
+        large_lead=_turn((True, False), episode, kind, "lead"),
     )
 
 

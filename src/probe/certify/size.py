@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 
 import numpy as np
 from scipy import ndimage
@@ -18,17 +17,15 @@ from probe.certify.marked import (
     MarkedCast,
     Nest,
     Set,
-    at_rest,
     build_set,
     cast_marked,
     draw_marks,
     markable,
-    peeks,
     settle_around,
 )
+from probe.certify.pairing import draw_nests
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
-from probe.certify.rules import LITTLE, is_seen
 from probe.certify.writing import Draft, write_task
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -37,8 +34,6 @@ from probe.tasks.truth import which_size
 from probe.types import Array
 
 _PAIRS = 400
-_ROUNDS = 5
-_CHOICES = 2
 
 _LARGEST_RATIO = 2.5
 """Most by which the bare areas of the two differ: else a little of both can't look alike."""
@@ -47,9 +42,6 @@ _LEADS = ((math.log(1.05), math.log(2.0)), (math.log(1.05), math.log(1.5)), (0.0
 """Least and most by which one of the two shows by more pixels, is longer as far as it shows (both
 logarithms of ratios), and has things along more of its outline. The same whichever it is: where
 amounts differ, they tell which is larger."""
-
-_MOST = 0.28
-"""Largest share to begin with: from SEEN_SHARE on a thing is named, mostly the smaller one."""
 
 _BAND_PX = 4
 
@@ -87,8 +79,6 @@ def generate_size(
     if not _as_planned(plan, _leads(plan, a, b)):
         raise Rejected("cues", "what shows tells something else than planned")
     seen = view.visibility(scene, labels, made.marked)
-    if named := [number for number in made.marked if is_seen(seen[number])]:
-        raise Rejected("shows", f"{seen[named[0]].fraction:.0%} of a marked thing show")
     first, second = (seen[number] for number in made.marked)
     a, b = (extent_of(library, spec.id) for spec in cast.marked)
     draft = Draft(
@@ -151,41 +141,18 @@ def _bare_ratio(a: ObjectSpec, b: ObjectSpec) -> float:
 def _nests(made: Set, plan: Plan, rng: np.random.Generator) -> tuple[Nest, Nest]:
     """A and B, each beneath its cover so that what shows is as planned.
 
-    Many ways of lying are tried, and those pairs first that are the nearest to a goal, which is
-    drawn alike for every plan.
+    Of what is tried, the nearest is taken to a goal that is drawn alike for every plan.
     """
     goal = [sign * rng.uniform(*window) for sign, window in zip(_signs(plan), _LEADS, strict=True)]
-    found: tuple[list[_Tried], list[_Tried]] = ([], [])
-    for _ in range(_ROUNDS):
-        for place, number in enumerate(made.marked):
-            wanted = math.exp(rng.uniform(math.log(LITTLE[0]), math.log(_MOST)))
-            nests = [n for n in peeks(made, place, wanted, rng) if n.seen.fraction <= _MOST]
-            found[place].extend(_Tried(nest, _patch(nest.labels, number)) for nest in nests)
-        for first, second in _suiting(found, plan, goal)[:_CHOICES]:
-            a, b = (at_rest(made, place, it.nest) for place, it in enumerate((first, second)))
-            if a and b and _as_planned(plan, _leads(plan, *_patches(made, a, b))):
-                return a, b
-    raise Rejected("nest", "nothing that was tried shows as planned")
 
+    def shown(place: int, nest: Nest) -> _Patch:
+        return _patch(nest.labels, made.marked[place])
 
-@dataclass(frozen=True, eq=False)
-class _Tried:
-    nest: Nest
-    patch: _Patch
+    def off(a: _Patch, b: _Patch) -> float:
+        leads = _leads(plan, a, b)
+        return math.dist(leads, goal) if _as_planned(plan, leads) else math.inf
 
-
-def _suiting(
-    found: tuple[Sequence[_Tried], Sequence[_Tried]], plan: Plan, goal: Sequence[float]
-) -> list[tuple[_Tried, _Tried]]:
-    """The pairs that show as planned, the nearest to the goal first."""
-    leads = {(a, b): _leads(plan, a.patch, b.patch) for a, b in product(*found)}
-    suiting = [pair for pair, lead in leads.items() if _as_planned(plan, lead)]
-    return sorted(suiting, key=lambda pair: math.dist(leads[pair], goal))
-
-
-def _patches(made: Set, a: Nest, b: Nest) -> tuple[_Patch, _Patch]:
-    first, second = made.marked
-    return _patch(a.labels, first), _patch(b.labels, second)
+    return draw_nests(made, shown, off, rng)
 
 
 def _patch(labels: Array, number: int) -> _Patch:

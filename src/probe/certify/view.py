@@ -9,7 +9,7 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.mesh import Surface, TexturedMesh
 from probe.assets.sampling import colours_at, places, spots
-from probe.certify.palettes import shades
+from probe.certify.palettes import Shade, shades
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
 from probe.scene.layout import TABLE_SIZE, top_camera
@@ -44,13 +44,17 @@ class View:
 
     def patch(self, scene: Scene, labels: Array, number: int) -> Array:
         """Main colour of what shows of an object, by its texture, CIELAB, shape (3,)."""
+        return np.array(self.shades(scene, labels, number)[0].lab)
+
+    def shades(self, scene: Scene, labels: Array, number: int) -> tuple[Shade, ...]:
+        """Colours of what shows of an object, by its texture, the most frequent first."""
         mesh = self._meshes[scene[number].object_id]
         face, weights = spots(mesh.vertices, mesh.faces, _SPOTS)
         shown = _spots_shown(
             scene, labels, number, places(mesh.vertices, mesh.faces, face, weights)
         )
         colours = colours_at(mesh, face, weights)
-        return np.array(shades(colours[shown] if shown.any() else colours)[0].lab)
+        return shades(colours[shown] if shown.any() else colours)
 
     def silhouettes(self, scene: Scene, of: Collection[int]) -> dict[int, Silhouette]:
         """Silhouettes of some instances of a scene."""
