@@ -213,6 +213,11 @@ def test_compare(library: Library, renderer: Renderer):
     assert specs[right].colours[0] == task.subject
     assert task.subject not in specs[wrong].colours
     assert min(v for k, v in task.certificate.measures.items() if k.startswith("apart")) >= 15
+    assert all(measured[mark.instance][0] < 0.30 for mark in task.marks)
+    wanted = plan("compare", ATTEMPTS)
+    lead = task.certificate.measures["patch_lead"]
+    low, high = (20.0, 27.0) if wanted.large_lead else (13.0, 20.0)
+    assert low - 3 <= (lead if wanted.cues[0] else -lead) <= high + 3
     check_certificate(task, measured)
 
 

@@ -192,6 +192,12 @@ def lies_on_side(spec: ObjectSpec) -> bool:
     return z > min(x, y)
 
 
+def on_side(spec: ObjectSpec) -> Quaternion:
+    """The turn that lays something on its longer side."""
+    half = math.sqrt(0.5)
+    return (half, 0.0, half, 0.0) if spec.size[0] < spec.size[1] else (half, half, 0.0, 0.0)
+
+
 def low_footprint_of(library: Library, object_id: str) -> Footprint:
     """The footprint of an object that lies on its side if it would else be tall."""
     spec = library[object_id]

@@ -9,9 +9,9 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.sampling import colours_at, places, spots
-from probe.certify.covers import lies_on_side
+from probe.certify.covers import lies_on_side, on_side
 from probe.certify.palettes import shades
-from probe.types import Array
+from probe.types import Array, Pose
 
 CLEAR = 0.6
 """Share of what shows from which on its main colour is the same in any light."""
@@ -31,7 +31,9 @@ def rim_colours(library: Library, object_id: str) -> tuple[tuple[float, float, f
     """
     mesh = library.body(object_id).mesh
     face, weights = spots(mesh.vertices, mesh.faces, _SPOTS)
-    points = _laid(places(mesh.vertices, mesh.faces, face, weights), library, object_id)
+    points = places(mesh.vertices, mesh.faces, face, weights)
+    if lies_on_side(spec := library[object_id]):
+        points = Pose(wxyz=on_side(spec)).apply(points)
     colours = colours_at(mesh, face, weights)
     top = _from_above(points)
     found = list[tuple[float, float, float]]()
@@ -42,15 +44,6 @@ def rim_colours(library: Library, object_id: str) -> tuple[tuple[float, float, f
         if shade.share >= CLEAR:
             found.append(shade.lab)
     return tuple(found)
-
-
-def _laid(points: Array, library: Library, object_id: str) -> Array:
-    spec = library[object_id]
-    if not lies_on_side(spec):
-        return points
-    # The shorter of the two lower sides becomes the height.
-    order = [2, 1, 0] if spec.size[0] < spec.size[1] else [0, 2, 1]
-    return points[:, order]
 
 
 def _from_above(points: Array) -> Array:

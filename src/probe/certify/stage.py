@@ -11,7 +11,7 @@ from scipy.spatial import ConvexHull
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.certify.covers import Cover
+from probe.certify.covers import Cover, on_side
 from probe.certify.result import Rejected
 from probe.errors import Unsatisfiable
 from probe.scene.layout import WORK_AREA
@@ -32,8 +32,6 @@ _LIFTED_TIME = 1.0
 _RESPOTS = 3
 _SPOT_TRIES = 40
 _NARROWEST = 0.08
-_ABOUT_X: Quaternion = (math.sqrt(0.5), math.sqrt(0.5), 0.0, 0.0)
-_ABOUT_Y: Quaternion = (math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0)
 _REACH = 0.17
 _RESPOT_REACH = 0.11
 
@@ -87,9 +85,7 @@ class Stage:
         crosswise = (size[0] > size[1]) != (lowest.cover.extent[0] > lowest.cover.extent[1])
         turned = about_z(lowest.turn + (math.pi / 2 if crosswise else 0.0))
         if laid:
-            tipped = (
-                Pose(wxyz=turned) @ Pose(wxyz=_ABOUT_Y if size[0] < size[1] else _ABOUT_X)
-            ).wxyz
+            tipped = (Pose(wxyz=turned) @ Pose(wxyz=on_side(self.items[target - 1].spec))).wxyz
             self._pile.drop(target, Drop(at.x, at.y, tipped))
             self._pile.fall(_NEST_TIME)
         else:

@@ -1,0 +1,56 @@
+"""Which colours show at the rims of things."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from probe.assets.mesh import Surface, TexturedMesh
+from probe.certify.rims import rim_colours
+
+
+class Shelf:
+    """A library of one box, white where x < 0 and black elsewhere, but for a red underside."""
+
+    def __init__(self, size):
+        self.size = size
+
+    def __getitem__(self, _):
+        return SimpleNamespace(size=self.size)
+
+    def body(self, _):
+        return SimpleNamespace(mesh=box(self.size))
+
+
+def box(size) -> TexturedMesh:
+    """Two halves side by side; texture columns: white, black, red."""
+    x, y, z = size
+    corners, faces, uvs = [], [], []
+    for left, right, column in ((-x / 2, 0, 0), (0, x / 2, 1)):
+        for height, u in ((z, column), (0, 2)):
+            first = len(corners)
+            corners += [(a, b, height) for a in (left, right) for b in (-y / 2, y / 2)]
+            uvs += [((u + 0.5) / 3, 0.5)] * 4
+            faces += [(first, first + 1, first + 2), (first + 1, first + 3, first + 2)]
+    texture = np.array([[(250, 250, 250), (5, 5, 5), (220, 20, 20)]], np.uint8)
+    return TexturedMesh(
+        np.array(corners, np.float32),
+        np.tile(np.array([[0, 0, 1]], np.float32), (len(corners), 1)),
+        np.array(uvs, np.float32),
+        np.array(faces, np.int32),
+        Surface(texture),
+    )
+
+
+def test_each_side_shows_its_own_colour_and_the_underside_none():
+    found = np.array(rim_colours(Shelf((0.1, 0.1, 0.05)), "box"))  # type: ignore[arg-type]
+    assert len(found) >= 8
+    bright, dark = found[:, 0] > 90, found[:, 0] < 10
+    assert bright.sum() >= 4 and dark.sum() >= 4 and (bright | dark).all()
+
+
+def test_what_is_taller_than_wide_shows_the_side_on_which_it_does_not_lie():
+    # Laid over about y, its white half comes to lie above the black one.
+    found = np.array(rim_colours(Shelf((0.04, 0.08, 0.12)), "post"))  # type: ignore[arg-type]
+    assert (found[:, 0] > 90).any() and not (found[:, 0] < 10).any()
