@@ -38,6 +38,20 @@ def places(vertices: Array, faces: Array, face: Array, weights: Array) -> Array:
     return np.einsum("ij,ijk->ik", weights, np.asarray(vertices, np.float64)[faces[face]])
 
 
+def topmost(cell: Array, heights: Array, count: int, skin: float) -> Array:
+    """Which points have no other far above them in the same cell, bool, shape (n,).
+
+    Args:
+        cell: The number of each point's, shape (n,).
+        heights: Of the points, shape (n,).
+        count: How many cells there are.
+        skin: How far below a cell's highest point others count as high, too.
+    """
+    top = np.full(count, -np.inf)
+    np.maximum.at(top, cell, heights)
+    return heights > top[cell] - skin
+
+
 def colours_at(mesh: TexturedMesh, face: Array, weights: Array) -> Array:
     """The texture's colour at spots, sRGB uint8, shape (count, 3); it repeats beyond its edges."""
     uv = np.einsum("ij,ijk->ik", weights, mesh.uvs[mesh.faces[face]].astype(np.float64))

@@ -23,7 +23,6 @@ from probe.certify.marked import (
     cast_marked,
     draw_marks,
     markable,
-    room,
     settle_around,
 )
 from probe.certify.pairing import draw_nests
@@ -34,6 +33,7 @@ from probe.certify.rims import CLEAR, rim_colours
 from probe.certify.rules import is_clear
 from probe.certify.view import View
 from probe.certify.writing import Draft, write_task
+from probe.perception.outline import deepest_inside
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
@@ -92,7 +92,8 @@ def generate_compare(
     marks = draw_marks(made, scene)
     labels = view.labels(scene)
     _check_paint(made, asked, library, plan, scene, labels)
-    looks = Looks(renderer, scene, labels, library)
+    compared = made.marked if reference is None else (*made.marked, reference)
+    looks = Looks(renderer, scene, labels, compared, library)
     measures = _measure(looks, made, asked, plan, reference)
     draft = Draft(
         kind="compare",
@@ -149,18 +150,21 @@ def _has_colour(spec: ObjectSpec, word: str) -> bool:
 def _truth(library: Library, form: Form, asked: _Asked) -> str:
     """The letter by the textures; empty if it isn't clear."""
     a, b = (main_colour(library, spec.id) for spec in asked.marked)
-    wanted = main_colour(library, (asked.reference or asked.marked[asked.right]).id)
+    wanted = _wanted(library, asked)
     try:
         return which_darker(a, b) if form == "darker" else which_like(a, b, wanted)
     except ValueError:
         return ""
 
 
-def _lead(form: Form, right: Array, wrong: Array, wanted: Array) -> float:
+def _misfit(form: Form, patch: Array, wanted: Array) -> float:
+    """How far a patch is from what is asked: the lighter, or the less like it, the further."""
+    return float(patch[0] if form == "darker" else ciede2000(patch, wanted))
+
+
+def _lead(asked: _Asked, misfits: Sequence[float]) -> float:
     """By how much a patch of the right thing fits what is asked better than one of the wrong."""
-    if form == "darker":
-        return float(wrong[0] - right[0])
-    return float(ciede2000(wrong, wanted) - ciede2000(right, wanted))
+    return misfits[1 - asked.right] - misfits[asked.right]
 
 
 def _off(plan: Plan, lead: float) -> float:
@@ -174,12 +178,13 @@ def _off(plan: Plan, lead: float) -> float:
 
 def _could_show(library: Library, plan: Plan, asked: _Asked) -> bool:
     """Whether rims of both, if these alone showed, would tell as planned, often enough."""
-    a, b = (rim_colours(library, spec.id) for spec in asked.marked)
-    pairs = list(product(a, b))
-    fitting = sum(
-        _painted_off(library, plan, asked, (np.array(one), np.array(other))) < math.inf
-        for one, other in pairs
-    )
+    wanted = _wanted(library, asked)
+    misfits = [
+        [_misfit(plan.form, np.array(lab), wanted) for lab in rim_colours(library, spec.id)]
+        for spec in asked.marked
+    ]
+    pairs = list(product(*misfits))
+    fitting = sum(_off(plan, _lead(asked, pair)) < math.inf for pair in pairs)
     return fitting >= _OFTEN * max(1, len(pairs))
 
 
@@ -191,31 +196,31 @@ def _nests(
     Raises:
         Rejected: None of those that were tried do.
     """
+    wanted = _wanted(library, asked)
 
-    def shown(place: int, nest: Nest) -> Array | None:
+    def shown(place: int, nest: Nest) -> float | None:
         number = made.marked[place]
-        if room(nest.labels == number) < _ROOM_PX:
+        if deepest_inside(nest.labels == number)[1] < _ROOM_PX:
             return None
         shade = made.view.shades(nest.scene, nest.labels, number)[0]
-        return np.array(shade.lab) if shade.share >= CLEAR else None
+        return _misfit(plan.form, np.array(shade.lab), wanted) if shade.share >= CLEAR else None
 
-    return draw_nests(made, shown, lambda a, b: _painted_off(library, plan, asked, (a, b)), rng)
+    return draw_nests(made, shown, lambda a, b: _off(plan, _lead(asked, (a, b))), rng)
 
 
 def _check_paint(
     made: Set, asked: _Asked, library: Library, plan: Plan, scene: Scene, labels: Array
 ) -> None:
     """That patches still tell as planned, by their textures: pictures take many times as long."""
-    a, b = (made.view.patch(scene, labels, number) for number in made.marked)
-    if _painted_off(library, plan, asked, (a, b)) == math.inf:
+    wanted, patch = _wanted(library, asked), made.view.patch
+    misfits = [_misfit(plan.form, patch(scene, labels, number), wanted) for number in made.marked]
+    if _off(plan, _lead(asked, misfits)) == math.inf:
         raise Rejected("patch", "among the crowd, the patches tell something else than planned")
 
 
-def _painted_off(
-    library: Library, plan: Plan, asked: _Asked, patches: tuple[Array, Array]
-) -> float:
-    wanted = main_colour(library, (asked.reference or asked.marked[asked.right]).id)
-    return _off(plan, _lead(plan.form, patches[asked.right], patches[1 - asked.right], wanted))
+def _wanted(library: Library, asked: _Asked) -> Array:
+    """The colour that is asked for, by the textures."""
+    return main_colour(library, (asked.reference or asked.marked[asked.right]).id)
 
 
 def _check_reference(view: View, scene: Scene, reference: int | None) -> None:
@@ -234,8 +239,12 @@ def _measure(
     Raises:
         Rejected: They don't, or the patches tell something else than planned.
     """
-    measures: dict[str, float] = {}
-    letter = PAIR[asked.right]
+    wanted = looks.main(reference or made.marked[asked.right], looks.lights[0])
+    patches = [looks.patch(number) for number in made.marked]
+    lead = _lead(asked, [_misfit(plan.form, patch, wanted) for patch in patches])
+    if _off(plan, lead) == math.inf:
+        raise Rejected("cues", f"the patches lead by {lead:.0f}")
+    measures = {"patch_lead": lead}
     for light in looks.lights:
         a, b = (looks.main(number, light) for number in made.marked)
         wanted = looks.main(reference or made.marked[asked.right], light)
@@ -243,13 +252,7 @@ def _measure(
             found = which_darker(a, b) if plan.form == "darker" else which_like(a, b, wanted)
         except ValueError as error:
             raise Rejected("light", f"{light}: {error}") from error
-        if found != letter:
+        if found != PAIR[asked.right]:
             raise Rejected("light", f"the other one fits in {light}")
         measures[f"apart_{light}"] = float(ciede2000(a, b))
-    patches = [looks.patch(number) for number in made.marked]
-    first = looks.lights[0]
-    wanted = looks.main(reference or made.marked[asked.right], first)
-    lead = _lead(plan.form, patches[asked.right], patches[1 - asked.right], wanted)
-    if _off(plan, lead) == math.inf:
-        raise Rejected("cues", f"the patches lead by {lead:.0f}")
-    return measures | {"patch_lead": lead}
+    return measures

@@ -12,6 +12,7 @@ from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.certify.palettes import shades
 from probe.perception.oracle import Oracle
+from probe.perception.outline import window_of
 from probe.perception.scene_graph import Contact, Relation
 from probe.perception.things import Thing
 from probe.render.photograph import labels_of, load_scene, measure, photograph
@@ -133,11 +134,7 @@ def _sight(thing: Thing, frame: Frame) -> Sight:
 
 def _overlapped(mask: Array, frame: Frame) -> float:
     """Share of the pixels just outside a mask that lie higher than the mask's nearest."""
-    rows, columns = np.nonzero(mask)
-    window = tuple(
-        slice(max(int(where.min()) - _RING_PX, 0), int(where.max()) + _RING_PX + 1)
-        for where in (rows, columns)
-    )
+    window = window_of(mask, _RING_PX)
     mask, depth = mask[window], frame.depth[window]
     distances, nearest = ndimage.distance_transform_edt(~mask, return_indices=True)
     ring = (distances > _RING_PX - 1) & (distances <= _RING_PX)

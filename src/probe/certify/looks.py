@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from probe.assets.library import Library
@@ -11,34 +13,45 @@ from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.lighting import AMBIENT, Lighting
 from probe.scene.scene import Scene
-from probe.types import Array
+from probe.types import Array, Frame
 
 LIGHTS = (AMBIENT, Lighting("workshop"))
 """Lights in which an answer must hold; the second has a colour of its own."""
 
 
 class Looks:
-    """Pictures of a scene and of its things alone; replaces what the renderer had loaded."""
+    """Pictures of a scene and of a few of its things; replaces what the renderer had loaded.
 
-    def __init__(self, renderer: Renderer, scene: Scene, labels: Array, library: Library) -> None:
+    Args:
+        compared: Numbers of the things whose colours are compared; they lie apart.
+    """
+
+    def __init__(
+        self,
+        renderer: Renderer,
+        scene: Scene,
+        labels: Array,
+        compared: Sequence[int],
+        library: Library,
+    ) -> None:
         load_scene(renderer, scene, library, library.table(scene.table))
         self.lights = [light.name for light in LIGHTS]
         self._lit = {light.name: light_of(light, library.assets) for light in LIGHTS}
         self._renderer = renderer
         self._scene = scene
         self._labels = labels
+        self._compared = compared
+        self._bare: dict[str, Frame] = {}
         self._rgb: Array | None = None
-        self._mains: dict[tuple[int, str], Array] = {}
 
     def main(self, number: int, light: str) -> Array:
-        """Main colour of a thing where it is, if it were alone, CIELAB, shape (3,)."""
-        if (number, light) not in self._mains:
-            alone = self._scene.only(number)
-            frame = photograph(self._renderer, alone, light=self._lit[light])
-            assert frame.rgb is not None and frame.labels is not None
-            colours = shades(frame.rgb[frame.labels == number])
-            self._mains[number, light] = np.array(colours[0].lab)
-        return self._mains[number, light]
+        """Main colour of a thing where it is, with nothing on it, CIELAB, shape (3,)."""
+        if light not in self._bare:
+            bare = self._scene.only(*self._compared)
+            self._bare[light] = photograph(self._renderer, bare, light=self._lit[light])
+        frame = self._bare[light]
+        assert frame.rgb is not None and frame.labels is not None
+        return np.array(shades(frame.rgb[frame.labels == number])[0].lab)
 
     def patch(self, number: int) -> Array:
         """Main colour of what shows of a thing in the first light, CIELAB, shape (3,)."""

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import ndimage
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
@@ -19,8 +18,8 @@ from probe.certify.result import Rejected
 from probe.certify.rules import is_little, is_seen
 from probe.certify.stage import Layer, Poses, Stage
 from probe.certify.view import View
+from probe.perception.outline import deepest_inside
 from probe.render.renderer import Renderer
-from probe.scene.layout import PICTURE_PX
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.tasks.task import PAIR, Mark
@@ -238,18 +237,7 @@ def widest(mask: Array) -> tuple[int, int]:
     Raises:
         Rejected: The mask is too narrow for a mark anywhere.
     """
-    depth = _depth(mask)
-    row, column = np.unravel_index(int(depth.argmax()), (PICTURE_PX, PICTURE_PX))
-    if depth[row, column] < INSIDE_PX:
-        raise Rejected("mark", f"a marked thing shows by a strip of {2 * depth.max():.0f} px")
-    return int(column), int(row)
-
-
-def room(mask: Array) -> float:
-    """Distance in pixels of a mask's widest spot from its edge; 0 for an empty one."""
-    return float(_depth(mask).max())
-
-
-def _depth(mask: Array) -> Array:
-    # The picture's own edge is one, too.
-    return np.asarray(ndimage.distance_transform_edt(np.pad(mask, 1)))[1:-1, 1:-1]
+    point, depth = deepest_inside(mask) if mask.any() else ((0, 0), 0.0)
+    if depth < INSIDE_PX:
+        raise Rejected("mark", f"a marked thing shows by a strip of {2 * depth:.0f} px")
+    return point

@@ -37,8 +37,9 @@ class Plan:
         partly: Find: the target is partly visible rather than hidden.
         removals: Reduce: how many things are to be removed.
         cues: Compare: the first says whether the patches that show tell the answer. Size: whether
-            the larger thing shows by more pixels, whether what shows of it is longer, whether more
-            of its outline adjoins things, and whether the longer cover lies on it.
+            the larger thing shows by more pixels, whether what shows of it is longer, and whether
+            more of its outline adjoins things.
+        longer_cover: Size: whether the longer cover lies on the larger thing.
         large_lead: Compare: whether one patch fits better by much, as far as is allowed.
     """
 
@@ -49,7 +50,8 @@ class Plan:
     hidden: int
     partly: bool
     removals: int
-    cues: tuple[bool, bool, bool, bool]
+    cues: tuple[bool, bool, bool]
+    longer_cover: bool
     large_lead: bool
 
 
@@ -65,7 +67,7 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
     visible, hidden = _turn(_COUNTS, episode, kind, "count")
     crossed, first, second = _turn(_CROSSED, episode, kind, "crossed")
     form = texts[wording].form
-    third, fourth = _turn(_MORE_CUES, episode, kind, "cues")
+    third, longer_cover = _turn(_MORE_CUES, episode, kind, "cues")
     return Plan(
         letter=crossed if kind in PAIRED else _turn(LETTERS, episode, kind, "letter"),
         wording=wording,
@@ -74,7 +76,8 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         hidden=hidden,
         partly=_turn((False, False, True), episode, kind, "partly"),
         removals=_turn(_REMOVALS, episode, kind, "removals"),
-        cues=(first, second, third, fourth),
+        cues=(first, second, third),
+        longer_cover=longer_cover,
         large_lead=_turn((True, False), episode, kind, "lead"),
     )
 

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from probe.assets.library import Library
-from probe.assets.sampling import colours_at, places, spots
+from probe.assets.sampling import colours_at, places, spots, topmost
 from probe.certify.covers import lies_on_side, on_side
 from probe.certify.palettes import shades
 from probe.types import Array, Pose
@@ -51,6 +51,4 @@ def _from_above(points: Array) -> Array:
     low, high = points.min(axis=0), points.max(axis=0)
     cells = ((points[:, :2] - low[:2]) / (high - low)[:2].max() * (_CELLS - 1)).astype(int)
     cell = cells[:, 0] * _CELLS + cells[:, 1]
-    top = np.full(_CELLS * _CELLS, -np.inf)
-    np.maximum.at(top, cell, points[:, 2])
-    return points[:, 2] > top[cell] - _SKIN * (high - low)[2]
+    return topmost(cell, points[:, 2], _CELLS * _CELLS, _SKIN * (high - low)[2])

@@ -27,6 +27,7 @@ from probe.certify.pairing import draw_nests
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
 from probe.certify.writing import Draft, write_task
+from probe.perception.outline import box_of, window_of
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.tasks.task import PAIR
@@ -123,7 +124,7 @@ def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> Marked
 def _covered(cast: MarkedCast, plan: Plan) -> MarkedCast:
     """The cast with its longer cover on the thing that it is planned for."""
     longer_on_a = max(cast.covers[0].spec.size) > max(cast.covers[1].spec.size)
-    if longer_on_a == (plan.cues[3] == _a_is_larger(plan)):
+    if longer_on_a == (plan.longer_cover == _a_is_larger(plan)):
         return cast
     return replace(cast, covers=(cast.covers[1], cast.covers[0]))
 
@@ -156,31 +157,26 @@ def _nests(made: Set, plan: Plan, rng: np.random.Generator) -> tuple[Nest, Nest]
 
 
 def _patch(labels: Array, number: int) -> _Patch:
-    rows, columns = np.nonzero(labels == number)
-    if not len(rows):
-        return _Patch(0, 0.0, 0.0)
-    around = tuple(
-        slice(max(int(where.min()) - _BAND_PX, 0), int(where.max()) + _BAND_PX + 1)
-        for where in (rows, columns)
-    )
-    mine = labels[around] == number
-    band = labels[around][ndimage.binary_dilation(mine, iterations=_BAND_PX) & ~mine]
-    sides = (int(np.ptp(where)) + 1 for where in (rows, columns))
-    return _Patch(len(rows), math.hypot(*sides), float((band != 0).mean()))
+    labels = labels[window_of(labels == number, _BAND_PX)]
+    mine = labels == number
+    band = labels[ndimage.binary_dilation(mine, iterations=_BAND_PX) & ~mine]
+    left, top, right, bottom = box_of(mine)
+    diagonal = math.hypot(bottom - top + 1, right - left + 1)
+    return _Patch(int(np.count_nonzero(mine)), diagonal, float((band != 0).mean()))
 
 
 def _leads(plan: Plan, a: _Patch, b: _Patch) -> tuple[float, float, float]:
     """By how much the larger thing shows more, and longer, and with more along its outline."""
     larger, smaller = (a, b) if _a_is_larger(plan) else (b, a)
     return (
-        math.log(max(1, larger.area_px) / max(1, smaller.area_px)),
-        math.log(max(1.0, larger.diagonal_px) / max(1.0, smaller.diagonal_px)),
+        math.log(larger.area_px / smaller.area_px),
+        math.log(larger.diagonal_px / smaller.diagonal_px),
         larger.overlapped - smaller.overlapped,
     )
 
 
 def _signs(plan: Plan) -> list[int]:
-    return [1 if cue else -1 for cue in plan.cues[: len(_LEADS)]]
+    return [1 if cue else -1 for cue in plan.cues]
 
 
 def _as_planned(plan: Plan, leads: Sequence[float]) -> bool:

@@ -8,7 +8,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.mesh import Surface, TexturedMesh
-from probe.assets.sampling import colours_at, places, spots
+from probe.assets.sampling import colours_at, places, spots, topmost
 from probe.certify.palettes import Shade, shades
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
@@ -79,9 +79,7 @@ def _spots_shown(scene: Scene, labels: Array, number: int, points: Array) -> Arr
     height, width = labels.shape
     u, v = pixels[:, 0].clip(0, width - 1), pixels[:, 1].clip(0, height - 1)
     cell = (v // _COARSE) * width + u // _COARSE
-    top = np.full(height * width, -np.inf)
-    np.maximum.at(top, cell, world[:, 2])
-    return (labels[v, u] == number) & (world[:, 2] > top[cell] - _SKIN)
+    return (labels[v, u] == number) & topmost(cell, world[:, 2], height * width, _SKIN)
 
 
 def _untextured(mesh: TexturedMesh) -> TexturedMesh:

@@ -20,16 +20,29 @@ def box_of(mask: Array) -> tuple[int, int, int, int]:
     return int(columns[0]), int(rows[0]), int(columns[-1]), int(rows[-1])
 
 
-def interior_point(mask: Array) -> tuple[int, int]:
-    """(u, v) of the pixel deepest inside a mask; the first in reading order if several are.
+def window_of(mask: Array, margin: int) -> tuple[slice, slice]:
+    """Rows and columns of a mask that isn't empty, and so many pixels around them."""
+    left, top, right, bottom = box_of(mask)
+    rows = slice(max(top - margin, 0), bottom + margin + 1)
+    return rows, slice(max(left - margin, 0), right + margin + 1)
 
-    The picture's border counts as an edge, so the point keeps away from it.
+
+def interior_point(mask: Array) -> tuple[int, int]:
+    """(u, v) of the pixel deepest inside a mask; see deepest_inside."""
+    return deepest_inside(mask)[0]
+
+
+def deepest_inside(mask: Array) -> tuple[tuple[int, int], float]:
+    """(u, v) of the pixel deepest inside a mask that isn't empty, and its distance from the edge.
+
+    The first in reading order if several are. The picture's border counts as an edge, so the
+    point keeps away from it.
     """
     left, top, right, bottom = box_of(mask)
     patch = np.pad(mask[top : bottom + 1, left : right + 1], 1)
     depth: Array = np.asarray(distance_transform_edt(patch))
     v, u = divmod(int(depth.argmax()), patch.shape[1])
-    return u - 1 + left, v - 1 + top
+    return (u - 1 + left, v - 1 + top), float(depth[v, u])
 
 
 def shape_word(mask: Array, heights: Array) -> str:

@@ -41,9 +41,9 @@ class Scene:
         kept = tuple(o for o in self.objects if o.instance not in instances)
         return replace(self, objects=kept)
 
-    def only(self, instance: int) -> Scene:
-        """The same table with this object alone."""
-        return replace(self, objects=tuple(o for o in self.objects if o.instance == instance))
+    def only(self, *instances: int) -> Scene:
+        """The same table with these objects alone."""
+        return replace(self, objects=tuple(o for o in self.objects if o.instance in instances))
 
     def __getitem__(self, instance: int) -> PlacedObject:
         return next(o for o in self.objects if o.instance == instance)
