@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from tempfile import gettempdir
 from typing import Any
 
 from probe.assets.library import Library
@@ -37,7 +38,9 @@ def box_library(**sizes_and_colours: tuple[float, float, float, int, int, int]) 
         mesh = box(x, y, z, *colour)
         specs.append(entry)
         bodies[entry.id] = Body(mesh, (ConvexPiece(mesh.vertices.astype(float)),))
-    return BoxLibrary(tuple(specs), None, Path(), bodies=bodies)
+    # Tables are computed there, and stay for the next process.
+    cache = Path(gettempdir()) / "probe-boxes"
+    return BoxLibrary(tuple(specs), None, cache, bodies=bodies)
 
 
 def standing(library: Library, *spots: tuple[str, float, float, float]) -> Scene:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 
@@ -13,6 +11,7 @@ from probe.assets.colour_difference import ciede2000
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.certify.alike import told_apart
+from probe.certify.leads import Asked, could_show, in_the_open, misfit, off_plan, shaded
 from probe.certify.looks import Looks
 from probe.certify.marked import (
     INSIDE_PX,
@@ -26,10 +25,10 @@ from probe.certify.marked import (
     settle_around,
 )
 from probe.certify.pairing import draw_nests
-from probe.certify.palettes import main_colour
+from probe.certify.palettes import main_colour, palette_of
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
-from probe.certify.rims import CLEAR, rim_colours
+from probe.certify.rims import CLEAR
 from probe.certify.rules import is_clear
 from probe.certify.view import View
 from probe.certify.writing import Draft, write_task
@@ -42,36 +41,12 @@ from probe.tasks.truth import which_darker, which_like
 from probe.types import Array
 
 _PAIRS = 2000
-_LEADS = 13.0, 27.0
-_LEADS_DARKER = 16.0, 40.0
-"""Least and most by which one patch fits better, CIEDE2000 and, for "darker", L*: the same whether
-it tells or misleads, for natural amounts differ. Each half of it is planned equally often."""
-
-_STRAY = 3.0
-"""By how much light may change it."""
+_PLAIN = 0.6
+"""Least share of a thing's main colour: lesser ones aren't what most of it shows when it lies some
+other way."""
 
 _ROOM_PX = 1.2 * INSIDE_PX
 """Some of it may be lost to the crowd."""
-
-_OFTEN = 0.2
-"""Share of pairs of rims that have to tell as planned for two things to be tried."""
-
-
-@dataclass(frozen=True, eq=False)
-class _Asked:
-    """What is asked about: the two, and what their colour is compared with.
-
-    Attributes:
-        marked: A first.
-        right: Index of the right one.
-        word: The colour's name; empty where none is named.
-        reference: The thing in plain view whose colour is asked for, or None.
-    """
-
-    marked: tuple[ObjectSpec, ObjectSpec]
-    right: int
-    word: str
-    reference: ObjectSpec | None
 
 
 def generate_compare(
@@ -91,8 +66,8 @@ def generate_compare(
     _check_reference(view, scene, reference)
     marks = draw_marks(made, scene)
     labels = view.labels(scene)
-    _check_paint(made, asked, library, plan, scene, labels)
     compared = made.marked if reference is None else (*made.marked, reference)
+    _check_paint(made, asked, plan, scene, labels, compared)
     looks = Looks(renderer, scene, labels, compared, library)
     measures = _measure(looks, made, asked, plan, reference)
     draft = Draft(
@@ -111,7 +86,7 @@ def generate_compare(
     return Candidate(write_task(draft, plan, view))
 
 
-def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> tuple[_Asked, MarkedCast]:
+def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> tuple[Asked, MarkedCast]:
     """Two things and what is asked of them, such that patches could tell as planned."""
     pool = markable(library)
     for _ in range(_PAIRS):
@@ -119,26 +94,24 @@ def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> tuple[
         asked = _asked(plan, (a, b), third) if told_apart([a, b, third]) else None
         if asked is None or _truth(library, plan.form, asked) != plan.letter:
             continue
+        if any(palette_of(library, spec.id)[0].share < _PLAIN for spec in (a, b, third)):
+            continue
         needed = [asked.reference] if asked.reference else []
-        if _could_show(library, plan, asked) and (
-            cast := cast_marked(library, (a, b), needed, rng)
-        ):
+        if could_show(library, plan, asked) and (cast := cast_marked(library, (a, b), needed, rng)):
             return asked, cast
     raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
 
 
-def _asked(plan: Plan, marked: tuple[ObjectSpec, ObjectSpec], third: ObjectSpec) -> _Asked | None:
+def _asked(plan: Plan, marked: tuple[ObjectSpec, ObjectSpec], third: ObjectSpec) -> Asked | None:
     """What may be asked of two things by their annotated colours; None if that would be unclear."""
     right = PAIR.index(plan.letter)
     if plan.form == "darker":
-        return _Asked(marked, right, "", None)
+        return Asked(marked, right, "", None)
     word = (third if plan.form == "like" else marked[right]).colours[0]
     if marked[right].colours[0] != word or _has_colour(marked[1 - right], word):
         return None
     return (
-        _Asked(marked, right, "", third)
-        if plan.form == "like"
-        else _Asked(marked, right, word, None)
+        Asked(marked, right, "", third) if plan.form == "like" else Asked(marked, right, word, None)
     )
 
 
@@ -147,80 +120,46 @@ def _has_colour(spec: ObjectSpec, word: str) -> bool:
     return word.split()[-1] in {colour.split()[-1] for colour in spec.colours}
 
 
-def _truth(library: Library, form: Form, asked: _Asked) -> str:
+def _truth(library: Library, form: Form, asked: Asked) -> str:
     """The letter by the textures; empty if it isn't clear."""
     a, b = (main_colour(library, spec.id) for spec in asked.marked)
-    wanted = _wanted(library, asked)
+    wanted = main_colour(library, asked.model.id)
     try:
         return which_darker(a, b) if form == "darker" else which_like(a, b, wanted)
     except ValueError:
         return ""
 
 
-def _misfit(form: Form, patch: Array, wanted: Array) -> float:
-    """How far a patch is from what is asked: the lighter, or the less like it, the further."""
-    return float(patch[0] if form == "darker" else ciede2000(patch, wanted))
-
-
-def _lead(asked: _Asked, misfits: Sequence[float]) -> float:
-    """By how much a patch of the right thing fits what is asked better than one of the wrong."""
-    return misfits[1 - asked.right] - misfits[asked.right]
-
-
-def _off(plan: Plan, lead: float) -> float:
-    """How far a lead is from the middle of what is planned; infinity outside of its half."""
-    least, most = _LEADS_DARKER if plan.form == "darker" else _LEADS
-    half = (most - least) / 2
-    middle = least + (0.75 if plan.large_lead else 0.25) * (most - least)
-    off = abs((lead if plan.cues[0] else -lead) - middle)
-    return off if off <= half / 2 + _STRAY else math.inf
-
-
-def _could_show(library: Library, plan: Plan, asked: _Asked) -> bool:
-    """Whether rims of both, if these alone showed, would tell as planned, often enough."""
-    wanted = _wanted(library, asked)
-    misfits = [
-        [_misfit(plan.form, np.array(lab), wanted) for lab in rim_colours(library, spec.id)]
-        for spec in asked.marked
-    ]
-    pairs = list(product(*misfits))
-    fitting = sum(_off(plan, _lead(asked, pair)) < math.inf for pair in pairs)
-    return fitting >= _OFTEN * max(1, len(pairs))
-
-
 def _nests(
-    made: Set, asked: _Asked, library: Library, plan: Plan, rng: np.random.Generator
+    made: Set, asked: Asked, library: Library, plan: Plan, rng: np.random.Generator
 ) -> tuple[Nest, Nest]:
     """Nests of both whose patches, by their textures, tell as planned.
 
     Raises:
         Rejected: None of those that were tried do.
     """
-    wanted = _wanted(library, asked)
+    wanted = in_the_open(main_colour(library, asked.model.id))
 
     def shown(place: int, nest: Nest) -> float | None:
         number = made.marked[place]
         if deepest_inside(nest.labels == number)[1] < _ROOM_PX:
             return None
         shade = made.view.shades(nest.scene, nest.labels, number)[0]
-        return _misfit(plan.form, np.array(shade.lab), wanted) if shade.share >= CLEAR else None
+        return shaded(plan.form, np.array(shade.lab), wanted) if shade.share >= CLEAR else None
 
-    return draw_nests(made, shown, lambda a, b: _off(plan, _lead(asked, (a, b))), rng)
+    return draw_nests(made, shown, lambda a, b: off_plan(plan, asked.lead((a, b))), rng)
 
 
 def _check_paint(
-    made: Set, asked: _Asked, library: Library, plan: Plan, scene: Scene, labels: Array
+    made: Set, asked: Asked, plan: Plan, scene: Scene, labels: Array, compared: Sequence[int]
 ) -> None:
     """That patches still tell as planned, by their textures: pictures take many times as long."""
-    wanted, patch = _wanted(library, asked), made.view.patch
-    misfits = [_misfit(plan.form, patch(scene, labels, number), wanted) for number in made.marked]
-    if _off(plan, _lead(asked, misfits)) == math.inf:
+    bare, patch = scene.only(*compared), made.view.patch
+    model = compared[-1] if asked.reference else made.marked[asked.right]
+    wanted = in_the_open(patch(bare, made.view.labels(bare), model))
+    misfits = [shaded(plan.form, patch(scene, labels, number), wanted) for number in made.marked]
+    if off_plan(plan, asked.lead(misfits)) == math.inf:
         raise Rejected("patch", "among the crowd, the patches tell something else than planned")
-
-
-def _wanted(library: Library, asked: _Asked) -> Array:
-    """The colour that is asked for, by the textures."""
-    return main_colour(library, (asked.reference or asked.marked[asked.right]).id)
 
 
 def _check_reference(view: View, scene: Scene, reference: int | None) -> None:
@@ -232,7 +171,7 @@ def _check_reference(view: View, scene: Scene, reference: int | None) -> None:
 
 
 def _measure(
-    looks: Looks, made: Set, asked: _Asked, plan: Plan, reference: int | None
+    looks: Looks, made: Set, asked: Asked, plan: Plan, reference: int | None
 ) -> dict[str, float]:
     """Checks on pictures that main colours differ in every light, and what the patches tell.
 
@@ -241,8 +180,8 @@ def _measure(
     """
     wanted = looks.main(reference or made.marked[asked.right], looks.lights[0])
     patches = [looks.patch(number) for number in made.marked]
-    lead = _lead(asked, [_misfit(plan.form, patch, wanted) for patch in patches])
-    if _off(plan, lead) == math.inf:
+    lead = asked.lead([misfit(plan.form, patch, wanted) for patch in patches])
+    if off_plan(plan, lead) == math.inf:
         raise Rejected("cues", f"the patches lead by {lead:.0f}")
     measures = {"patch_lead": lead}
     for light in looks.lights:

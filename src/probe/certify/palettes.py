@@ -14,6 +14,7 @@ from probe.types import Array
 
 _SPOTS = 4000
 _SMALLEST_SHARE = 0.08
+_BLACK = np.array([16.0, 0.0, 0.0])
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,17 @@ def palette_of(library: Library, object_id: str) -> tuple[Shade, ...]:
 def main_colour(library: Library, object_id: str) -> Array:
     """CIELAB of the colour that most of an object's surface has, shape (3,)."""
     return np.array(palette_of(library, object_id)[0].lab)
+
+
+def dimmed(colours: Array, root: float) -> Array:
+    """CIELAB of surfaces in less light, shape (..., 3).
+
+    Args:
+        colours: CIELAB in full light.
+        root: Cube root of the share of the light that is left: what CIELAB's three functions of
+            the light are multiplied by (CIE 15:2004, 8.2.1), but for very dark colours.
+    """
+    return (colours + _BLACK) * root - _BLACK
 
 
 def shades(pixels: Array) -> tuple[Shade, ...]:
