@@ -16,7 +16,6 @@ import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from multiprocessing import active_children
 from pathlib import Path
 from tempfile import mkdtemp
@@ -31,10 +30,9 @@ sys.path.insert(0, str(ROOT / "tests"))
 from bench.sitting_in import metrics_of, sit_in  # noqa: E402
 from model_server import Reply, serving  # noqa: E402
 from policy_server import Policy, agent_in_run_0, task_of  # noqa: E402
-from probe.assets.library import open_all  # noqa: E402
 from probe.bench.plan import Plan  # noqa: E402
 from probe.chat.prompts import Arm  # noqa: E402
-from probe.cli.surroundings import assets_folder, cache_folder, everything  # noqa: E402
+from probe.cli.surroundings import cache_folder, everything, opener  # noqa: E402
 from probe.episodes.files import line_of, read_records  # noqa: E402
 from probe.episodes.folder import RECORDS, in_order, standing  # noqa: E402
 from probe.episodes.luck import NOISES  # noqa: E402
@@ -138,7 +136,7 @@ def letter_of_hash(suite: Suite) -> Script:
 
 
 def plan_of(arm: Arm, suite: Suite, out: Path, epochs: int, workers: int) -> Plan:
-    library = partial(open_all, assets_folder(), cache_folder())
+    library = opener()
     cache = cache_folder() / "light"
     return Plan(
         arm, suite, suite.tasks, out, library, cache, epochs, workers=workers, called="scripted"

@@ -13,7 +13,8 @@ from probe.assets.importers.normalised import normalised
 from probe.assets.importers.order import Order
 from probe.assets.library import Library, open_library
 from probe.assets.own_pool import remove_object, store_object
-from probe.cli.near import all_pools, near_groups
+from probe.cli.near import near_groups
+from probe.cli.surroundings import everything
 from probe.errors import BadData
 
 BRICK, TRAY = (0.1, 0.06, 0.04), (0.2, 0.05, 0.02)
@@ -75,11 +76,11 @@ def test_one_that_is_not_here_is_told(tmp_path, three):
         groups(tmp_path, shown)
 
 
-def test_all_pools_that_are_there_are_opened(tmp_path, three, monkeypatch):
+def test_everything_that_is_there_is_opened_for_suites_too(tmp_path, three, monkeypatch):
     monkeypatch.setenv("PROBE_LIBRARY", str(tmp_path / "own"))
-    things = all_pools()
+    things = everything()
     known = {spec.id for spec in things.specs}
     assert set(three) < known and "proc_white_egg_cup" in known
     assert len(things.body(three[0]).pieces) > 0
     monkeypatch.setenv("PROBE_LIBRARY", str(tmp_path / "nowhere"))
-    assert {spec.id for spec in all_pools().specs} == known - set(three)
+    assert {spec.id for spec in everything().specs} == known - set(three)

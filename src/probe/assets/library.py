@@ -101,9 +101,17 @@ def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None 
     return Library(specs, assets, cache, own)
 
 
-def open_all(assets: Path | None, cache: Path) -> Library:
-    """All objects that suites are made of: scans too where their folder is known."""
-    return open_library("all" if assets else "procedural", assets, cache)
+def open_all(assets: Path | None, cache: Path, own: Path | None = None) -> Library:
+    """All objects that suites are made of: scans and the user's own where their folders are.
+
+    Raises:
+        BadData: A catalogue is broken.
+        BadMesh: A scan's file can't be used.
+    """
+    things = open_library("all" if assets else "procedural", assets, cache)
+    if own is None or not own.is_dir():
+        return things
+    return replace(things, specs=(*things.specs, *own_specs(own)), own=own)
 
 
 def own_folder(own: Path | None, needed: bool = True) -> Path:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -10,6 +9,7 @@ from pathlib import Path
 from inspect_ai import Task as HarnessTask
 from inspect_ai import task
 
+from probe.assets.folders import assets_folder, cache_folder, library_folder
 from probe.assets.library import open_all
 from probe.bench.harness import harness_task
 from probe.bench.plan import Plan, Pointer, check_folder
@@ -103,14 +103,13 @@ def _plan(
     prices: str | None,
 ) -> Plan:
     asked = find_suite(suite)
-    assets, cache = _folders()
     return Plan(
         arm,
         asked,
         asked.tasks,
         Path(out),
-        partial(open_all, assets, cache),
-        cache / "light",
+        partial(open_all, assets_folder(), cache_folder(), library_folder()),
+        cache_folder() / "light",
         epochs,
         points,
         workers=workers,
@@ -126,11 +125,3 @@ def _fit(plan: Plan) -> HarnessTask:
     check_folder(plan, plan.order("", ""))
     check_objects(plan.suite, plan.library())
     return harness_task(plan)
-
-
-def _folders() -> tuple[Path | None, Path]:
-    """Of assets and of the cache, by the variables of the command: `inspect` is run without it."""
-    assets = os.environ.get("PROBE_ASSETS")
-    cache = os.environ.get("XDG_CACHE_HOME")
-    home = Path(cache) if cache else Path.home() / ".cache"
-    return (Path(assets) if assets else None), home / "probe"

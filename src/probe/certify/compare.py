@@ -63,9 +63,9 @@ def generate_compare(
     view = made.view
     scene = settle_around(made, _nests(made, asked, library, plan, rng), rng)
     reference = made.frame.number_of[len(cast.specs)] if asked.reference else None
-    _check_reference(view, scene, reference)
-    marks = draw_marks(made, scene)
     labels = view.labels(scene)
+    _check_reference(view, scene, labels, reference)
+    marks = draw_marks(made, labels)
     compared = made.marked if reference is None else (*made.marked, reference)
     _check_paint(made, asked, plan, scene, labels, compared)
     looks = Looks(renderer, scene, labels, compared, library)
@@ -91,12 +91,12 @@ def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> tuple[
     pool = markable(library)
     for _ in range(_PAIRS):
         a, b, third = (pool[int(index)] for index in rng.choice(len(pool), size=3, replace=False))
-        asked = _asked(plan, (a, b), third) if told_apart([a, b, third]) else None
+        needed = [third] if plan.form == "like" else []
+        asked = _asked(plan, (a, b), third) if told_apart([a, b, *needed]) else None
         if asked is None or _truth(library, plan.form, asked) != plan.letter:
             continue
-        if any(palette_of(library, spec.id)[0].share < _PLAIN for spec in (a, b, third)):
+        if any(palette_of(library, spec.id)[0].share < _PLAIN for spec in (a, b, *needed)):
             continue
-        needed = [asked.reference] if asked.reference else []
         if could_show(library, plan, asked) and (cast := cast_marked(library, (a, b), needed, rng)):
             return asked, cast
     raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
@@ -162,10 +162,10 @@ def _check_paint(
         raise Rejected("patch", "among the crowd, the patches tell something else than planned")
 
 
-def _check_reference(view: View, scene: Scene, reference: int | None) -> None:
+def _check_reference(view: View, scene: Scene, labels: Array, reference: int | None) -> None:
     if reference is None:
         return
-    seen = view.visibility(scene, view.labels(scene), [reference])[reference]
+    seen = view.visibility(scene, labels, [reference])[reference]
     if not is_clear(seen):
         raise Rejected("reference", f"only {seen.fraction:.0%} of what it is compared with show")
 

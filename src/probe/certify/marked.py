@@ -217,13 +217,12 @@ def settle_around(made: Set, nests: Sequence[Nest], rng: np.random.Generator) ->
     return scene
 
 
-def draw_marks(made: Set, scene: Scene) -> tuple[Mark, Mark]:
+def draw_marks(made: Set, labels: Array) -> tuple[Mark, Mark]:
     """Marks where the visible parts are widest.
 
     Raises:
         Rejected: One is too narrow anywhere.
     """
-    labels = made.view.labels(scene)
     first, second = (
         Mark(letter, number, widest(labels == number))
         for letter, number in zip(PAIR, made.marked, strict=True)

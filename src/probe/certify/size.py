@@ -90,7 +90,7 @@ def generate_size(
         candidates=(),
         truth=PAIR.index(which_size(plan.form, a, b)),
         targets=made.marked,
-        marks=draw_marks(made, scene),
+        marks=draw_marks(made, labels),
         measures={
             "longest_a": a.longest,
             "longest_b": b.longest,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -12,10 +11,10 @@ import tyro
 from rich.progress import track
 
 from probe.assets.cache import Cache
-from probe.assets.library import open_library
-from probe.cli.surroundings import Pool, assets_folder, cache_folder, library_folder
+from probe.cli.surroundings import Pool, opener
 from probe.episodes.seat import Points
 from probe.errors import BadData
+from probe.files import check_new
 from probe.scene.layout import PICTURE_PX
 from probe.tasks.suite import check_objects
 from probe.train.chosen import Chosen, read_selection
@@ -51,12 +50,11 @@ def dataset(
         pool: Which objects appear.
         workers: Processes that draw.
     """
-    if out.exists():
-        raise BadData(out, "is there already", "Choose a new folder")
+    check_new(out)
     if not _SMALLEST_PX <= side <= PICTURE_PX:
         raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {PICTURE_PX}")
     chosen = read_selection(selected)
-    opened = partial(open_library, pool, assets_folder(), cache_folder(), library_folder())
+    opened = opener(pool)
     things = opened()
     check_objects(chosen.suite, things)
     kept = out.with_name(f"{out.name}.pictures")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from probe.assets.cache import content_key
@@ -12,17 +11,8 @@ from probe.assets.fingerprint import Fingerprint
 from probe.assets.library import Library
 from probe.assets.split import groups_of
 from probe.cli.assets_split import near_duplicates
-from probe.cli.surroundings import everything, library, library_folder
 from probe.errors import BadData
 from probe.files import write_text
-
-
-def all_pools() -> Library:
-    """The objects of all pools that are there: scans and the user's own if their folders are."""
-    things, own = everything(), library_folder()
-    if not own.is_dir():
-        return things
-    return replace(things, specs=(*things.specs, *library("own").specs), own=own)
 
 
 def near_groups(

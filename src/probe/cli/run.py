@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
-from probe.assets.library import open_all
 from probe.chat.prompts import Arm
 from probe.cli.agents import AgentName, make_agent
 from probe.cli.dry_run import would_ask
@@ -16,7 +14,7 @@ from probe.cli.fitting import check_counts, check_pointer, refuse_stray
 from probe.cli.running import run_order
 from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
-from probe.cli.surroundings import assets_folder, cache_folder, everything
+from probe.cli.surroundings import everything, opener
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
 from probe.episodes.luck import NOISES, NoiseName
@@ -80,7 +78,7 @@ def run(
         refuse_stray("with --model", {"--agent": agent, "--runs": runs})
         check_pointer(pointer or "oracle", arm or "agentic", conditions)
         seats = Seats(
-            library=partial(open_all, assets_folder(), cache_folder()),
+            library=opener(),
             model=model,
             arm=arm or "agentic",
             epochs=epochs or 3,

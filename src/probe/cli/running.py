@@ -37,7 +37,7 @@ def run_order(
     check_objects(suite, things)
     if changes_scenes(order.conditions):
         suite = varied(suite, order.conditions, things, out)
-    library = partial(open_all, things.assets, things.cache)
+    library = partial(open_all, things.assets, things.cache, things.own)
     place = Workplace(order, library, agent_of, cache_folder() / "light")
     with begun(out, suite, order) as beginning:
         _tell(beginning, out)

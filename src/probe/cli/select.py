@@ -11,8 +11,8 @@ from rich.table import Table
 
 from probe.assets.fingerprint import Fingerprint
 from probe.assets.split import read_split
-from probe.cli.near import all_pools, near_groups
-from probe.cli.surroundings import cache_folder
+from probe.cli.near import near_groups
+from probe.cli.surroundings import cache_folder, everything
 from probe.errors import BadData
 from probe.files import check_new
 from probe.tasks.suite_file import find_suite, packaged_suites
@@ -66,7 +66,7 @@ def select(
     suites = [find_suite(name) for name in [*packaged_suites(), *against]]
     parts = read_split(split) if split else None
     shown = [objects, *(suite.objects for suite in suites)]
-    groups = near_groups(shown, all_pools(), cache_folder() / "near", workers) if near else []
+    groups = near_groups(shown, everything(), cache_folder() / "near", workers) if near else []
     evaluation = evaluation_of(suites, parts, groups)
     wanted: dict[str, int] = dict(counts.items()) if counts else {}
     recipe = Recipe(wanted, direct_share, slack, seed)

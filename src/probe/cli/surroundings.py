@@ -1,10 +1,11 @@
-"""What the environment says: where assets lie and where the cache goes."""
+"""The objects and tables that are here, by what the environment says of folders."""
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
+from collections.abc import Callable
+from functools import partial
 
+from probe.assets.folders import assets_folder, cache_folder, library_folder
 from probe.assets.library import Library, Pool, open_all, open_library
 from probe.assets.tables import table_ids
 
@@ -15,36 +16,25 @@ __all__ = [
     "everything",
     "library",
     "library_folder",
+    "opener",
     "tables_for",
 ]
 
 
-def assets_folder() -> Path | None:
-    """The folder of extra assets, from PROBE_ASSETS; None if it isn't set."""
-    folder = os.environ.get("PROBE_ASSETS")
-    return Path(folder) if folder else None
-
-
-def cache_folder() -> Path:
-    """Where computed things are kept: XDG_CACHE_HOME/probe or ~/.cache/probe."""
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "probe"
-
-
-def library_folder() -> Path:
-    """The user's own objects: PROBE_LIBRARY, or XDG_DATA_HOME/probe/objects (~/.local/share)."""
-    named = os.environ.get("PROBE_LIBRARY")
-    home = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
-    return Path(named) if named else Path(home) / "probe" / "objects"
+def opener(pool: Pool | None = None) -> Callable[[], Library]:
+    """What opens the objects of a pool, or all that are here; workers call it for themselves."""
+    folders = assets_folder(), cache_folder(), library_folder()
+    return partial(open_library, pool, *folders) if pool else partial(open_all, *folders)
 
 
 def library(pool: Pool) -> Library:
-    """The objects of a pool."""
-    return open_library(pool, assets_folder(), cache_folder(), library_folder())
+    """The objects of a pool; see open_library()."""
+    return opener(pool)()
 
 
 def everything() -> Library:
-    """All objects that suites are made of: scans too where their folder is known."""
-    return open_all(assets_folder(), cache_folder())
+    """All objects that suites are made of and that are here; see open_all()."""
+    return opener()()
 
 
 def tables_for(pool: Pool) -> tuple[str, ...]:

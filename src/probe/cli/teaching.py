@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
-from probe.assets.library import open_library
 from probe.bench.models import settings_of
-from probe.cli.surroundings import Pool, assets_folder, cache_folder, library_folder
+from probe.cli.surroundings import Pool, opener
 from probe.episodes.conditions import Conditions, LightKind
 from probe.episodes.luck import NoiseName
 from probe.episodes.seat import Points
@@ -53,8 +51,7 @@ class Site:
     @property
     def training(self) -> Training:
         """Opens the objects."""
-        opened = partial(open_library, self.pool, assets_folder(), cache_folder(), library_folder())
-        return Training(opened, self.split)
+        return Training(opener(self.pool), self.split)
 
     @property
     def conditions(self) -> Conditions:

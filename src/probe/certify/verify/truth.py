@@ -61,7 +61,9 @@ def _pair(task: Task, anew: Anew) -> str:
     if task.form == "darker":
         return which_darker(a, b)
     if task.form == "like":
-        reference = next(spec.id for spec in anew.library.specs if spec.name == task.subject)
+        # Names are shared in the catalogue, not on a table.
+        placed = (o.object_id for o in task.scene.objects)
+        reference = next(id for id in placed if anew.library[id].name == task.subject)
         return which_like(a, b, main_colour(anew.library, reference))
     return PAIR[[anew.library[id].colours[0] for id in ids].index(task.subject)]
 

@@ -1,0 +1,27 @@
+"""Where the environment says that assets lie, and where computed things go.
+
+Only what people start reads these: the command line, and the harness's own.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+
+def assets_folder() -> Path | None:
+    """The folder of extra assets, from PROBE_ASSETS; None if it isn't set."""
+    folder = os.environ.get("PROBE_ASSETS")
+    return Path(folder) if folder else None
+
+
+def cache_folder() -> Path:
+    """Where computed things are kept: XDG_CACHE_HOME/probe or ~/.cache/probe."""
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "probe"
+
+
+def library_folder() -> Path:
+    """The user's own objects: PROBE_LIBRARY, or XDG_DATA_HOME/probe/objects (~/.local/share)."""
+    named = os.environ.get("PROBE_LIBRARY")
+    home = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
+    return Path(named) if named else Path(home) / "probe" / "objects"
