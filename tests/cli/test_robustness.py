@@ -11,11 +11,13 @@ from probe.cli.robustness import robustness
 from probe.episodes.conditions import Conditions
 from probe.episodes.folder import SUITE
 from probe.episodes.grading import question_of
+from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord, Table
 from probe.errors import BadData
 from probe.runs.variation import VARIATION
 from probe.tasks.grading import Score
 from probe.tasks.suite_file import demo_suite, write_suite
+from probe.tasks.task import Task
 from probe.toolshed.result import Answer
 
 DEMO = demo_suite()
@@ -50,14 +52,19 @@ def folders(tmp_path, monkeypatch):
     (tmp_path / "tilted" / VARIATION).write_text(json.dumps(note))
 
     def graded(out: Path):
-        for task, record in zip(DEMO.tasks, records[out.name], strict=True):
-            right = record.answer is not None and record.answer.choice == "A"
-            said = Answer(task.answer if right else "A" if task.answer != "A" else "B")
-            yield (
-                task,
-                replace(record, answer=said),
-                Score(right, right, "right" if right else "wrong"),
-            )
+        return [
+            graded_one(task, record)
+            for task, record in zip(DEMO.tasks, records[out.name], strict=True)
+        ]
+
+    def graded_one(task: Task, record: EpisodeRecord):
+        right = record.answer is not None and record.answer.choice == "A"
+        said = Answer(task.answer if right else "A" if task.answer != "A" else "B")
+        return (
+            task,
+            replace(record, answer=said),
+            Score(right, right, "right" if right else "wrong"),
+        )
 
     monkeypatch.setattr(import_module("probe.cli.robustness"), "graded", graded)
     return tmp_path / "plain", tmp_path / "tilted"
@@ -82,3 +89,12 @@ def test_the_plain_run_comes_first(folders, tmp_path):
     with pytest.raises(BadData, match="no other conditions"):
         robustness(plain, (plain,), out=tmp_path / "out.json")
     assert not (tmp_path / "out.json").exists()
+
+
+def test_what_was_ordered_and_is_not_there_is_missing(folders, tmp_path, capsys):
+    plain, tilted = folders
+    note_ordered(tilted, "scripted", "", runs=2)
+    robustness(plain, (tilted,), out=tmp_path / "out.json")
+    (shift,) = json.loads((tmp_path / "out.json").read_text())
+    assert shift["missing"] == len(DEMO.tasks)
+    assert "6" in capsys.readouterr().out

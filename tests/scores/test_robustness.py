@@ -1,9 +1,10 @@
 import pytest
 
 from probe.scores.robustness import NoCounterpart, shifts
-from score_rows import faulty, row
+from score_rows import faulty, roster, row
 
 PLAIN = [row("find-1"), row("find-2"), row("size-1"), row("size-2", False)]
+ROSTER = roster("find-1", "find-2", "size-1", "size-2")
 LABEL = "camera tilted"
 ARM = f"agentic, {LABEL}"
 
@@ -14,7 +15,7 @@ def tilted(*rights: object):
 
 
 def test_an_agent_is_compared_with_itself():
-    (shift,) = shifts(PLAIN, {LABEL: tilted(1, 0, 0, 0)}, {LABEL: ["size-1"]})
+    (shift,) = shifts(PLAIN, {LABEL: tilted(1, 0, 0, 0)}, {LABEL: ["size-1"]}, ROSTER)
     assert (shift.conditions, shift.pair.tasks, shift.missing) == (LABEL, 4, 0)
     assert (shift.plain, shift.other) == (0.75, 0.25)
     assert shift.pair.difference == pytest.approx(-0.5)
@@ -27,26 +28,29 @@ def test_several_conditions_are_one_family():
         LABEL: tilted(0, 0, 0, 0),
         "table other": [row("find-1", 0, arm="agentic, table other")],
     }
-    one, other = shifts(PLAIN, others, {})
+    one, other = shifts(PLAIN, others, {}, ROSTER)
     assert (one.conditions, other.conditions) == (LABEL, "table other")
     assert one.pair.adjusted >= one.pair.p
-    assert (other.pair.tasks, other.pair.left_out) == (1, 3)
+    assert (other.pair.tasks, other.pair.left_out, other.missing) == (1, 3, 3)
 
 
 def test_what_is_missing_is_counted():
     plain = [*PLAIN[:3], faulty("size-2")]
     rows = [faulty("find-1", arm=ARM), *tilted(1, 1, 1, 1)[1:]]
-    (shift,) = shifts(plain, {LABEL: rows}, {})
+    (shift,) = shifts(plain, {LABEL: rows}, {}, ROSTER)
     assert (shift.missing, shift.pair.tasks) == (2, 2)
 
 
 def test_no_certified_difference_where_no_task_holds():
     broken = [it.task for it in PLAIN]
-    (shift,) = shifts(PLAIN, {LABEL: tilted(1, 0, 0, 0)}, {LABEL: broken})
+    (shift,) = shifts(PLAIN, {LABEL: tilted(1, 0, 0, 0)}, {LABEL: broken}, ROSTER)
     assert (shift.certified, shift.certified_tasks) == (None, 0)
 
 
 def test_somebody_else_is_no_comparison():
     rows = [row("find-1", agent="bob", arm=ARM)]
-    with pytest.raises(NoCounterpart, match="camera tilted.*Run the same agent on both"):
-        shifts(PLAIN, {LABEL: rows}, {})
+    match = "bob was run under 'camera tilted'.*Run the same agent on both"
+    with pytest.raises(NoCounterpart, match=match):
+        shifts(PLAIN, {LABEL: rows}, {}, ROSTER)
+    with pytest.raises(NoCounterpart, match=match):
+        shifts(PLAIN, {LABEL: [*tilted(1, 1, 1, 1), *rows]}, {}, ROSTER)

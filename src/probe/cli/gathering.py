@@ -10,9 +10,8 @@ from pathlib import Path
 from rich.progress import track
 
 from probe.cli.grading import grade_folder
-from probe.cli.rescore import marked
-from probe.episodes.folder import SUITE, arm_of_folder
-from probe.episodes.ordered import read_ordered
+from probe.cli.rescore import rows_of
+from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
 from probe.report.darkroom import Darkroom
@@ -113,11 +112,10 @@ def gather(
 
 
 def _entries(run: Path, suite: Suite, darkroom: Darkroom, arm: str | None) -> list[_Entry]:
-    arm, ordered = arm or arm_of_folder(run), read_ordered(run)
+    found = grade_folder(run, suite, darkroom)
     return [
-        _Entry(task, record, marked(suite.name, graded, arm, ordered), stills_of(task, record))
-        for graded in grade_folder(run, suite, darkroom)
-        for task, record, _ in [graded]
+        _Entry(task, record, row, stills_of(task, record))
+        for (task, record, _), row in zip(found, rows_of(run, suite.name, found, arm), strict=True)
     ]
 
 

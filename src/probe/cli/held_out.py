@@ -11,7 +11,7 @@ import tyro
 
 from probe.agents.learnt import WEIGHTS, Learnt, read_learnt
 from probe.cli.grading import graded
-from probe.cli.rescore import marked
+from probe.cli.rescore import rows_of
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import write_text
@@ -49,7 +49,7 @@ def held_out(
         if asked.tasks != suite.tasks:
             reason = f"is about other tasks than {runs[0]}"
             raise BadData(folder, reason, "Compare runs of one suite")
-        rows += [marked(suite.name, each) for each in graded(folder)]
+        rows += rows_of(folder, suite.name, graded(folder))
     rows += floors(suite, types, _learnt(learnt))
     table = markdown(standings(rows, roster_of_tasks(suite.tasks), types))
     text = f"{_words(suite, len(runs))}\n\n{table}"

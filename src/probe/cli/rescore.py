@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -33,9 +33,7 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
             a model have arms of their own.
     """
     suite = read_suite(out / SUITE)
-    arm = arm or arm_of_folder(out)
-    ordered = read_ordered(out)
-    rows = [marked(suite.name, each, arm, ordered) for each in graded(out)]
+    rows = rows_of(out, suite.name, graded(out), arm)
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(out, rows, scores)
     console = Console(markup=False)
@@ -51,20 +49,24 @@ def arm_of(agent: str) -> str:
     return ARMS.get(agent, AGENTIC)
 
 
-def marked(
-    suite: str, graded: Graded, arm: str | None = None, ordered: Ordered | None = None
-) -> Row:
-    """The row of a graded record; without a given arm, in the record's or its agent's usual one.
+def rows_of(out: Path, suite: str, records: Iterable[Graded], arm: str | None = None) -> list[Row]:
+    """The rows of a folder's graded records.
 
     Args:
-        suite: Its name.
-        graded: The record.
-        arm: How the agent was allowed to answer.
-        ordered: How many runs there were to be, of each agent in each arm of a record.
+        out: The folder: it knows how many runs there were to be, and whether people sat there.
+        suite: Its suite's name.
+        records: Its records.
+        arm: How the agents were allowed to answer; by default as the folder or the record says, or
+            as is usual for the agent.
     """
+    arm, ordered = arm or arm_of_folder(out), read_ordered(out)
+    return [_row(suite, each, arm, ordered) for each in records]
+
+
+def _row(suite: str, graded: Graded, arm: str | None, ordered: Ordered) -> Row:
     task, record, score = graded
     arm = arm or record.arm or arm_of(record.agent)
-    runs = (ordered or {}).get((record.agent, record.arm))
+    runs = ordered.get((record.agent, record.arm))
     return row_of(task, record, score, suite=suite, arm=arm, ordered=runs)
 
 

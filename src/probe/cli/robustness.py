@@ -12,11 +12,12 @@ from rich.console import Console
 from rich.table import Table
 
 from probe.cli.grading import graded
-from probe.cli.rescore import marked
+from probe.cli.rescore import rows_of
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import write_text
 from probe.runs.variation import read_variation
+from probe.scores.marking import roster_of_tasks
 from probe.scores.robustness import Shift, shifts
 from probe.scores.row import Row
 from probe.tasks.suite_file import read_suite
@@ -47,7 +48,8 @@ def robustness(
         found[label] = mine
         variation = read_variation(folder)
         broken[label] = frozenset(variation.notes if variation else ())
-    made = shifts(rows, found, broken)
+    roster = roster_of_tasks(read_suite(plain / SUITE).tasks)
+    made = shifts(rows, found, broken, roster)
     text = pydantic.TypeAdapter(list[Shift]).dump_json(made, indent=1).decode()
     write_text(out, text + "\n")
     console = Console()
@@ -60,14 +62,11 @@ def robustness(
 def _graded(folder: Path) -> tuple[str, list[Row]]:
     """The conditions of a folder's records, in words, and its rows."""
     name = read_suite(folder / SUITE).name
-    labels, rows = set[str](), list[Row]()
-    for each in graded(folder):
-        _, record, _ = each
-        labels.add(record.conditions.label)
-        rows.append(marked(name, each))
+    found = graded(folder)
+    labels = {record.conditions.label for _, record, _ in found}
     if len(labels) != 1:
         raise BadData(folder, f"holds runs under {len(labels)} conditions", "Name another folder")
-    return labels.pop(), rows
+    return labels.pop(), rows_of(folder, name, found)
 
 
 def _table(made: Iterable[Shift]) -> Table:

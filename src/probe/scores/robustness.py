@@ -7,18 +7,20 @@ from dataclasses import dataclass
 
 from probe.errors import ProbeError
 from probe.scores.estimates import macro
-from probe.scores.missing import present, settled
+from probe.scores.missing import gaps_of, present, settled
 from probe.scores.pairs import Pair, Results, family
+from probe.scores.roster import Roster
 from probe.scores.row import Entrant, Row
 from probe.scores.units import Unit, by_entrant, strata_of, units_of
 
 
 class NoCounterpart(ProbeError):
-    """Nobody was run under both conditions."""
+    """Somebody was run under other conditions alone."""
 
-    def __init__(self, label: str) -> None:
+    def __init__(self, entrant: Entrant, label: str) -> None:
         super().__init__(
-            f"No agent of the run under {label!r} is in the plain run. Run the same agent on both."
+            f"{entrant.agent} was run under {label!r}, but is not in the plain run. "
+            "Run the same agent on both."
         )
 
 
@@ -48,6 +50,7 @@ def shifts(
     plain: Sequence[Row],
     others: Mapping[str, Sequence[Row]],
     broken: Mapping[str, Collection[str]],
+    roster: Roster,
     seed: int = 0,
 ) -> list[Shift]:
     """Each entrant under each of several conditions against itself as frozen, as one family.
@@ -56,25 +59,23 @@ def shifts(
         plain: Rows of the tasks as they were frozen.
         others: By the conditions' label, rows of the same tasks under them.
         broken: By the same, tasks that are no longer what was certified.
+        roster: All tasks.
         seed: Of the draws.
 
     Raises:
-        NoCounterpart: An agent is on one side alone.
+        NoCounterpart: An agent is under other conditions alone.
         NothingShared: Both sides have no task in common.
     """
     results: dict[Entrant, list[Unit]] = {}
     pairs: dict[tuple[Entrant, Entrant], str] = {}
     base = by_entrant(settled(plain))
     results |= {entrant: units_of(present(rows)) for entrant, rows in base.items()}
-    missing = {entrant: _missing(rows) for entrant, rows in base.items()}
+    missing = {entrant: len(gaps_of(rows, roster)) for entrant, rows in base.items()}
     for label, rows in others.items():
         found = by_entrant(settled(rows))
         results |= {entrant: units_of(present(some)) for entrant, some in found.items()}
-        missing |= {entrant: _missing(some) for entrant, some in found.items()}
-        mine = {entrant: _counterpart(entrant, label, base) for entrant in found}
-        pairs |= {(it, other): label for it, other in mine.items() if other is not None}
-        if label not in pairs.values():
-            raise NoCounterpart(label)
+        missing |= {entrant: len(gaps_of(some, roster)) for entrant, some in found.items()}
+        pairs |= {(it, _counterpart(it, label, base)): label for it in found}
     compared = family(results, pairs, seed)
     return [
         _shift(label, pair, results, broken.get(label, ()), missing)
@@ -82,9 +83,11 @@ def shifts(
     ]
 
 
-def _counterpart(entrant: Entrant, label: str, base: Mapping[Entrant, object]) -> Entrant | None:
+def _counterpart(entrant: Entrant, label: str, base: Mapping[Entrant, object]) -> Entrant:
     plain = Entrant(entrant.agent, entrant.arm.removesuffix(f", {label}"))
-    return plain if plain in base and plain != entrant else None
+    if plain not in base or plain == entrant:
+        raise NoCounterpart(entrant, label)
+    return plain
 
 
 def _shift(
@@ -116,7 +119,3 @@ def _shared(ones: Sequence[Unit], others: Sequence[Unit]) -> tuple[list[Unit], l
     theirs = {unit.task: unit for unit in others}
     shared = [unit for unit in ones if unit.task in theirs]
     return shared, [theirs[unit.task] for unit in shared]
-
-
-def _missing(rows: Sequence[Row]) -> int:
-    return sum(row.missing for row in rows)
