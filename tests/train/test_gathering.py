@@ -40,6 +40,14 @@ def test_what_was_brought_is_counted_by_task(tmp_path):
     assert so_far.last == {"find": 2_000_002, "count": 2_000_003}
 
 
+def test_what_was_right_without_tools_but_once_is_no_success(tmp_path):
+    """It isn't learnt from either."""
+    lucky = [lesson(training_task(1), arm="direct", run=run, right=run == 1) for run in range(3)]
+    sure = [lesson(training_task(2, "count"), arm="direct", run=run) for run in range(2)]
+    write_batch(begin_collection(tmp_path), [*lucky, *sure, lesson(training_task(1), right=False)])
+    assert harvest(batches(tmp_path)).successes == {"count": 1}
+
+
 def test_an_unfinished_batch_is_left_out(tmp_path):
     write_batch(begin_collection(tmp_path), LESSONS[:1])
     (write_batch(tmp_path, LESSONS[1:], "0of1-00001").folder / GRADES).unlink()

@@ -88,7 +88,7 @@ def test_counts_hold_for_each_type_and_an_empty_one_is_told():
     lessons = [lesson(training_task(n, kind)) for n in range(3) for kind in ("find", "count")]
     found = chosen(lessons, counts={"find": 1, "count": 2, "beneath": 0})
     assert Counter(it.task.kind for it in found.chosen) == {"find": 1, "count": 2}
-    words = r"size: 5 examples are wanted, .*--counts.size 0"
+    words = r"size: 5 examples are wanted, .*--counts size 0"
     with pytest.raises(BadData, match=words):
         chosen(lessons, counts={"size": 5})
 

@@ -103,7 +103,8 @@ class Harvest:
 
     Attributes:
         tasks: How many were tried, by type.
-        successes: How many of these were answered rightly in some arm, by type.
+        successes: How many of these were answered rightly with tools, or each time without, by
+            type.
         episodes: How many in all.
         missing: How many came to nothing by our fault.
         right: Episodes that were right, by arm, and all, by arm.
@@ -144,7 +145,13 @@ def harvest(some: Iterable[Batch]) -> Harvest:
     """
     grades = [grade for batch in some if batch.whole for grade in batch.grades()]
     tried = {grade.task: grade for grade in grades}
-    solved = {grade.task for grade in grades if grade.correct}
+    ways: dict[tuple[str, str], list[bool]] = {}
+    for grade in grades:
+        ways.setdefault((grade.task, grade.arm), []).append(grade.correct is True)
+    # Without tools one right answer of several is luck, and nothing to learn from.
+    solved = {
+        task for (task, arm), right in ways.items() if (all if arm == "direct" else any)(right)
+    }
     last: dict[str, int] = {}
     for grade in grades:
         last[grade.kind] = max(last.get(grade.kind, 0), grade.seed // ATTEMPTS)

@@ -105,7 +105,7 @@ def _nothing(kind: str, recipe: Recipe, *, without_tools: bool) -> BadData:
     else:
         reason += "no episode of this type can be learnt from"
         remedy = "Collect more"
-    return BadData(kind, reason, f"{remedy}, or say --counts.{kind} 0")
+    return BadData(kind, reason, f"{remedy}, or say --counts {kind} 0")
 
 
 def _mixed(mine: Sequence[Ways], wanted: int, recipe: Recipe) -> tuple[list[Candidate], list[Ways]]:
