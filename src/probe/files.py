@@ -51,6 +51,29 @@ def check_new(out: Path) -> None:
         raise BadData(out, "is there already", "Choose a new folder")
 
 
+def claim_folder(path: Path, settings: BaseModel, remedy: str) -> None:
+    """Write down how the work in a folder is done, or see that it was begun in the same way.
+
+    Args:
+        path: File for that, in the folder.
+        settings: How.
+        remedy: What to do if the file can't be read.
+
+    Raises:
+        BadData: It was begun otherwise, or the file is broken.
+        OutputFailed: It can't be written.
+    """
+    if not path.exists():
+        write_text(path, settings.model_dump_json(indent=1) + "\n")
+        return
+    before = read_document(path, type(settings), remedy)
+    for name, now in settings.model_dump().items():
+        was = getattr(before, name)
+        if was != now:
+            reason = f"was begun with {name} {was}, not {now}"
+            raise BadData(path, reason, "Say the same again, or choose another folder")
+
+
 @contextlib.contextmanager
 def whole_folder(folder: Path) -> Generator[Path]:
     """A hidden folder beside it that takes its place when the block ends well, else goes.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from probe.certify.parts import KEPT, Line, Parts, Place
+from probe.certify.parts import KEPT, Line, Making, Parts, Place
 from probe.errors import BadData
 
 PLACE = Place("count", 7)
@@ -46,3 +46,11 @@ def test_a_candidate_that_two_processes_tried_counts_once(tmp_path):
         parts.add(PLACE, line(check))
     parts.add(PLACE, line(KEPT, 7001))
     assert [each.seed for each in parts.log(PLACE)] == [7000, 7001]
+
+
+def test_a_folder_of_unchecked_tasks_is_no_start_for_checked_ones(tmp_path):
+    parts = Parts(tmp_path)
+    parts.claim(Making(pool="procedural", unchecked=True))
+    parts.claim(Making(pool="procedural", unchecked=True))
+    with pytest.raises(BadData, match=r"making\.json: was begun with unchecked True, not False"):
+        parts.claim(Making(pool="procedural", unchecked=False))

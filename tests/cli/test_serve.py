@@ -35,11 +35,12 @@ def other(tmp_path):
     [
         (["--task", "beneath-0"], {}, "There is no task called 'beneath-0'. Known: beneath-2"),
         (["--suite", "/nowhere.json"], {}, "/nowhere.json"),
+        (["--suite", "v1", "--task", "demo-1"], {}, "There is no task called 'demo-1'"),
         (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),
         (["--out", "OTHER"], {}, "is another suite. Choose another folder"),
         ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
     ],
-    ids=["no such task", "no suite", "unwritable", "another suite's folder", "no driver"],
+    ids=["no such task", "no suite", "no such task of v1", "unwritable", "another suite's folder", "no driver"],
 )
 def test_failures_are_one_line_with_a_remedy(tmp_path, cache, other, arguments, environment, words):
     told = [str(other) if word == "OTHER" else word for word in arguments]

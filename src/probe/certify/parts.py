@@ -11,9 +11,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+import pydantic
+
 from probe.assets.library import Library
 from probe.errors import BadData
-from probe.files import write_text
+from probe.files import claim_folder, write_text
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionKind, Task
@@ -23,6 +25,7 @@ KEPT, UNSOLVED, RESTLESS = "kept", "solvable", "at rest"
 things move once its table stands alone."""
 
 _UNTRIED = "-"
+_MAKING = "making.json"
 
 
 class Place(NamedTuple):
@@ -30,6 +33,18 @@ class Place(NamedTuple):
 
     kind: QuestionKind
     episode: int
+
+
+class Making(pydantic.BaseModel, extra="forbid", frozen=True):
+    """How all tasks of a folder are made.
+
+    Attributes:
+        pool: Which objects appear.
+        unchecked: Whether the scripted agents' check is left out.
+    """
+
+    pool: str
+    unchecked: bool
 
 
 @dataclass(frozen=True)
@@ -75,6 +90,15 @@ class Parts:
     """The folder."""
 
     folder: Path
+
+    def claim(self, making: Making) -> None:
+        """Begin the folder, or see that it was begun in this way.
+
+        Raises:
+            BadData: It was begun otherwise.
+            OutputFailed: It can't be written.
+        """
+        claim_folder(self.folder / _MAKING, making, "Build into another file")
 
     def task_path(self, place: Place) -> Path:
         """Where a place's task lies once it is made."""

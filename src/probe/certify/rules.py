@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from probe.perception.oracle import NOTICED_PX, SEEN_PX, SEEN_SHARE
 from probe.scene.visibility import Visibility
 
-HIDDEN_SHARE, HIDDEN_PX = 0.05, 200
+HIDDEN_SHARE = 0.05
 CLEAR_SHARE = 0.50
-SEEN_SHARE, SEEN_PX = 0.30, 400
 PARTLY = (0.05, 0.25)
 """Find's easier third: visible shares."""
 
-LITTLE, LITTLE_PX = (0.03, 0.35), 200
-"""What may show of a marked thing; find_object matches nothing smaller."""
+LITTLE = (0.03, 0.35)
+"""Visible share of a marked thing; it has to be noticed, too."""
 
 REVEALED_SHARE = 0.60
 """Visible share that the hidden object has once its cover is gone."""
@@ -22,7 +22,7 @@ LARGEST_GAIN = 0.20
 
 def is_hidden(seen: Visibility) -> bool:
     """Too little to notice."""
-    return seen.fraction <= HIDDEN_SHARE and seen.visible_px < HIDDEN_PX
+    return seen.fraction <= HIDDEN_SHARE and seen.visible_px < NOTICED_PX
 
 
 def is_clear(seen: Visibility) -> bool:
@@ -37,7 +37,7 @@ def is_seen(seen: Visibility) -> bool:
 
 def is_little(seen: Visibility) -> bool:
     """As much as may show of a marked thing."""
-    return LITTLE[0] <= seen.fraction <= LITTLE[1] and seen.visible_px >= LITTLE_PX
+    return LITTLE[0] <= seen.fraction <= LITTLE[1] and seen.visible_px >= NOTICED_PX
 
 
 def is_partly_visible(seen: Visibility) -> bool:

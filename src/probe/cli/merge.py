@@ -7,6 +7,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.errors import BadData
 from probe.runs.merge import merge_folders
 
 
@@ -17,4 +18,6 @@ def merge(parts: Annotated[tuple[Path, ...], tyro.conf.Positional], out: Path) -
         parts: The folders; none may hold an episode that another holds.
         out: Folder for all of them; a new one.
     """
+    if not parts:
+        raise BadData("probe merge", "was given no folder", "Name those that `--shard` wrote")
     print(f"{merge_folders(parts, out)} records are in {out}; `probe report {out}` shows them.")

@@ -35,6 +35,8 @@ def robustness(
         others: Folders of runs with other light, camera, table top, small moves, or an ideal tool.
         out: File for the figures.
     """
+    if not others:
+        raise BadData("probe robustness", "was given one folder", "Name others after the plain one")
     label, rows = _graded(plain)
     if label:
         raise BadData(plain, f"was run under other conditions ({label})", "Name a plain run first")

@@ -18,12 +18,12 @@ from probe.errors import MissingExtra, UnknownName
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.tasks.suite import Suite, check_objects, part
-from probe.tasks.suite_file import demo_suite, read_suite
+from probe.tasks.suite_file import find_suite
 from probe.tasks.task import Task
 
 
 def serve(
-    suite: Path | None = None,
+    suite: str = "demo",
     task: str | None = None,
     seed: int = 0,
     out: Path = Path("outputs/serve"),
@@ -34,7 +34,7 @@ def serve(
     One process is one session: one client, one table, one episode. See docs/serve.md.
 
     Args:
-        suite: A file that `probe suite build` wrote; without it, the demo suite.
+        suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
         task: Id of a task of it; without it, the seed chooses.
         seed: Chooses a task.
         out: Folder that the record is added to; `probe report` shows it.
@@ -44,7 +44,7 @@ def serve(
         from probe.doors.mcp_server import serve as serve_mcp
     except ImportError as error:
         raise MissingExtra("Serving the tools", "serve") from error
-    tasks = demo_suite() if suite is None else read_suite(suite)
+    tasks = find_suite(suite)
     chosen = _chosen(tasks, task, seed)
     things = everything()
     with Renderer() as renderer:

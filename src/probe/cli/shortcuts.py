@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -10,12 +11,14 @@ from rich.console import Console
 from rich.progress import track
 
 from probe.cli.surroundings import cache_folder, everything
+from probe.errors import BadData
 from probe.files import write_text
 from probe.shortcuts.investigation import investigate
 from probe.shortcuts.learning import learn as learn_weights
 from probe.shortcuts.looks import examples_of
 from probe.shortcuts.sample import Lore
 from probe.shortcuts.table import leaks, markdown
+from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
 
 
@@ -34,8 +37,7 @@ def shortcuts(
         out: File for the table, Markdown.
         rules_only: Train nothing; for a suite too small to learn from.
     """
-    things = everything()
-    read = [find_suite(name) for name in suites]
+    things, read = everything(), _read(suites)
     total = len({task.id for suite in read for task in suite.tasks})
     looking = examples_of(read, things, cache_folder())
     examples = list(track(looking, "Looking", total=total))
@@ -57,7 +59,13 @@ def learn(
         suites: Files that `probe suite build` wrote.
         out: File for what it learnt; the package's own is src/probe/agents/data/question_only.json.
     """
-    learnt = learn_weights([task for name in suites for task in find_suite(name).tasks])
+    learnt = learn_weights([task for suite in _read(suites) for task in suite.tasks])
     write_text(out, learnt.model_dump_json(indent=0) + "\n")
     counts = ", ".join(f"{kind} {what.tasks}" for kind, what in learnt.root.items())
     print(f"What was learnt is in {out}; tasks: {counts}.")
+
+
+def _read(names: Sequence[str]) -> list[Suite]:
+    if not names:
+        raise BadData("probe suite", "was given no suite", "Name some that `suite build` wrote")
+    return [find_suite(name) for name in names]

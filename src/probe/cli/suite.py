@@ -12,7 +12,7 @@ from rich.table import Table
 
 from probe.assets.library import Library
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
-from probe.certify.parts import Line, Parts, Place
+from probe.certify.parts import Line, Making, Parts, Place
 from probe.cli.bars import bar
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
@@ -65,6 +65,7 @@ def build(
     if not places:
         raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
     number, count = parse_shard(shard)
+    parts.claim(Making(pool=pool, unchecked=unchecked))
     with Renderer() as renderer:
         workshop = Workshop(things, tables_for(pool), renderer, unchecked)
         _fill(places[number::count], parts, workshop)

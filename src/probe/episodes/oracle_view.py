@@ -13,6 +13,7 @@ from functools import partial
 import numpy as np
 
 from probe.assets.library import Library
+from probe.perception.oracle import SEEN_SHARE
 from probe.render.lighting import light_of
 from probe.render.photograph import labels_of, load_scene, photograph
 from probe.render.renderer import Renderer
@@ -22,9 +23,6 @@ from probe.scene.sight import Sight
 from probe.tasks.marks import drawn
 from probe.tasks.task import Task
 from probe.types import Array, Camera, Frame
-
-HIDDEN_SHARE = 0.30
-"""Things of which less than this shows can't be named, and come to light in Find and Count."""
 
 _HIDES_PX = 30
 """A thing hides another if it covers so many pixels of its outline."""
@@ -86,7 +84,8 @@ def vanishing(task: Task, renderer: Renderer, camera: Camera | None = None) -> s
     kept = set(task.targets)
     gone = _over(task.scene, kept, kept, outlines, see)
     counts = np.bincount(see(task.scene).ravel(), minlength=max(outlines) + 1)
-    faint = {n for n, mask in outlines.items() if counts[n] < HIDDEN_SHARE * mask.sum()}
+    # What can't be named comes to light in Find and Count.
+    faint = {n for n, mask in outlines.items() if counts[n] < SEEN_SHARE * mask.sum()}
     return gone | _over(task.scene.without(*gone), faint - gone, kept | faint, outlines, see)
 
 

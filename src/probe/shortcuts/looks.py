@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pydantic
@@ -42,10 +43,13 @@ def examples_of(suites: Iterable[Suite], library: Library, cache: Path) -> Itera
 
 def _look(suite: Suite, task: Task, library: Library, renderer: Renderer, cache: Path) -> FirstLook:
     alone = part(suite, task)
-    key = content_key("look", _LAYOUT, repr(task.scene), repr(task.marks), repr(alone.objects))
+    specs = [library[object_id] for object_id in sorted(alone.objects)]
+    seen = map(repr, (task.scene, task.marks, alone.objects, specs))
+    key = content_key("look", _LAYOUT, *seen)
     path = cache / "looks" / key[:2] / f"{key}.json"
     if path.exists():
-        return _DOCUMENT.validate_json(path.read_bytes())
+        with suppress(pydantic.ValidationError):  # a damaged one is drawn again
+            return _DOCUMENT.validate_json(path.read_bytes())
     check_objects(alone, library)
     look = look_at(task, library, renderer)
     write_bytes(path, _DOCUMENT.dump_json(look))

@@ -9,6 +9,7 @@ from typing import Any
 
 import pydantic
 
+from probe.episodes.files import append_line, set_aside_cut
 from probe.errors import BadData
 from probe.train.libraries import transformers
 
@@ -36,6 +37,7 @@ class Entry(pydantic.BaseModel, extra="ignore", frozen=True):
 def diary_callback(out: Path) -> Any:
     """Adds each step's entry to the file; for transformers' Trainer."""
     session = time()
+    set_aside_cut(out / DIARY)
     base: Any = transformers().TrainerCallback
 
     class Diary(base):
@@ -51,8 +53,7 @@ def diary_callback(out: Path) -> Any:
                     session=session,
                     seconds=time() - session,
                 )
-                with (out / DIARY).open("a") as file:
-                    file.write(entry.model_dump_json() + "\n")
+                append_line(out / DIARY, entry.model_dump_json().encode() + b"\n")
 
     return Diary()
 

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pydantic
 
-from probe.errors import BadData
-from probe.files import read_document, write_text
+from probe.files import claim_folder, read_document
 
 SETTINGS = "collection.json"
+_REMEDY = "Collect anew into another folder"
 
 
 class Settings(pydantic.BaseModel, extra="forbid", frozen=True):
@@ -44,16 +44,7 @@ def claim(out: Path, settings: Settings) -> None:
         BadData: It was begun otherwise.
         OutputFailed: It can't be written.
     """
-    path = out / SETTINGS
-    if not path.exists():
-        write_text(path, settings.model_dump_json(indent=1) + "\n")
-        return
-    before = read_settings(out)
-    for name, now in settings.model_dump().items():
-        was = getattr(before, name)
-        if was != now:
-            reason = f"was begun with {name} {was}, not {now}"
-            raise BadData(path, reason, "Say the same again, or choose another folder")
+    claim_folder(out / SETTINGS, settings, _REMEDY)
 
 
 def read_settings(out: Path) -> Settings:
@@ -62,4 +53,4 @@ def read_settings(out: Path) -> Settings:
     Raises:
         BadData: It is none, or the file is broken.
     """
-    return read_document(out / SETTINGS, Settings, "Collect anew into another folder")
+    return read_document(out / SETTINGS, Settings, _REMEDY)
