@@ -54,7 +54,10 @@ class MissingExtra(ProbeError):
     """Something needs a package that is installed on demand."""
 
     def __init__(self, what: str, extra: str) -> None:
-        super().__init__(f"{what} needs more packages: pip install 'probe-vqa[{extra}]'.")
+        super().__init__(
+            f"{what} needs more packages: python3 -m pip --python .venv/bin/python "
+            f"install -e '.[{extra}]', where the project was cloned."
+        )
 
 
 class ArmInView(ProbeError):

@@ -54,7 +54,7 @@ def test_failures_are_one_line_with_a_remedy(tmp_path, cache, other, arguments, 
 def test_without_the_extra_it_says_what_to_install(cache, tmp_path):
     result = python("-c", WITHOUT_EXTRA, "serve", "--out", tmp_path / "out", cache=cache)
     assert result.returncode == 1
-    assert "pip install 'probe-vqa[serve]'" in result.stderr
+    assert "install -e '.[serve]'" in result.stderr
     assert not (tmp_path / "out").exists()
 
 

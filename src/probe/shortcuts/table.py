@@ -45,8 +45,10 @@ def _summary(findings: Sequence[Finding]) -> str:
     rows = ["| type | n | limit | least true accuracy that would be called a leak (80 % power) |"]
     rows.append("|---|---|---|---|")
     for kind in dict.fromkeys(finding.tally.kind for finding in _in_order(findings)):
-        tally = max((f.tally for f in findings if f.tally.kind == kind), key=lambda t: t.ceiling)
-        least = detectable(tally.n, tally.ceiling, len(findings))
+        mine = [finding.tally for finding in findings if finding.tally.kind == kind]
+        tally = max(mine, key=lambda t: t.ceiling)
+        # Classifiers predict fewer than rules do.
+        least = detectable(min(t.n for t in mine), tally.ceiling, len(findings))
         rows.append(f"| {kind} | {tally.n} | {tally.limit:.0%} | {least:.0%} |")
     return head + "\n\n" + "\n".join(rows)
 
