@@ -40,7 +40,14 @@ def other(tmp_path):
         (["--out", "OTHER"], {}, "is another suite. Choose another folder"),
         ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
     ],
-    ids=["no such task", "no suite", "no such task of v1", "unwritable", "another suite's folder", "no driver"],
+    ids=[
+        "no such task",
+        "no suite",
+        "no such task of v1",
+        "unwritable",
+        "another suite's folder",
+        "no driver",
+    ],
 )
 def test_failures_are_one_line_with_a_remedy(tmp_path, cache, other, arguments, environment, words):
     told = [str(other) if word == "OTHER" else word for word in arguments]

@@ -194,5 +194,5 @@ def test_one_process_with_several_gpus_is_refused(tmp_path, dataset, model, monk
 
 def test_without_the_extra_it_is_named(tmp_path, dataset, monkeypatch):
     monkeypatch.setitem(sys.modules, "torch", None)
-    with pytest.raises(MissingExtra, match=r"probe-vqa\[train\]"):
+    with pytest.raises(MissingExtra, match=r"install -e '\.\[train\]'"):
         train(dataset, "anything", tmp_path / "out", TUNING, ())

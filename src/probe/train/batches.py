@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Literal
 
 import pydantic
 
@@ -54,7 +55,7 @@ class Grade(pydantic.BaseModel, extra="forbid", frozen=True, allow_inf_nan=False
 class Grades(pydantic.BaseModel, extra="forbid", frozen=True):
     """Of a whole batch."""
 
-    version: int = 1
+    version: Literal[1] = 1
     grades: tuple[Grade, ...]
 
 

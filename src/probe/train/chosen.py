@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import pydantic
 
@@ -50,7 +51,7 @@ class SelectionDocument(pydantic.BaseModel, extra="forbid", frozen=True):
         refused: Tasks that belong to evaluation.
     """
 
-    version: int = 1
+    version: Literal[1] = 1
     files: dict[str, str]
     sources: tuple[str, ...]
     suites: tuple[str, ...]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Collection
 from pathlib import Path
+from typing import Literal
 
 import pydantic
 
@@ -33,7 +34,7 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
         files: All others, by their path.
     """
 
-    version: int = 1
+    version: Literal[1] = 1
     points: str
     side_px: int
     examples: dict[str, dict[str, int]]

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
+from typing import Literal
 
 import pydantic
 
@@ -36,7 +37,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
         first_loss, last_loss: Means over a tenth of the steps.
     """
 
-    version: int = 1
+    version: Literal[1] = 1
     begun: Begun
     examples: dict[str, dict[str, int]]
     versions: dict[str, str]

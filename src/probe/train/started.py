@@ -9,7 +9,7 @@ import hashlib
 import json
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import pydantic
 
@@ -33,7 +33,7 @@ class Begun(pydantic.BaseModel, extra="forbid", frozen=True):
         tuning: How.
     """
 
-    version: int = 1
+    version: Literal[1] = 1
     model: str
     dataset: str
     dataset_sha256: str

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from PIL import Image
@@ -15,7 +16,7 @@ from probe import manipulation
 from probe.assets.library import Library, Pool
 from probe.episodes.luck import Noise
 from probe.errors import BadData, Unsatisfiable
-from probe.files import encode, fault, read_document, write_bytes, write_text
+from probe.files import claim_folder, encode, fault, write_bytes
 from probe.manipulation import Planned
 from probe.manipulation.graspgen import GraspGen
 from probe.render.renderer import Renderer
@@ -37,7 +38,7 @@ class Settings(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    version: int = 1
+    version: Literal[1] = 1
     pool: Pool
     grasp_noise: float
     push_noise: float
@@ -75,10 +76,7 @@ def start(out: Path, settings: Settings) -> None:
         BadData: It is about others.
         OutputFailed: It can't be written.
     """
-    path = out / SETTINGS
-    if path.exists() and read_document(path, Settings, "Choose another folder.") != settings:
-        raise BadData(path, "was made with other settings", "Choose another folder.")
-    write_text(path, settings.model_dump_json(indent=1) + "\n")
+    claim_folder(out / SETTINGS, settings, "Choose another folder.")
 
 
 def read_trials(out: Path) -> list[Trial]:

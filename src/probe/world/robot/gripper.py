@@ -67,11 +67,6 @@ def pad_reach(joint: float) -> float:
     return PIVOT[1] + CRANK * math.cos(TILT - joint) + PAD_CENTRE[1]
 
 
-def tip_reach(joint: float) -> float:
-    """Height of the finger tips above tool0 in metres."""
-    return pad_reach(joint) + PAD_HALF[2]
-
-
 def tendon_force(pad_force: float) -> float:
     """Force in the drive that presses each pad with `pad_force` newtons when nearly closed.
 
