@@ -59,5 +59,5 @@ def test_a_device_that_is_not_there(tiny_sam3):
 
 def test_without_torch_the_extra_is_named(monkeypatch):
     monkeypatch.setitem(sys.modules, "torch", None)
-    with pytest.raises(MissingExtra, match=r"probe-vqa\[sam3\]"):
+    with pytest.raises(MissingExtra, match=r"'\.\[sam3\]'"):
         Sam3("anywhere")

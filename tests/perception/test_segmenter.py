@@ -82,7 +82,7 @@ def test_it_looks_again_when_the_frame_is_another():
 
 def test_without_the_package_the_extra_is_named(monkeypatch):
     monkeypatch.setitem(sys.modules, "skimage.morphology", None)
-    with pytest.raises(MissingExtra, match=r"probe-vqa\[segment\]"):
+    with pytest.raises(MissingExtra, match=r"'\.\[segment\]'"):
         Segmenter().detect(paint([Block(1, (200, 200, 400, 400))]))
 
 

@@ -122,6 +122,6 @@ def test_a_killed_blender_is_started_again_and_none_is_left(blender):
 def test_a_missing_package_is_named(monkeypatch):
     driver.require_blender.cache_clear()
     monkeypatch.setattr(driver, "find_spec", lambda name: None)
-    with pytest.raises(MissingExtra, match=r"probe-vqa\[blender\]"):
+    with pytest.raises(MissingExtra, match=r"'\.\[blender\]'"):
         Renderer(engine="blender")
     driver.require_blender.cache_clear()
