@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from probe.assets.library import Library
+from probe.certify.palettes import main_colour
 from probe.certify.plan import ATTEMPTS, plan
 from probe.certify.size import _draw_cast
 
@@ -22,5 +23,7 @@ def test_the_longer_cover_goes_where_it_is_planned_and_both_things_are_of_a_size
         assert (longer == larger) == wanted.longer_cover or max(a.size) == max(b.size)
         bare = [np.prod(sorted(spec.size)[-2:]) for spec in cast.marked]
         assert max(bare) <= 2.5 * min(bare)
+        light = [main_colour(library, spec.id)[0] for spec in cast.marked]
+        assert (light[larger] > light[1 - larger]) == wanted.lighter
         larger_by_place.append(larger)
     assert set(larger_by_place) == {0, 1}

@@ -82,6 +82,12 @@ def off_plan(plan: Plan, lead: float) -> float:
     return off if off <= half / 2 + _STRAY else math.inf
 
 
+def may_lead(form: Form, lead: float) -> bool:
+    """Whether a lead is one that could be planned, told or misled."""
+    least, most = _LEADS_DARKER if form == "darker" else _LEADS
+    return least - _STRAY <= abs(lead) <= most + _STRAY
+
+
 def could_show(library: Library, plan: Plan, asked: Asked) -> bool:
     """Whether rims of both, if these alone showed, would tell as planned, often enough."""
     wanted = in_the_open(main_colour(library, asked.model.id))

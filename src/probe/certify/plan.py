@@ -40,6 +40,7 @@ class Plan:
             the larger thing shows by more pixels, whether what shows of it is longer, and whether
             more of its outline adjoins things.
         longer_cover: Size: whether the longer cover lies on the larger thing.
+        lighter: Size: whether the larger thing is the lighter one.
         large_lead: Compare: whether one patch fits better by much, as far as is allowed.
     """
 
@@ -52,6 +53,7 @@ class Plan:
     removals: int
     cues: tuple[bool, bool, bool]
     longer_cover: bool
+    lighter: bool
     large_lead: bool
 
 
@@ -78,6 +80,7 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         removals=_turn(_REMOVALS, episode, kind, "removals"),
         cues=(first, second, third),
         longer_cover=longer_cover,
+        lighter=_turn((True, False), episode, kind, "lighter"),
         large_lead=_turn((True, False), episode, kind, "lead"),
     )
 

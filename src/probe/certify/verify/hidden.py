@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
 
 from scipy import ndimage
 
+from probe.certify.leads import may_lead
 from probe.certify.marked import INSIDE_PX
 from probe.certify.rules import (
     CLEAR_SHARE,
@@ -19,8 +21,9 @@ from probe.certify.rules import (
     is_partly_visible,
     is_seen,
 )
+from probe.certify.size_leads import Patch, are_within, leads_of
 from probe.certify.verify.anew import Anew
-from probe.tasks.task import QuestionKind, Task
+from probe.tasks.task import Mark, QuestionKind, Task
 
 _SAME = 0.02
 _SAME_PX = 40
@@ -101,7 +104,7 @@ def _one_removed(task: Task, anew: Anew) -> Iterator[str]:
 def _marked(task: Task, anew: Anew) -> Iterator[str]:
     for mark in task.marks:
         share = anew.seen[mark.instance].fraction
-        if not LITTLE[0] <= share <= LITTLE[1]:
+        if not LITTLE[0] <= share <= LITTLE[1] or is_seen(anew.seen[mark.instance]):
             yield f"{mark.letter} shows by {share:.0%}"
         u, v = mark.point
         inside = ndimage.distance_transform_edt(anew.labels == mark.instance)[v, u]
@@ -109,11 +112,32 @@ def _marked(task: Task, anew: Anew) -> Iterator[str]:
             yield f"mark {mark.letter} is only {inside:.0f} px inside of its thing"
 
 
+def _compare(task: Task, anew: Anew) -> Iterator[str]:
+    yield from _marked(task, anew)
+    lead = task.certificate.measures["patch_lead"]
+    if not may_lead(task.form, lead):
+        yield f"a patch leads by {lead:.0f}, which tells too little or too much"
+
+
+def _size(task: Task, anew: Anew) -> Iterator[str]:
+    yield from _marked(task, anew)
+    larger, smaller = (Patch.of(anew.labels, mark.instance) for mark in _by_size(task))
+    leads = leads_of(larger, smaller)
+    if not are_within(leads, [int(math.copysign(1, lead)) for lead in leads]):
+        yield f"what shows tells too much: the larger one leads by {leads}"
+
+
+def _by_size(task: Task) -> Sequence[Mark]:
+    """The larger thing's mark, then the other's."""
+    right_first = sorted(task.marks, key=lambda mark: mark.letter != task.answer)
+    return right_first[::-1] if task.form == "smaller" else right_first
+
+
 _RULES: dict[QuestionKind, Callable[[Task, Anew], Iterator[str]]] = {
     "beneath": _beneath,
-    "compare": _marked,
+    "compare": _compare,
     "count": _count,
     "find": _find,
     "reduce": _reduce,
-    "size": _marked,
+    "size": _size,
 }
