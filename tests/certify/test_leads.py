@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -34,17 +35,22 @@ def test_dimming_is_what_less_light_does_to_a_colour(red, green, blue, light):
 
 
 @pytest.mark.parametrize("form", ["darker", "colour", "like"])
-def test_a_lead_that_tells_and_one_that_misleads_come_from_one_window(form):
-    for large in (False, True):
-        tells = replace(PLAN, form=form, large_lead=large, cues=(True, True, True))
-        misleads = replace(tells, cues=(False, True, True))
-        leads = np.arange(-60, 60, 0.5)
-        assert [off_plan(tells, lead) for lead in leads] == [
-            off_plan(misleads, -lead) for lead in leads
-        ]
-        within = [lead for lead in leads if off_plan(tells, lead) < math.inf]
-        assert min(within) >= 10, "it has to be seen"
-        assert max(within) - min(within) <= 18
+@pytest.mark.parametrize(("large", "far"), list(product((False, True), repeat=2)))
+def test_patches_that_tell_and_those_that_mislead_come_from_one_window(form, large, far):
+    asked = Asked((spec("cup", "red"), spec("mug", "blue")), 0, "", None)
+    tells = replace(PLAN, form=form, large_lead=large, far=far, cues=(True, True, True))
+    misleads = replace(tells, cues=(False, True, True))
+    pairs = list(product(range(0, 70, 2), repeat=2))
+    assert [off_plan(tells, asked, pair) for pair in pairs] == [
+        off_plan(misleads, asked, pair[::-1]) for pair in pairs
+    ]
+    within = [pair for pair in pairs if off_plan(tells, asked, pair) < math.inf]
+    leads, bests = [b - a for a, b in within], [min(pair) for pair in within]
+    assert min(leads) >= 5, "it has to be seen"
+    assert max(leads) - min(leads) <= 18
+    if form != "darker":
+        assert min(bests) >= 9 and max(bests) - min(bests) <= 14
+        assert (min(bests) >= 16) == far
 
 
 def test_the_right_one_leads_if_it_fits_better():

@@ -147,7 +147,7 @@ def _nests(
         shade = made.view.shades(nest.scene, nest.labels, number)[0]
         return shaded(plan.form, np.array(shade.lab), wanted) if shade.share >= CLEAR else None
 
-    return draw_nests(made, shown, lambda a, b: off_plan(plan, asked.lead((a, b))), rng)
+    return draw_nests(made, shown, lambda a, b: off_plan(plan, asked, (a, b)), rng)
 
 
 def _check_paint(
@@ -158,7 +158,7 @@ def _check_paint(
     model = compared[-1] if asked.reference else made.marked[asked.right]
     wanted = in_the_open(patch(bare, made.view.labels(bare), model))
     misfits = [shaded(plan.form, patch(scene, labels, number), wanted) for number in made.marked]
-    if off_plan(plan, asked.lead(misfits)) == math.inf:
+    if off_plan(plan, asked, misfits) == math.inf:
         raise Rejected("patch", "among the crowd, the patches tell something else than planned")
 
 
@@ -180,10 +180,10 @@ def _measure(
     """
     wanted = looks.main(reference or made.marked[asked.right], looks.lights[0])
     patches = [looks.patch(number) for number in made.marked]
-    lead = asked.lead([misfit(plan.form, patch, wanted) for patch in patches])
-    if off_plan(plan, lead) == math.inf:
-        raise Rejected("cues", f"the patches lead by {lead:.0f}")
-    measures = {"patch_lead": lead}
+    misfits = [misfit(plan.form, patch, wanted) for patch in patches]
+    if off_plan(plan, asked, misfits) == math.inf:
+        raise Rejected("cues", "the patches fit by {:.0f} and {:.0f}".format(*misfits))
+    measures = {"patch_lead": asked.lead(misfits), "patch_best": min(misfits)}
     for light in looks.lights:
         a, b = (looks.main(number, light) for number in made.marked)
         wanted = looks.main(reference or made.marked[asked.right], light)

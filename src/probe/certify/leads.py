@@ -18,10 +18,13 @@ from probe.certify.rims import rim_colours
 from probe.tasks.task import Form
 from probe.types import Array
 
-_LEADS = 13.0, 27.0
-_LEADS_DARKER = 16.0, 40.0
+_LEADS, _LEADS_DARKER = (8.0, 22.0), (16.0, 40.0)
 """Least and most by which one patch fits better, CIEDE2000 and, for "darker", L*: the same whether
 it tells or misleads, for natural amounts differ. Each half of it is planned equally often."""
+
+_BESTS = 12.0, 28.0
+"""Likewise, how far the better patch is from the colour that is asked for, but for "darker": one
+that fits well is the right one's in nature, where all that has the colour's name is right."""
 
 _STRAY = 3.0
 """By how much light may change what was planned."""
@@ -73,19 +76,36 @@ def shaded(form: Form, texture: Array, wanted: Array) -> float:
     return misfit(form, dimmed(texture, _BESIDE_COVERS), wanted)
 
 
-def off_plan(plan: Plan, lead: float) -> float:
-    """How far a lead is from the middle of what is planned; infinity outside of its half."""
-    least, most = _LEADS_DARKER if plan.form == "darker" else _LEADS
-    half = (most - least) / 2
-    middle = least + (0.75 if plan.large_lead else 0.25) * (most - least)
-    off = abs((lead if plan.cues[0] else -lead) - middle)
+def off_plan(plan: Plan, asked: Asked, misfits: Sequence[float]) -> float:
+    """How far patches of A and B are from the middle of what is planned; infinity outside of it."""
+    lead = asked.lead(misfits)
+    leads = _LEADS_DARKER if plan.form == "darker" else _LEADS
+    off = _off(lead if plan.cues[0] else -lead, leads, plan.large_lead)
+    return off if plan.form == "darker" else math.hypot(off, _off(min(misfits), _BESTS, plan.far))
+
+
+def _off(value: float, window: tuple[float, float], upper: bool) -> float:
+    """From the middle of the upper or lower half of a window."""
+    half = (window[1] - window[0]) / 2
+    off = abs(value - window[0] - half * (1.5 if upper else 0.5))
     return off if off <= half / 2 + _STRAY else math.inf
 
 
-def may_lead(form: Form, lead: float) -> bool:
-    """Whether a lead is one that could be planned, told or misled."""
-    least, most = _LEADS_DARKER if form == "darker" else _LEADS
-    return least - _STRAY <= abs(lead) <= most + _STRAY
+def may_show(form: Form, lead: float, best: float) -> bool:
+    """Whether patches could be planned so, to tell or to mislead.
+
+    Args:
+        form: Of the question.
+        lead: By how much one fits better.
+        best: How far that one is from what is asked.
+    """
+    if form == "darker":
+        return _is_near(abs(lead), _LEADS_DARKER)
+    return _is_near(abs(lead), _LEADS) and _is_near(best, _BESTS)
+
+
+def _is_near(value: float, window: tuple[float, float]) -> bool:
+    return window[0] - _STRAY <= value <= window[1] + _STRAY
 
 
 def could_show(library: Library, plan: Plan, asked: Asked) -> bool:
@@ -96,7 +116,7 @@ def could_show(library: Library, plan: Plan, asked: Asked) -> bool:
         for spec in asked.marked
     ]
     pairs = list(product(*misfits))
-    fitting = sum(off_plan(plan, asked.lead(pair)) < math.inf for pair in pairs)
+    fitting = sum(off_plan(plan, asked, pair) < math.inf for pair in pairs)
     return fitting >= _OFTEN * max(1, len(pairs))
 
 

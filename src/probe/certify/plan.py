@@ -41,6 +41,7 @@ class Plan:
             more of its outline adjoins things.
         longer_cover: Size: whether the longer cover lies on the larger thing.
         lighter: Size: whether the larger thing is the lighter one.
+        far: Compare: whether the better patch, too, is far from the colour that is asked for.
         large_lead: Compare: whether one patch fits better by much, as far as is allowed.
     """
 
@@ -54,6 +55,7 @@ class Plan:
     cues: tuple[bool, bool, bool]
     longer_cover: bool
     lighter: bool
+    far: bool
     large_lead: bool
 
 
@@ -81,6 +83,7 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         cues=(first, second, third),
         longer_cover=longer_cover,
         lighter=_turn((True, False), episode, kind, "lighter"),
+        far=_turn((True, False), episode, kind, "far"),
         large_lead=_turn((True, False), episode, kind, "lead"),
     )
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from scipy import ndimage
 
-from probe.certify.leads import may_lead
+from probe.certify.leads import may_show
 from probe.certify.marked import INSIDE_PX
 from probe.certify.rules import (
     CLEAR_SHARE,
@@ -114,9 +114,9 @@ def _marked(task: Task, anew: Anew) -> Iterator[str]:
 
 def _compare(task: Task, anew: Anew) -> Iterator[str]:
     yield from _marked(task, anew)
-    lead = task.certificate.measures["patch_lead"]
-    if not may_lead(task.form, lead):
-        yield f"a patch leads by {lead:.0f}, which tells too little or too much"
+    lead, best = (task.certificate.measures.get(f"patch_{name}", 0.0) for name in ("lead", "best"))
+    if not may_show(task.form, lead, best):
+        yield f"a patch fits to {best:.0f} and leads by {lead:.0f}, which tells too much"
 
 
 def _size(task: Task, anew: Anew) -> Iterator[str]:
