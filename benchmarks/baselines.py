@@ -15,7 +15,7 @@ import tyro
 
 from probe.cli.agents import AgentName, make_agent
 from probe.cli.grading import graded
-from probe.cli.rescore import marked, write_beside
+from probe.cli.rescore import rows_of, write_beside
 from probe.cli.running import run_order
 from probe.cli.surroundings import everything
 from probe.episodes.luck import NOISES, NoiseName
@@ -104,7 +104,7 @@ def card_of(suite: Suite, entry: Entry, folder: Path, workers: int) -> Scorecard
     """An agent's figures; it is run as far as it hasn't been."""
     order = Order(entry.agent, noise=NOISES[entry.noise])
     run_order(suite, order, make_agent, everything(), folder, workers)
-    rows = [marked(suite.name, each) for each in graded(folder)]
+    rows = rows_of(folder, suite.name, graded(folder))
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(folder, rows, scores)
     (card,) = scores.cards

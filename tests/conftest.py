@@ -9,7 +9,8 @@ import pytest
 from hypothesis import settings
 
 # The same examples in every run: what a change is judged by mustn't depend on luck.
-settings.register_profile("same", derandomize=True, database=None)
+# No deadline: a slow disk or a busy machine is no defect.
+settings.register_profile("same", derandomize=True, database=None, deadline=None)
 settings.load_profile("same")
 
 ROOT = Path(__file__).resolve().parents[1]
