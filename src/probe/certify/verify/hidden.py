@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator, Sequence
 
 from scipy import ndimage
 
-from probe.certify.leads import may_show
 from probe.certify.marked import INSIDE_PX
 from probe.certify.rules import (
     CLEAR_SHARE,
@@ -112,13 +111,6 @@ def _marked(task: Task, anew: Anew) -> Iterator[str]:
             yield f"mark {mark.letter} is only {inside:.0f} px inside of its thing"
 
 
-def _compare(task: Task, anew: Anew) -> Iterator[str]:
-    yield from _marked(task, anew)
-    lead, best = (task.certificate.measures.get(f"patch_{name}", 0.0) for name in ("lead", "best"))
-    if not may_show(task.form, lead, best):
-        yield f"a patch fits to {best:.0f} and leads by {lead:.0f}, which tells too much"
-
-
 def _size(task: Task, anew: Anew) -> Iterator[str]:
     yield from _marked(task, anew)
     larger, smaller = (Patch.of(anew.labels, mark.instance) for mark in _by_size(task))
@@ -135,7 +127,7 @@ def _by_size(task: Task) -> Sequence[Mark]:
 
 _RULES: dict[QuestionKind, Callable[[Task, Anew], Iterator[str]]] = {
     "beneath": _beneath,
-    "compare": _compare,
+    "compare": _marked,
     "count": _count,
     "find": _find,
     "reduce": _reduce,
