@@ -215,9 +215,11 @@ def test_compare(library: Library, renderer: Renderer):
     assert min(v for k, v in task.certificate.measures.items() if k.startswith("apart")) >= 15
     assert all(measured[mark.instance][0] < 0.30 for mark in task.marks)
     wanted = plan("compare", ATTEMPTS)
-    lead = task.certificate.measures["patch_lead"]
-    low, high = (20.0, 27.0) if wanted.large_lead else (13.0, 20.0)
+    lead, best = (task.certificate.measures[f"patch_{name}"] for name in ("lead", "best"))
+    low, high = (15.0, 22.0) if wanted.large_lead else (8.0, 15.0)
     assert low - 3 <= (lead if wanted.cues[0] else -lead) <= high + 3
+    low, high = (20.0, 28.0) if wanted.far else (12.0, 20.0)
+    assert low - 3 <= best <= high + 3
     check_certificate(task, measured)
 
 
