@@ -50,7 +50,7 @@ def test_it_counts_reports_and_goes_on(bench, tmp_path):
 def test_other_settings_and_broken_lines_are_refused(bench, tmp_path):
     assert bench("--grasps", 1, "--pushes", 0).returncode == 0
     refused = bench("--grasps", 1, "--pushes", 0, "--sigma", 0.01)
-    assert refused.returncode == 1 and "was begun with sigma" in refused.stderr
+    assert refused.returncode == 1 and "was begun with grasp_noise 0.0, not 0.01" in refused.stderr
     (file,) = (tmp_path / "out").glob("trials-*.jsonl")
     file.write_bytes(file.read_bytes()[:-20] + b"\n")
     refused = bench("--grasps", 2, "--pushes", 0)
