@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,8 @@ Array = NDArray[Any]
 Ask = Callable[[Sequence[Array], str], str]
 """A vision-language model: pictures (uint8, each (h, w, 3)) and words in, words out. It raises
 ModelFailed if no reply comes."""
+
+T = TypeVar("T")
 
 Vector3 = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
@@ -172,3 +174,15 @@ class Frame:
     rgb: Array | None = None
     labels: Array | None = None
     shares: Mapping[int, float] | None = None
+
+
+@dataclass(frozen=True)
+class Shard:
+    """Part of some work: of every `count` pieces the one with this number, from 0."""
+
+    number: int = 0
+    count: int = 1
+
+    def of(self, pieces: Sequence[T]) -> list[T]:
+        """The pieces that belong to it; all shards together are all of them, each once."""
+        return list(pieces[self.number :: self.count])

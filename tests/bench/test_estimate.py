@@ -21,9 +21,9 @@ from probe.episodes.folder import RECORDS
 from probe.episodes.luck import NO_NOISE
 from probe.episodes.seat import Seat
 from probe.errors import BadData
-from probe.runs.plan import Shard
 from probe.tasks.suite_file import demo_suite
 from probe.tasks.task import Task
+from probe.types import Shard
 from run_folders import episode
 
 SUITE = demo_suite()

@@ -1,7 +1,8 @@
 import pytest
 
-from probe.runs.plan import Order, Shard
+from probe.runs.plan import Order
 from probe.tasks.suite_file import demo_suite
+from probe.types import Shard
 
 TASKS = demo_suite().tasks
 

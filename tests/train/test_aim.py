@@ -5,9 +5,9 @@ from collections import Counter
 import pytest
 
 from probe.errors import BadData
-from probe.runs.plan import Shard
 from probe.train.aim import PAPER_COUNTS, Aim, in_proportion
 from probe.train.batches import Harvest
+from probe.types import Shard
 
 FIRST = 2_000_000
 

@@ -13,7 +13,7 @@ from probe.assets.spec import ObjectSpec
 from probe.certify.alike import LOOSE_TOLERANCE, draw_alike, unlike
 from probe.certify.cast import CAST_TRIES, draw_crowd, hideable
 from probe.certify.covers import Cover, Footprint, draw_cover, footprint_of
-from probe.certify.frame import SceneFrame, numbers
+from probe.certify.frame import SceneFrame
 from probe.certify.hiding import build_nest, right_above
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
@@ -69,11 +69,9 @@ def generate_count(
     posts = _draw_posts(cast.covers, rng)
     stage = Stage(cast.specs, library, posts)
     table = tables[int(rng.integers(len(tables)))]
-    drawn = numbers(len(cast.specs), rng)
-    ids = {number: spec.id for number, spec in enumerate(cast.specs, start=1)}
-    frame = SceneFrame(seed, table, ids, dict(enumerate(drawn, start=1)))
+    frame = SceneFrame.of(cast.specs, seed, table, rng)
     scene = frame.scene(_settle(cast, stage, posts, rng))
-    view = View(renderer, library, ids.values())
+    view = View(renderer, library, frame.ids.values())
     hidden = [frame.number_of[number] for number in range(1, NESTS + 1)]
     _check(cast, scene, view, hidden)
     truth = how_many(scene, cast.counted.id)

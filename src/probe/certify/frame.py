@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from probe.assets.spec import ObjectSpec
 from probe.certify.cast import Cast
 from probe.certify.stage import Poses
 from probe.scene.scene import PlacedObject, Scene
@@ -26,6 +28,14 @@ class SceneFrame:
     ids: dict[int, str]
     number_of: dict[int, int]
 
+    @classmethod
+    def of(
+        cls, specs: Sequence[ObjectSpec], seed: int, table: str, rng: np.random.Generator
+    ) -> SceneFrame:
+        """A frame of things that stand on a stage in this order."""
+        ids = {number: spec.id for number, spec in enumerate(specs, start=1)}
+        return cls(seed, table, ids, dict(enumerate(_numbers(len(specs), rng), start=1)))
+
     def scene(self, poses: Poses) -> Scene:
         """The scene of these poses."""
         placed = [
@@ -35,14 +45,14 @@ class SceneFrame:
         return Scene(self.seed, self.table, tuple(sorted(placed, key=lambda o: o.instance)))
 
 
-def numbers(count: int, rng: np.random.Generator) -> list[int]:
+def _numbers(count: int, rng: np.random.Generator) -> list[int]:
     """Instance numbers of a scene in random order, so that they tell nothing."""
     return [int(number) + 1 for number in rng.permutation(count)]
 
 
 def frame_of(cast: Cast, seed: int, table: str, rng: np.random.Generator) -> SceneFrame:
     """A frame that gives all candidates the same number, so that twins differ in nothing else."""
-    drawn = numbers(len(cast.covers) + len(cast.others) + 1, rng)
+    drawn = _numbers(len(cast.covers) + len(cast.others) + 1, rng)
     number_of = dict.fromkeys(range(1, len(cast.candidates) + 1), drawn[0])
     number_of |= dict(zip((*cast.covering, *cast.crowd), drawn[1:], strict=True))
     ids = {number: spec.id for number, spec in enumerate(cast.specs, start=1)}

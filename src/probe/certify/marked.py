@@ -13,7 +13,7 @@ from probe.assets.spec import ObjectSpec
 from probe.certify.alike import unlike
 from probe.certify.cast import draw_crowd
 from probe.certify.covers import Cover, draw_shield, lies_on_side, low_footprint_of
-from probe.certify.frame import SceneFrame, numbers
+from probe.certify.frame import SceneFrame
 from probe.certify.result import Rejected
 from probe.certify.rules import is_little, is_seen
 from probe.certify.stage import Layer, Poses, Stage
@@ -146,9 +146,7 @@ def build_set(
         for turn, cover in zip(sides, cast.covers, strict=True)
     )
     posts = first, second
-    drawn = numbers(len(cast.specs), rng)
-    ids = {number: spec.id for number, spec in enumerate(cast.specs, start=1)}
-    frame = SceneFrame(seed, table, ids, dict(enumerate(drawn, start=1)))
+    frame = SceneFrame.of(cast.specs, seed, table, rng)
     return Set(cast, Stage(cast.specs, library, posts), posts, view, frame)
 
 

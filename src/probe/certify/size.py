@@ -33,7 +33,7 @@ from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
 from probe.tasks.task import PAIR
-from probe.tasks.truth import which_size
+from probe.tasks.truth import Extent, which_size
 from probe.types import Array
 
 _PAIRS = 400
@@ -52,6 +52,7 @@ def generate_size(
     """
     rng = generator(seed, "size")
     cast = _draw_cast(library, plan, rng)
+    a, b = (extent_of(library, spec.id) for spec in cast.marked)
     made = build_set(cast, seed, library, renderer, tables, rng)
     view = made.view
     scene = settle_around(made, _nests(made, plan, rng), rng)
@@ -64,8 +65,6 @@ def generate_size(
     looks = Looks(renderer, scene, labels, made.marked, library)
     if not _is_lighter_as_planned(plan, looks.patch(first), looks.patch(second)):
         raise Rejected("cues", "what shows of the other one is lighter")
-    measures = _measures(cast, library, seen[first], seen[second], leads)
-    a, b = (extent_of(library, spec.id) for spec in cast.marked)
     draft = Draft(
         kind="size",
         scene=scene,
@@ -75,7 +74,7 @@ def generate_size(
         truth=PAIR.index(which_size(plan.form, a, b)),
         targets=made.marked,
         marks=marks,
-        measures=measures,
+        measures=_measures((a, b), (seen[first], seen[second]), leads),
         drawn_from=tuple(spec.id for spec in cast.marked),
     )
     # Looks loaded textures; the certificate's visibilities need none, and both see the same.
@@ -83,9 +82,9 @@ def generate_size(
 
 
 def _measures(
-    cast: MarkedCast, library: Library, seen_a: Visibility, seen_b: Visibility, leads: Leads
+    extents: tuple[Extent, Extent], seen: tuple[Visibility, Visibility], leads: Leads
 ) -> dict[str, float]:
-    a, b = (extent_of(library, spec.id) for spec in cast.marked)
+    (a, b), (seen_a, seen_b) = extents, seen
     return {
         "longest_a": a.longest,
         "longest_b": b.longest,

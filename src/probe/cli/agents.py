@@ -76,6 +76,6 @@ def _learnt(task: Task) -> Rule:
         raise BadData(
             "question_only.json",
             f"nothing was learnt about {task.kind} questions",
-            "Write it anew with tasks of that type: probe suite learn SUITE... --out FILE",
+            "Learn it: probe suite learn SUITE... --out src/probe/agents/data/question_only.json",
         )
     return most_likely(learnt[task.kind].weights)

@@ -15,7 +15,6 @@ from probe.cli.shards import parse_shard
 from probe.cli.teachers import hands_of
 from probe.cli.teaching import Site
 from probe.errors import BadData
-from probe.runs.plan import Shard
 from probe.tasks.task import QuestionKind
 from probe.train.aim import PAPER_COUNTS, Aim, Mode, in_proportion
 from probe.train.batches import Harvest
@@ -66,7 +65,7 @@ class Extent:
         aim = Aim(
             counts=counts,
             first=self.first,
-            shard=Shard(*parse_shard(self.shard)),
+            shard=parse_shard(self.shard),
             mode=self.arms,
             always=self.always_tools,
             direct_runs=self.direct_runs,

@@ -19,7 +19,7 @@ from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
 from probe.episodes.luck import NOISES, NoiseName
 from probe.episodes.seat import Points
-from probe.runs.plan import Order, Shard
+from probe.runs.plan import Order
 from probe.tasks.suite_file import find_suite
 
 _TABLES = 4
@@ -65,7 +65,7 @@ def run(
         prices: A file that says what tokens cost.
         dry_run: Only say how much would be asked of the model.
     """
-    part = Shard(*parse_shard(shard))
+    part = parse_shard(shard)
     check_counts({"--runs": runs, "--epochs": epochs, "--workers": workers})
     if model is None:
         refuse_stray("without --model", {

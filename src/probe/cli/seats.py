@@ -19,10 +19,10 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.luck import Noise
 from probe.episodes.seat import Points
 from probe.errors import BadData, MissingExtra
-from probe.runs.plan import Shard
 from probe.runs.vary import changes_scenes
 from probe.tasks.suite import Suite, check_objects
 from probe.tasks.task import Task
+from probe.types import Shard
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 
 from probe.errors import BadData
+from probe.types import Shard
 
 
-def parse_shard(text: str) -> tuple[int, int]:
-    """Number and count of a shard as one writes it: "0/2" is the first half.
+def parse_shard(text: str) -> Shard:
+    """A shard as one writes it: "0/2" is the first half.
 
     Raises:
         BadData: It is none.
@@ -16,4 +17,4 @@ def parse_shard(text: str) -> tuple[int, int]:
     found = re.fullmatch(r"(\d+)/(\d+)", text)
     if not found or int(found[1]) >= int(found[2]):
         raise BadData("--shard", f"{text!r} is no part of the work", 'Say "0/2" or "1/2".')
-    return int(found[1]), int(found[2])
+    return Shard(int(found[1]), int(found[2]))

@@ -64,11 +64,11 @@ def build(
     places = places_of(counts, first)
     if not places:
         raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
-    number, count = parse_shard(shard)
+    part = parse_shard(shard)
     parts.claim(Making(pool=pool, unchecked=unchecked))
     with Renderer() as renderer:
         workshop = Workshop(things, tables_for(pool), renderer, unchecked)
-        _fill(places[number::count], parts, workshop)
+        _fill(part.of(places), parts, workshop)
     if waiting := [place for place in places if not parts.task_path(place).exists()]:
         print(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
         return

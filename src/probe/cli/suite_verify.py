@@ -58,10 +58,10 @@ def verify(
     frozen, things = find_suite(suite), everything()
     check_objects(frozen, things)
     folder = out or Path("outputs") / f"verify-{frozen.name}"
-    number, count = parse_shard(shard)
+    part = parse_shard(shard)
     played = {task.id for task in spaced(frozen.tasks, histories)}
     with Renderer() as renderer:
-        mine = frozen.tasks[number::count]
+        mine = part.of(frozen.tasks)
         verdicts = _verdicts(mine, folder, things, renderer, solve=solve, played=played)
         again = spaced(mine, rebuild)
         changed = _rebuilt(again, library(pool), renderer, tables_for(pool))

@@ -15,13 +15,14 @@ from probe.cli.surroundings import cache_folder, tables_for
 from probe.cli.teaching import Site
 from probe.episodes.luck import NOISES
 from probe.report.darkroom import Darkroom
-from probe.runs.plan import Order, Shard
+from probe.runs.plan import Order
 from probe.runs.run import begun, work
 from probe.tasks.suite import Suite
 from probe.train.batches import TASKS
 from probe.train.collecting import Hands, Play
 from probe.train.making import Studio, make_tasks
 from probe.train.teacher import TEACHER, Classroom, teacher_for
+from probe.types import Shard
 
 _ROUNDS = 3
 """How often episodes of a model that fail on our side are asked for."""

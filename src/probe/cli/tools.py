@@ -17,7 +17,7 @@ from probe.render.renderer import Renderer
 from probe.report.tools_page import Failure, write_tools_page
 from probe.trials.summary import Summary, summarise
 from probe.trials.trial import Tool, Trial
-from probe.trials.work import Settings, Shard, carry_out, picture_path, read_trials, start
+from probe.trials.work import Settings, carry_out, picture_path, read_trials, start
 
 app = tyro.extras.SubcommandApp()
 PAGE = "index.html"
@@ -53,7 +53,7 @@ def bench(
         graspgen: Address of a GraspGen server ("tcp://localhost:5556") that proposes the grasps,
             instead of the built-in planner.
     """
-    part = Shard(*parse_shard(shard))
+    part = parse_shard(shard)
     level = NOISES[noise]
     error = level.grasp if sigma is None else sigma
     settings = Settings(

@@ -9,6 +9,7 @@ from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.luck import NO_NOISE, Noise
 from probe.episodes.seat import Points
 from probe.tasks.task import Task
+from probe.types import Shard
 
 
 @dataclass(frozen=True)
@@ -22,18 +23,6 @@ class Job:
 
     task: Task
     run: int
-
-
-@dataclass(frozen=True)
-class Shard:
-    """Part of a run: of every `count` episodes the one with this number, from 0."""
-
-    number: int = 0
-    count: int = 1
-
-    def of(self, jobs: Sequence[Job]) -> list[Job]:
-        """The episodes that belong to it; all shards together are all episodes, each once."""
-        return list(jobs[self.number :: self.count])
 
 
 @dataclass(frozen=True)

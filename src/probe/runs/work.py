@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -86,6 +86,11 @@ class Workplace:
 
 def failed(job: Job, order: Order, reason: str) -> EpisodeRecord:
     """The record of an episode that never got anywhere, through our fault."""
+    return replace(stopped(job, order), end="fault", fault=reason)
+
+
+def stopped(job: Job, order: Order) -> EpisodeRecord:
+    """The record of an episode that its agent ended at once."""
     start = Table(job.task.scene, tuple(float(angle) for angle in Ur5().parked))
     return EpisodeRecord(
         task=job.task.id,
@@ -95,8 +100,7 @@ def failed(job: Job, order: Order, reason: str) -> EpisodeRecord:
         start=start,
         steps=(),
         answer=None,
-        end="fault",
-        fault=reason,
+        end="stopped",
         noise=order.noise,
         conditions=order.conditions,
     )

@@ -10,9 +10,9 @@ from typing import Literal
 
 from probe.certify.parts import Place
 from probe.errors import BadData
-from probe.runs.plan import Shard
 from probe.tasks.task import QuestionKind
 from probe.train.batches import Harvest, fresh_places
+from probe.types import Shard
 
 PAPER_COUNTS: Mapping[QuestionKind, int] = {
     "count": 521,

@@ -21,9 +21,9 @@ from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE, in_order
 from probe.episodes.record import EpisodeRecord
 from probe.files import read_document, write_text
-from probe.runs.plan import Shard
 from probe.tasks.suite import Suite
 from probe.tasks.task import QuestionKind
+from probe.types import Shard
 
 BATCHES, TASKS, GRADES = "batches", "tasks", "grades.json"
 _REMEDY = "Delete it and collect again: the batch's records are graded anew"

@@ -14,7 +14,7 @@ from probe.episodes.grading import grade_episode, question_of
 from probe.episodes.turns import Question
 from probe.errors import BadData
 from probe.runs.plan import Job, Order
-from probe.runs.work import failed
+from probe.runs.work import stopped
 from probe.scores.marking import row_of
 from probe.scores.row import Row
 from probe.tasks.suite import Suite
@@ -62,9 +62,9 @@ def _silent(question: Question) -> None:
 def _row(suite: Suite, task: Task, name: str, rule: Rule) -> Row:
     question = question_of(task)
     letter = rule(question)
-    record = failed(Job(task, 0), Order(name, 1), "")
-    answer = None if letter is None else Answer(letter)
-    record = replace(record, answer=answer, fault=None, end="answered" if letter else "stopped")
+    record = stopped(Job(task, 0), Order(name, 1))
+    if letter is not None:
+        record = replace(record, answer=Answer(letter), end="answered")
     # No place is pointed at, so that no labels are needed.
     score = grade_episode(task, record, np.zeros((0, 0), np.int32))
     return row_of(task, record, score, suite=suite.name, arm=ARM)

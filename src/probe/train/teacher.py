@@ -23,7 +23,7 @@ from probe.episodes.turns import Agent, Call, Question, Turn
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, Order
 from probe.runs.sights import sight_of
-from probe.runs.work import Workplace, failed
+from probe.runs.work import Workplace, stopped
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
 from probe.toolshed.result import Answer
@@ -103,17 +103,17 @@ class Classroom(Workplace):
         graph = read_graph(tools.call("perceive_scene", {}).text)
         asked = Asked(question_of(task), task.subject, task.form, graph)
         said = at_a_glance(task.kind, asked, speaker(task, job.run))
-        return answered(replace(failed(job, order, ""), sight=sight), order, said)
+        return answered(replace(stopped(job, order), sight=sight), order, said)
 
 
 def answered(record: EpisodeRecord, order: Order, said: Said | None) -> EpisodeRecord:
-    """A record of an answer in words, or of none."""
+    """A record of an episode that was ended at once, with an answer in words, or with none."""
     if said is None:
         seat = Seat(order.arm, order.points, cost=0.0)
-        return replace(record, end="stopped", fault=None, seat=seat)
+        return replace(record, seat=seat)
     place = f" ({said.point[0]}, {said.point[1]})" if said.point else ""
     words = told(f"{said.words}\nANSWER: {said.letter}{place}", order.points)
     seat = Seat(order.arm, order.points, (Reply(0, words),), cost=0.0)
     point = (float(said.point[0]), float(said.point[1])) if said.point else None
     answer = Answer(said.letter, point)
-    return replace(record, answer=answer, end="answered", fault=None, seat=seat)
+    return replace(record, answer=answer, end="answered", seat=seat)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
@@ -25,7 +24,7 @@ from probe.toolshed.skills import Skills
 from probe.trials.attempt import attempt
 from probe.trials.table import Laid, lay
 from probe.trials.trial import Tool, Trial
-from probe.types import Array
+from probe.types import Array, Shard
 
 SETTINGS, PICTURES = "settings.json", "pictures"
 _SIDE_PX = 512
@@ -55,18 +54,6 @@ class Settings(BaseModel):
     def noise(self) -> Noise:
         """By how much the hand errs."""
         return Noise(self.grasp_noise, self.push_noise)
-
-
-@dataclass(frozen=True)
-class Shard:
-    """Part of the work: of every `count` scenes the one with this number."""
-
-    number: int = 0
-    count: int = 1
-
-    def file(self, out: Path) -> Path:
-        """Where its trials are kept."""
-        return out / f"trials-{self.number}-of-{self.count}.jsonl"
 
 
 def start(out: Path, settings: Settings) -> None:
@@ -105,7 +92,7 @@ def carry_out(
         BadData: What is there can't be read.
         OutputFailed: The disk is full; what was there is still whole.
     """
-    path = shard.file(out)
+    path = out / f"trials-{shard.number}-of-{shard.count}.jsonl"
     done = _read(path) if path.exists() else []
     seeds = {trial.seed for trial in done if trial.tool == tool}
     count = sum(trial.tool == tool for trial in done)
