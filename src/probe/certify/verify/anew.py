@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
 
 from probe.assets.library import Library
+from probe.certify.looks import Looks
 from probe.certify.restaged import Restaged
 from probe.certify.view import View
 from probe.render.renderer import Renderer
@@ -20,6 +21,7 @@ class Anew:
     def __init__(self, scene: Scene, library: Library, renderer: Renderer) -> None:
         self.scene = scene
         self.library = library
+        self._renderer = renderer
         self.view = View(renderer, library, [placed.object_id for placed in scene.objects])
 
     @cached_property
@@ -44,6 +46,10 @@ class Anew:
         bare = self.restaged
         settled = bare.moved(bare.stage.lift(bare.poses, *bare.places(*gone)))
         yield "resettled", self._visibility(settled, self.view.labels(settled))
+
+    def looks(self, *compared: int) -> Looks:
+        """Pictures of these things."""
+        return Looks(self._renderer, self.scene, self.labels, compared, self.library)
 
     def _visibility(self, scene: Scene, labels: Array) -> Mapping[int, Visibility]:
         return self.view.visibility(scene, labels, [placed.instance for placed in scene.objects])

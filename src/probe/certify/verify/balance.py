@@ -38,8 +38,7 @@ def balances(tasks: Sequence[Task]) -> Iterator[Balance]:
             continue
         letters = PAIR if mine[0].marks else LETTERS
         yield _balance(kind, "letter", letters, [task.answer for task in mine])
-        if kind in _CROSSED:
-            of, values, value_of = _CROSSED[kind]
+        for of, values, value_of in _CROSSED.get(kind, ()):
             yield _balance(kind, of, values, [value_of(task) for task in mine])
 
 
@@ -53,10 +52,16 @@ def _patches(task: Task) -> str:
 
 
 def _area(task: Task) -> str:
-    """The letter, and whether more pixels and a larger share of the right thing show."""
+    """The letter, and whether more pixels of the right thing show."""
     seen = [task.certificate.visibility[mark.instance] for mark in task.marks]
     right, wrong = seen if task.answer == "A" else seen[::-1]
     return f"{task.answer}, more of it shows: {right.visible_px > wrong.visible_px}"
+
+
+def _larger(task: Task) -> str:
+    """What shows of the larger thing."""
+    leads = (task.certificate.measures[name] > 0 for name in ("area_lead", "length_lead"))
+    return "more: {}, longer: {}".format(*leads)
 
 
 def _count(task: Task) -> str:
@@ -64,21 +69,34 @@ def _count(task: Task) -> str:
     return f"{measures['clear']:.0f} clear, {measures['hidden']:.0f} hidden"
 
 
-_CROSSED: dict[QuestionKind, tuple[str, Sequence[str], Callable[[Task], str]]] = {
+_Crossing = tuple[str, Sequence[str], Callable[[Task], str]]
+
+_CROSSED: dict[QuestionKind, tuple[_Crossing, ...]] = {
     "compare": (
-        "letter x patches",
-        [f"{a}, patches {b}" for a, b in product(PAIR, ("tell", "mislead"))],
-        _patches,
+        (
+            "letter x patches",
+            [f"{a}, patches {b}" for a, b in product(PAIR, ("tell", "mislead"))],
+            _patches,
+        ),
     ),
     "count": (
-        "clear x hidden",
-        [f"{a} clear, {b} hidden" for a, b in product(range(4), range(3))],
-        _count,
+        (
+            "clear x hidden",
+            [f"{a} clear, {b} hidden" for a, b in product(range(4), range(3))],
+            _count,
+        ),
     ),
     "size": (
-        "letter x larger area",
-        [f"{a}, more of it shows: {b}" for a, b in product(PAIR, (True, False))],
-        _area,
+        (
+            "letter x larger area",
+            [f"{a}, more of it shows: {b}" for a, b in product(PAIR, (True, False))],
+            _area,
+        ),
+        (
+            "what shows of the larger",
+            [f"more: {a}, longer: {b}" for a, b in product((True, False), repeat=2)],
+            _larger,
+        ),
     ),
 }
-"""What is crossed in a type: its name, all values, and the value of a task."""
+"""What is crossed in a type: its names, all values, and the value of a task."""

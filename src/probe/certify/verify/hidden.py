@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from scipy import ndimage
 
+from probe.certify.leads import may_show, misfit
 from probe.certify.marked import INSIDE_PX
 from probe.certify.rules import (
     CLEAR_SHARE,
@@ -27,6 +28,9 @@ from probe.tasks.task import Mark, QuestionKind, Task
 _SAME = 0.02
 _SAME_PX = 40
 """How far pixels may differ from the certificate's on another kind of machine: by share, or few."""
+
+_SAME_COLOUR = 1.0
+"""How far colours may, CIEDE2000 or L*: less than an eye sees side by side."""
 
 
 def hidden_problems(task: Task, anew: Anew) -> Iterator[str]:
@@ -111,6 +115,30 @@ def _marked(task: Task, anew: Anew) -> Iterator[str]:
             yield f"mark {mark.letter} is only {inside:.0f} px inside of its thing"
 
 
+def _compare(task: Task, anew: Anew) -> Iterator[str]:
+    yield from _marked(task, anew)
+    lead, best = _patches(task, anew)
+    if not may_show(task.form, lead, best):
+        yield f"what shows tells too much: a patch fits to {best:.0f} and leads by {lead:.0f}"
+    stated = [task.certificate.measures[name] for name in ("patch_lead", "patch_best")]
+    if max(abs(lead - stated[0]), abs(best - stated[1])) > _SAME_COLOUR:
+        yield f"patches lead and fit by {lead:.1f} and {best:.1f}, not {stated}"
+
+
+def _patches(task: Task, anew: Anew) -> tuple[float, float]:
+    """By how much the right one's patch fits better, and how far the better patch is off."""
+    right, wrong = _right_first(task)
+    compared = [right.instance, wrong.instance]
+    if task.form == "like":
+        names = {o.instance: anew.library[o.object_id].name for o in task.scene.objects}
+        compared.append(next(number for number, name in names.items() if name == task.subject))
+    looks = anew.looks(*compared)
+    model = compared[-1] if task.form == "like" else right.instance
+    wanted = looks.main(model, looks.lights[0])
+    fits, other = (misfit(task.form, looks.patch(number), wanted) for number in compared[:2])
+    return other - fits, min(fits, other)
+
+
 def _size(task: Task, anew: Anew) -> Iterator[str]:
     yield from _marked(task, anew)
     larger, smaller = (Patch.of(anew.labels, mark.instance) for mark in _by_size(task))
@@ -121,13 +149,16 @@ def _size(task: Task, anew: Anew) -> Iterator[str]:
 
 def _by_size(task: Task) -> Sequence[Mark]:
     """The larger thing's mark, then the other's."""
-    right_first = sorted(task.marks, key=lambda mark: mark.letter != task.answer)
-    return right_first[::-1] if task.form == "smaller" else right_first
+    return _right_first(task)[::-1] if task.form == "smaller" else _right_first(task)
+
+
+def _right_first(task: Task) -> Sequence[Mark]:
+    return sorted(task.marks, key=lambda mark: mark.letter != task.answer)
 
 
 _RULES: dict[QuestionKind, Callable[[Task, Anew], Iterator[str]]] = {
     "beneath": _beneath,
-    "compare": _marked,
+    "compare": _compare,
     "count": _count,
     "find": _find,
     "reduce": _reduce,
