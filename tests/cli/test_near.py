@@ -13,9 +13,10 @@ from probe.assets.importers.normalised import normalised
 from probe.assets.importers.order import Order
 from probe.assets.library import Library, open_library
 from probe.assets.own_pool import remove_object, store_object
-from probe.cli.near import near_groups
+from probe.cli.near import near_groups, those_here
 from probe.cli.surroundings import everything
 from probe.errors import BadData
+from probe.tasks.suite import Suite
 
 BRICK, TRAY = (0.1, 0.06, 0.04), (0.2, 0.05, 0.02)
 
@@ -84,3 +85,12 @@ def test_everything_that_is_there_is_opened_for_suites_too(tmp_path, three, monk
     assert len(things.body(three[0]).pieces) > 0
     monkeypatch.setenv("PROBE_LIBRARY", str(tmp_path / "nowhere"))
     assert {spec.id for spec in everything().specs} == known - set(three)
+
+
+def test_suites_whose_objects_are_elsewhere_are_named(tmp_path, three, capsys):
+    brick, copy, _ = three
+    marks = looks(tmp_path, brick, copy)
+    here = Suite("here", (), marks)
+    away = Suite("away", (), {**marks, "scan_of_a_bowl": marks[brick]})
+    assert those_here([here, away], opened(tmp_path)) == [here]
+    assert "1 objects of away aren't here" in capsys.readouterr().out

@@ -13,6 +13,7 @@ from probe.assets.split import groups_of
 from probe.cli.assets_split import near_duplicates
 from probe.errors import BadData
 from probe.files import write_text
+from probe.tasks.suite import Suite
 
 
 def near_groups(
@@ -41,6 +42,16 @@ def near_groups(
     groups = [group for group in groups_of(ids, pairs) if len(group) > 1]
     write_text(path, json.dumps(groups))
     return groups
+
+
+def those_here(suites: Sequence[Suite], things: Library) -> list[Suite]:
+    """Suites whose objects are here to be compared; of the others it says that they aren't."""
+    known = {spec.id for spec in things.specs}
+    missing = {suite.name: len({*suite.objects} - known) for suite in suites}
+    for name, count in missing.items():
+        if count:
+            print(f"{count} objects of {name} aren't here (PROBE_ASSETS): kept out by id alone.")
+    return [suite for suite in suites if not missing[suite.name]]
 
 
 def _check_there(ids: Sequence[str], things: Library) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -11,10 +12,11 @@ from rich.table import Table
 
 from probe.assets.fingerprint import Fingerprint
 from probe.assets.split import read_split
-from probe.cli.near import near_groups
+from probe.cli.near import near_groups, those_here
 from probe.cli.surroundings import cache_folder, everything
 from probe.errors import BadData
 from probe.files import check_new
+from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite, packaged_suites
 from probe.tasks.task import QuestionKind
 from probe.train.chosen import SelectionDocument, write_selection
@@ -63,10 +65,11 @@ def select(
     candidates, unfinished = candidates_of(collected, objects)
     if unfinished:
         print(f"{unfinished} batches aren't whole yet and are left out.")
-    suites = [find_suite(name) for name in [*packaged_suites(), *against]]
+    packaged = [find_suite(name) for name in packaged_suites()]
+    others = [find_suite(name) for name in against]
+    suites = [*packaged, *others]
     parts = read_split(split) if split else None
-    shown = [objects, *(suite.objects for suite in suites)]
-    groups = near_groups(shown, everything(), cache_folder() / "near", workers) if near else []
+    groups = _alike(objects, packaged, others, workers) if near else []
     evaluation = evaluation_of(suites, parts, groups)
     wanted: dict[str, int] = dict(counts.items()) if counts else {}
     recipe = Recipe(wanted, direct_share, slack, seed)
@@ -80,6 +83,18 @@ def select(
     document = write_selection(out, found, recipe, objects, collected, names)
     _print(document, len(candidates))
     print(f"They are in {out}; `probe dataset {out} OUT` writes them down for trainers.")
+
+
+def _alike(
+    objects: Mapping[str, Fingerprint],
+    packaged: Sequence[Suite],
+    others: Sequence[Suite],
+    workers: int,
+) -> list[list[str]]:
+    """Groups of near-duplicates among collected objects and those of suites."""
+    things = everything()
+    shown = [objects, *(it.objects for it in [*those_here(packaged, things), *others])]
+    return near_groups(shown, things, cache_folder() / "near", workers)
 
 
 def _print(document: SelectionDocument, episodes: int) -> None:
