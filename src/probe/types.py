@@ -20,7 +20,7 @@ Ask = Callable[[Sequence[Array], str], str]
 """A vision-language model: pictures (uint8, each (h, w, 3)) and words in, words out. It raises
 ModelFailed if no reply comes."""
 
-T = TypeVar("T")
+_T = TypeVar("_T")
 
 Vector3 = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
@@ -183,6 +183,6 @@ class Shard:
     number: int = 0
     count: int = 1
 
-    def of(self, pieces: Sequence[T]) -> list[T]:
+    def of(self, pieces: Sequence[_T]) -> list[_T]:
         """The pieces that belong to it; all shards together are all of them, each once."""
         return list(pieces[self.number :: self.count])

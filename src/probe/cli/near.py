@@ -46,19 +46,22 @@ def near_groups(
 
 def those_here(suites: Sequence[Suite], things: Library) -> list[Suite]:
     """Suites whose objects are here to be compared; of the others it says that they aren't."""
-    known = {spec.id for spec in things.specs}
-    missing = {suite.name: len({*suite.objects} - known) for suite in suites}
-    for name, count in missing.items():
-        if count:
-            print(f"{count} objects of {name} aren't here (PROBE_ASSETS): kept out by id alone.")
+    missing = {suite.name: _missing(sorted(suite.objects), things) for suite in suites}
+    for name, ids in missing.items():
+        if ids:
+            print(f"{len(ids)} objects of {name} aren't here (PROBE_ASSETS): kept out by id alone.")
     return [suite for suite in suites if not missing[suite.name]]
 
 
 def _check_there(ids: Sequence[str], things: Library) -> None:
-    known = {spec.id for spec in things.specs}
-    missing = [id for id in ids if id not in known]
+    missing = _missing(ids, things)
     if missing:
         others = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
         reason = f"appears{others}, but isn't here to be compared with other objects"
         remedy = "Set PROBE_ASSETS (scans) or PROBE_LIBRARY (your own) to the folder that holds it"
         raise BadData(missing[0], reason, f"{remedy}, or compare ids alone with --no-near")
+
+
+def _missing(ids: Sequence[str], things: Library) -> list[str]:
+    known = {spec.id for spec in things.specs}
+    return [id for id in ids if id not in known]

@@ -16,7 +16,7 @@ from probe.tasks.task import KINDS
 
 SCANS, V1 = packaged_suite("v1-scans"), packaged_suite("v1")
 MADE = [kind for kind in KINDS if kind not in ("compare", "reduce")]
-"""Of 132 scans no two have colours as Compare plans, no four are alike enough for Reduce."""
+"""Too few of the 132 scans mislead as Compare plans, or are alike enough for Reduce."""
 
 FIRST = [next(task for task in SCANS.tasks if task.kind == kind) for kind in MADE]
 

@@ -45,6 +45,11 @@ class AtPage:
             "!document.getElementById('game').hidden && !controls.disabled && picture.complete"
         )
 
+    def wait_for_end(self) -> None:
+        """Until a question is over, the last one too."""
+        through = "/through/.test(document.getElementById('between-words').textContent)"
+        self.wait(f"document.getElementById('game').hidden && !next.hidden || {through}")
+
     def click(self, selector: str) -> None:
         """Press what a selector finds; it has to be in use."""
         chosen = f"document.querySelector({json.dumps(selector)})"
@@ -74,8 +79,7 @@ class AtPage:
         steps = self.browser.run("steps.children.length")
         self._press(call.name, call.values)
         if call.name == "answer_question":
-            self.wait("document.getElementById('game').hidden && !next.hidden || /through/.test("
-                      "document.getElementById('between-words').textContent)")  # fmt: skip
+            self.wait_for_end()
             return ""
         self.wait(f"steps.children.length > {steps} && !controls.disabled && picture.complete")
         return self.told()
@@ -105,3 +109,9 @@ class AtPage:
         self.browser.run(f"document.querySelector('[name=option][value={choice}]').click()")
         self.click("#answer")
         self.click("#sure-yes")
+
+    def give_up(self) -> None:
+        """End the question without an answer."""
+        self.click("#stop")
+        self.click("#sure-yes")
+        self.wait_for_end()

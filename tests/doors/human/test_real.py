@@ -64,6 +64,8 @@ def solve(page, task):
     agent, turns = scripted(task), list[Turn]()
     while call := agent.act(question_of(task), tuple(turns)):
         turns.append(Turn(call, ToolResult(page.do(call))))
+    if turns[-1].call.name != "answer_question":
+        page.give_up()
 
 
 def test_a_person_can_do_what_an_agent_can(server, cache, tmp_path):
@@ -80,15 +82,20 @@ def test_a_person_can_do_what_an_agent_can(server, cache, tmp_path):
     records = read_records(tmp_path / "out" / "records.jsonl")
     assert [record.task for record in records] == [task.id for task in TASKS]
     things = open_library("procedural", None, cache)
+    solved = 0
     with Renderer() as renderer:
         for task, record in zip(TASKS, records, strict=True):
             top = load_table(task.scene.table, None)
             near = play(task, scripted(task), "Ada", things, top, renderer)
-            assert score(task, record, renderer).correct
+            correct = score(task, record, renderer).correct
+            assert correct == score(task, near, renderer).correct
+            solved += correct
             # A click is a pixel or so off, and the page sends whole numbers without a point.
             assert [_seen(step) for step in record.steps[:-1]] == [
                 _seen(step) for step in near.steps[:-1]
             ]
+    # All but a Compare, where it has nothing left to try and gives up.
+    assert solved == len(TASKS) - 1
 
 
 def _seen(step):
