@@ -11,7 +11,7 @@ from probe.assets.colour_difference import ciede2000
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.certify.alike import told_apart
-from probe.certify.leads import Asked, could_show, in_the_open, misfit, off_plan, shaded
+from probe.certify.leads import Asked, could_show, in_the_open, off_plan, shaded
 from probe.certify.looks import Looks
 from probe.certify.marked import (
     INSIDE_PX,
@@ -178,17 +178,18 @@ def _measure(
     Raises:
         Rejected: They don't, or the patches tell something else than planned.
     """
-    wanted = looks.main(reference or made.marked[asked.right], looks.lights[0])
-    patches = [looks.patch(number) for number in made.marked]
-    misfits = [misfit(plan.form, patch, wanted) for patch in patches]
+    model = reference or made.marked[asked.right]
+    misfits = looks.misfits(plan.form, made.marked, model)
     if off_plan(plan, asked, misfits) == math.inf:
         raise Rejected("cues", "the patches fit by {:.0f} and {:.0f}".format(*misfits))
     measures = {"patch_lead": asked.lead(misfits), "patch_best": min(misfits)}
     for light in looks.lights:
         a, b = (looks.main(number, light) for number in made.marked)
-        wanted = looks.main(reference or made.marked[asked.right], light)
         try:
-            found = which_darker(a, b) if plan.form == "darker" else which_like(a, b, wanted)
+            if plan.form == "darker":
+                found = which_darker(a, b)
+            else:
+                found = which_like(a, b, looks.main(model, light))
         except ValueError as error:
             raise Rejected("light", f"{light}: {error}") from error
         if found != PAIR[asked.right]:

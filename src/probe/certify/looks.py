@@ -7,12 +7,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.library import Library
+from probe.certify.leads import misfit
 from probe.certify.palettes import shades
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.lighting import AMBIENT, Lighting
 from probe.scene.scene import Scene
+from probe.tasks.task import Form
 from probe.types import Array, Frame
 
 LIGHTS = (AMBIENT, Lighting("workshop"))
@@ -59,3 +61,14 @@ class Looks:
             self._rgb = photograph(self._renderer, self._scene, light=self._lit[self.lights[0]]).rgb
         assert self._rgb is not None
         return np.array(shades(self._rgb[self._labels == number])[0].lab)
+
+    def misfits(self, form: Form, marked: Sequence[int], model: int) -> list[float]:
+        """How far what shows of each marked thing is from what a question asks, in order.
+
+        Args:
+            form: Of the question.
+            marked: Numbers of the things.
+            model: Number of the thing whose main colour is asked for.
+        """
+        wanted = self.main(model, self.lights[0])
+        return [misfit(form, self.patch(number), wanted) for number in marked]

@@ -10,7 +10,7 @@ from probe.certify.looks import Looks
 from probe.certify.restaged import Restaged
 from probe.certify.view import View
 from probe.render.renderer import Renderer
-from probe.scene.scene import Scene
+from probe.scene.scene import PlacedObject, Scene
 from probe.scene.visibility import Visibility
 from probe.types import Array
 
@@ -38,6 +38,10 @@ class Anew:
     def seen(self) -> Mapping[int, Visibility]:
         """Visibility of each object, by instance."""
         return self._visibility(self.scene, self.labels)
+
+    def called(self, name: str) -> PlacedObject:
+        """The first object of that name; names are shared in the catalogue, not on a table."""
+        return next(o for o in self.scene.objects if self.library[o.object_id].name == name)
 
     def removals(self, gone: Collection[int]) -> Iterator[tuple[str, Mapping[int, Visibility]]]:
         """What shows of the rest without some instances: "frozen", then "resettled"."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from scipy import ndimage
 
-from probe.certify.leads import may_show, misfit
+from probe.certify.leads import may_show
 from probe.certify.marked import INSIDE_PX
 from probe.certify.rules import (
     CLEAR_SHARE,
@@ -128,14 +128,10 @@ def _compare(task: Task, anew: Anew) -> Iterator[str]:
 def _patches(task: Task, anew: Anew) -> tuple[float, float]:
     """By how much the right one's patch fits better, and how far the better patch is off."""
     right, wrong = _right_first(task)
-    compared = [right.instance, wrong.instance]
-    if task.form == "like":
-        names = {o.instance: anew.library[o.object_id].name for o in task.scene.objects}
-        compared.append(next(number for number, name in names.items() if name == task.subject))
-    looks = anew.looks(*compared)
-    model = compared[-1] if task.form == "like" else right.instance
-    wanted = looks.main(model, looks.lights[0])
-    fits, other = (misfit(task.form, looks.patch(number), wanted) for number in compared[:2])
+    marked = [right.instance, wrong.instance]
+    model = anew.called(task.subject).instance if task.form == "like" else right.instance
+    looks = anew.looks(*marked, *{model}.difference(marked))
+    fits, other = looks.misfits(task.form, marked, model)
     return other - fits, min(fits, other)
 
 

@@ -61,9 +61,7 @@ def _pair(task: Task, anew: Anew) -> str:
     if task.form == "darker":
         return which_darker(a, b)
     if task.form == "like":
-        # Names are shared in the catalogue, not on a table.
-        placed = (o.object_id for o in task.scene.objects)
-        reference = next(id for id in placed if anew.library[id].name == task.subject)
+        reference = anew.called(task.subject).object_id
         return which_like(a, b, main_colour(anew.library, reference))
     return PAIR[[anew.library[id].colours[0] for id in ids].index(task.subject)]
 
