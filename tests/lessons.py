@@ -17,9 +17,9 @@ from probe.tasks.suite import Suite
 from probe.tasks.suite_file import write_suite
 from probe.tasks.task import Letter, QuestionKind, Task
 from probe.toolshed.result import Answer, Status
-from probe.train.batches import Batch, Grade
-from probe.train.candidates import Candidate
-from probe.train.settings import Settings, claim
+from probe.train.choose.candidates import Candidate
+from probe.train.collect.batches import Batch, Grade
+from probe.train.collect.settings import Settings, claim
 from run_folders import DEMO
 from task_examples import FIND
 

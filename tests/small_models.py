@@ -8,14 +8,14 @@ from lessons import lesson, training_task
 from probe.assets.spec import ObjectSpec
 from probe.chat.pictures import jpeg
 from probe.toolshed.result import Status
-from probe.train.chosen import read_selection, write_selection
-from probe.train.evaluation import evaluation_of
-from probe.train.examples import example_of
-from probe.train.folder import Form, write_dataset
-from probe.train.selection import Recipe, select
-from probe.train.showing import Shown
-from probe.train.tiny import make_tiny
-from probe.train.tiny_parts import Shape
+from probe.train.choose.chosen import read_selection, write_selection
+from probe.train.choose.evaluation import evaluation_of
+from probe.train.choose.selection import Recipe, select
+from probe.train.dataset.examples import example_of
+from probe.train.dataset.folder import Form, write_dataset
+from probe.train.dataset.showing import Shown
+from probe.train.tune.tiny import make_tiny
+from probe.train.tune.tiny_parts import Shape
 from tabletops import paint
 
 GRASPED: tuple[str, Status] = ("mug", "done")

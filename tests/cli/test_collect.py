@@ -15,7 +15,7 @@ from lessons import BY_KIND, FIRST_SEED
 from model_server import Reply, serving
 from probe.assets.library import open_library
 from probe.certify.parts import Parts, Place
-from probe.train.batches import TASKS, batches
+from probe.train.collect.batches import TASKS, batches
 
 PATIENCE = 240.0
 ONE_COUNT = (

@@ -12,7 +12,7 @@ from probe.cli.select import select
 from probe.errors import BadData
 from probe.tasks.suite_file import write_suite
 from probe.tasks.task import Certificate
-from probe.train.chosen import read_selection
+from probe.train.choose.chosen import read_selection
 from run_folders import DEMO
 
 GOOD = [training_task(n) for n in range(4)]

@@ -10,11 +10,11 @@ import pytest
 from lessons import lesson, training_task
 from probe.assets.spec import ObjectSpec
 from probe.chat.pictures import jpeg
-from probe.train.chosen import Chosen, read_selection, write_selection
-from probe.train.evaluation import evaluation_of
-from probe.train.examples import Example, example_of
-from probe.train.selection import Recipe, select
-from probe.train.showing import Shown
+from probe.train.choose.chosen import Chosen, read_selection, write_selection
+from probe.train.choose.evaluation import evaluation_of
+from probe.train.choose.selection import Recipe, select
+from probe.train.dataset.examples import Example, example_of
+from probe.train.dataset.showing import Shown
 from tabletops import paint
 
 LESSONS = [

@@ -7,9 +7,9 @@ import sys
 
 import pytest
 
-from probe.train.diary import read_diary
-from probe.train.fine_tuning import train
-from probe.train.tuning import Tuning
+from probe.train.tune.diary import read_diary
+from probe.train.tune.fine_tuning import train
+from probe.train.tune.tuning import Tuning
 from small_models import small_dataset, small_model
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]

@@ -17,8 +17,8 @@ from probe.render.renderer import Renderer
 from probe.report.darkroom import Darkroom
 from probe.runs.plan import Job, Order
 from probe.tasks.suite import part
-from probe.train.showing import OtherPerception, shown
-from probe.train.teacher import TEACHER, Classroom, teacher_for
+from probe.train.collect.teacher import TEACHER, Classroom, teacher_for
+from probe.train.dataset.showing import OtherPerception, shown
 from run_folders import DEMO
 
 pytestmark = pytest.mark.slow

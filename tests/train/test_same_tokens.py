@@ -14,16 +14,16 @@ import pytest
 
 from bench.painted import demo, plan
 from bench.sitting_in import kept, seat_of, sit_in
-from probe.train.collating import IGNORED
-from probe.train.efficiency import reminded
-from probe.train.examples import example_of
-from probe.train.loading import collator_for
-from probe.train.replying import read_reply
-from probe.train.rows import trl_row
-from probe.train.serving import application
-from probe.train.showing import Shown
-from probe.train.speaking import Said, Speaker
-from probe.train.table import write_table
+from probe.train.choose.efficiency import reminded
+from probe.train.dataset.examples import example_of
+from probe.train.dataset.rows import trl_row
+from probe.train.dataset.showing import Shown
+from probe.train.dataset.table import write_table
+from probe.train.serve.replying import read_reply
+from probe.train.serve.serving import application
+from probe.train.serve.speaking import Said, Speaker
+from probe.train.tune.collating import IGNORED
+from probe.train.tune.loading import collator_for
 from small_models import small_dataset, small_model
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]

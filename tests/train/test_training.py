@@ -12,13 +12,13 @@ from importlib import import_module
 import pytest
 
 from probe.errors import BadData, MissingExtra, OutputFailed
-from probe.train import libraries
-from probe.train.diary import read_diary
-from probe.train.fine_tuning import train
-from probe.train.loading import NoModel, UnknownTemplate, load
-from probe.train.manifest import Manifest, write_manifest
-from probe.train.run_card import Run
-from probe.train.tuning import Tuning
+from probe.train.dataset.manifest import Manifest, write_manifest
+from probe.train.tune import libraries
+from probe.train.tune.diary import read_diary
+from probe.train.tune.fine_tuning import train
+from probe.train.tune.loading import NoModel, UnknownTemplate, load
+from probe.train.tune.run_card import Run
+from probe.train.tune.tuning import Tuning
 from small_models import small_dataset, small_model
 
 TUNING = Tuning(learning_rate=1e-3, global_batch=4, save_every=2)

@@ -16,12 +16,12 @@ from probe.cli.teachers import hands_of
 from probe.cli.teaching import Site
 from probe.errors import BadData
 from probe.tasks.task import QuestionKind
-from probe.train.aim import PAPER_COUNTS, Aim, Mode, in_proportion
-from probe.train.batches import Harvest
-from probe.train.collecting import Hands
-from probe.train.collecting import collect as collected
-from probe.train.making import FIRST_EPISODE
-from probe.train.settings import claim
+from probe.train.collect.aim import PAPER_COUNTS, Aim, Mode, in_proportion
+from probe.train.collect.batches import Harvest
+from probe.train.collect.collecting import Hands
+from probe.train.collect.collecting import collect as collected
+from probe.train.collect.making import FIRST_EPISODE
+from probe.train.collect.settings import claim
 
 _PAPER = dict(PAPER_COUNTS)
 

@@ -17,10 +17,10 @@ from probe.errors import BadData
 from probe.files import check_new
 from probe.scene.layout import PICTURE_PX
 from probe.tasks.suite import check_objects
-from probe.train.chosen import Chosen, read_selection
-from probe.train.drawing import Studio, draw, pictures_of
-from probe.train.examples import Example, example_of
-from probe.train.folder import Form, write_dataset
+from probe.train.choose.chosen import Chosen, read_selection
+from probe.train.dataset.drawing import Studio, draw, pictures_of
+from probe.train.dataset.examples import Example, example_of
+from probe.train.dataset.folder import Form, write_dataset
 
 _SMALLEST_PX = 32
 

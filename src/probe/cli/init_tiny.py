@@ -7,8 +7,8 @@ from typing import Annotated
 
 import tyro
 
-from probe.train.tiny import make_tiny
-from probe.train.tiny_parts import Shape
+from probe.train.tune.tiny import make_tiny
+from probe.train.tune.tiny_parts import Shape
 
 _USUAL = Shape()
 

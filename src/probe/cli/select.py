@@ -19,12 +19,12 @@ from probe.files import check_new
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite, packaged_suites
 from probe.tasks.task import QuestionKind
-from probe.train.chosen import SelectionDocument, write_selection
-from probe.train.efficiency import SLACK
-from probe.train.evaluation import evaluation_of
-from probe.train.gathering import candidates_of
-from probe.train.selection import BEYOND_SHARE, Recipe
-from probe.train.selection import select as selected
+from probe.train.choose.chosen import SelectionDocument, write_selection
+from probe.train.choose.efficiency import SLACK
+from probe.train.choose.evaluation import evaluation_of
+from probe.train.choose.gathering import candidates_of
+from probe.train.choose.selection import BEYOND_SHARE, Recipe
+from probe.train.choose.selection import select as selected
 
 _SHOWN = 5
 

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import tyro
 
-from probe.train.serving import reserved, serve
-from probe.train.speaking import Speaker
+from probe.train.serve.serving import reserved, serve
+from probe.train.serve.speaking import Speaker
 
 
 def serve_model(

@@ -18,10 +18,10 @@ from probe.report.darkroom import Darkroom
 from probe.runs.plan import Order
 from probe.runs.run import begun, work
 from probe.tasks.suite import Suite
-from probe.train.batches import TASKS
-from probe.train.collecting import Hands, Play
-from probe.train.making import Studio, make_tasks
-from probe.train.teacher import TEACHER, Classroom, teacher_for
+from probe.train.collect.batches import TASKS
+from probe.train.collect.collecting import Hands, Play
+from probe.train.collect.making import Studio, make_tasks
+from probe.train.collect.teacher import TEACHER, Classroom, teacher_for
 from probe.types import Shard
 
 _ROUNDS = 3

@@ -11,9 +11,9 @@ from probe.cli.surroundings import Pool, opener
 from probe.episodes.conditions import Conditions, LightKind
 from probe.episodes.luck import NoiseName
 from probe.episodes.seat import Points
-from probe.train.making import Training
-from probe.train.settings import Settings
-from probe.train.teacher import TEACHER
+from probe.train.collect.making import Training
+from probe.train.collect.settings import Settings
+from probe.train.collect.teacher import TEACHER
 
 
 @dataclass(frozen=True)

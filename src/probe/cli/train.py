@@ -8,8 +8,8 @@ from typing import Annotated
 import tyro
 
 from probe.tasks.task import QuestionKind
-from probe.train.fine_tuning import train as trained
-from probe.train.tuning import Tuning
+from probe.train.tune.fine_tuning import train as trained
+from probe.train.tune.tuning import Tuning
 
 _PAPER = Tuning()
 

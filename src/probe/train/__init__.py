@@ -1,1 +1,1 @@
-"""From a teacher's episodes to examples for a smaller model: collect, select, write down."""
+"""From a teacher's episodes to a smaller model: collect, choose, write down, tune, serve."""

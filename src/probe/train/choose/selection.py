@@ -1,0 +1,148 @@
+"""Which of a teacher's episodes to learn from, and why the others aren't. Pure."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import zip_longest
+
+from probe.errors import BadData
+from probe.scene.seeds import generator
+from probe.tasks.suite_file import digest_of
+from probe.train.choose.candidates import Candidate, Ways, usable_by_task
+from probe.train.choose.efficiency import SLACK, limits
+from probe.train.choose.evaluation import Evaluation, Refusal
+
+BEYOND_SHARE = "without tools, beyond --direct-share"
+"""Why an episode was left out that would be wanted, if its task had been solved with tools."""
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How to choose.
+
+    Attributes:
+        counts: Examples of each type at most; a type that isn't named gives all it has.
+        direct_share: Part of a type's examples that may be without tools.
+        slack: Manipulations over the type's median that are let pass.
+        seed: Chooses among equals.
+    """
+
+    counts: Mapping[str, int] = field(default_factory=dict[str, int])
+    direct_share: float = 0.5
+    slack: int = SLACK
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class Selection:
+    """What was chosen.
+
+    Attributes:
+        chosen: In order of type and task.
+        refused: Tasks that belong to evaluation.
+        dropped: How many episodes were left out, by reason.
+        limits: The most manipulations that were let pass, by type.
+    """
+
+    chosen: tuple[Candidate, ...]
+    refused: tuple[Refusal, ...]
+    dropped: Counter[str]
+    limits: Mapping[str, int]
+
+
+def select(candidates: Sequence[Candidate], evaluation: Evaluation, recipe: Recipe) -> Selection:
+    """Choose.
+
+    Raises:
+        BadData: A type was asked for of which nothing can be chosen.
+    """
+    dropped = Counter[str]()
+    allowed, refused = _allowed(candidates, evaluation)
+    dropped["of evaluation"] = len(candidates) - len(allowed)
+    agentic = [it for it in allowed if it.correct and not it.direct]
+    most = limits([(it.task.kind, it.record) for it in agentic], recipe.slack)
+    tasks = usable_by_task(allowed, most, dropped)
+    chosen = list[Candidate]()
+    for kind in sorted({*(ways[0].task.kind for ways in tasks), *recipe.counts}):
+        mine = [ways for ways in tasks if ways[0].task.kind == kind]
+        wanted = recipe.counts.get(kind, len(mine))
+        mixed, left = _mixed(mine, wanted, recipe)
+        picked = _balanced(mixed, wanted, recipe)
+        if recipe.counts.get(kind) and not picked:
+            raise _nothing(kind, recipe, without_tools=bool(mine))
+        if len(picked) < wanted:
+            dropped[BEYOND_SHARE] += sum(map(len, left))
+        chosen += picked
+    rest = sum(map(len, tasks)) - len(chosen) - dropped[BEYOND_SHARE]
+    dropped["another of its task, or more than wanted"] += rest
+    return Selection(tuple(chosen), tuple(refused), +dropped, most)
+
+
+def _allowed(
+    candidates: Sequence[Candidate], evaluation: Evaluation
+) -> tuple[list[Candidate], list[Refusal]]:
+    # By content: an id tells a task's type and seed alone.
+    verdicts: dict[str, Refusal | None] = {}
+    allowed = list[Candidate]()
+    for it in candidates:
+        digest = digest_of(it.task)
+        if digest not in verdicts:
+            verdicts[digest] = evaluation.refusal(it.task)
+        if verdicts[digest] is None:
+            allowed.append(it)
+    return allowed, [verdict for verdict in verdicts.values() if verdict is not None]
+
+
+def _nothing(kind: str, recipe: Recipe, *, without_tools: bool) -> BadData:
+    """What is told of a type that was asked for in vain: all of it is without tools, or none."""
+    reason = f"{recipe.counts[kind]} examples are wanted, but "
+    if without_tools:
+        reason += "it was solved without tools alone, and --direct-share "
+        reason += f"{recipe.direct_share:g} wants some with tools beside these"
+        remedy = "Say --direct-share 1, collect with --arms agentic"
+    else:
+        reason += "no episode of this type can be learnt from"
+        remedy = "Collect more"
+    return BadData(kind, reason, f"{remedy}, or say --counts {kind} 0")
+
+
+def _mixed(mine: Sequence[Ways], wanted: int, recipe: Recipe) -> tuple[list[Candidate], list[Ways]]:
+    """One episode a task, no more of them without tools than the recipe's share of all.
+
+    Where that is reached, a task is shown with tools if the teacher solved it like that as well;
+    those that weren't are left, and come second.
+    """
+    agentic = [ways[0] for ways in mine if not ways[0].direct]
+    direct = [ways for ways in mine if ways[0].direct]
+    direct.sort(key=lambda ways: _place(ways[0], recipe))
+    share = recipe.direct_share
+    most = wanted * share
+    if share < 1:
+        # What comes out may be less than is wanted.
+        most = min(most, share / (1 - share) * len(agentic))
+    taken = int(most + 1e-9)
+    mixed, left = [*agentic, *(ways[0] for ways in direct[:taken])], list[Ways]()
+    for ways in direct[taken:]:
+        other = next((way for way in ways if not way.direct), None)
+        if other is None:
+            left.append(ways)
+        else:
+            mixed.append(other)
+    return mixed, left
+
+
+def _balanced(mine: Sequence[Candidate], wanted: int, recipe: Recipe) -> list[Candidate]:
+    """So many, letters in turn as far as they are there; in order of tasks."""
+    by_letter: defaultdict[str, list[Candidate]] = defaultdict(list)
+    for it in sorted(mine, key=lambda it: _place(it, recipe)):
+        by_letter[it.task.answer].append(it)
+    turns = zip_longest(*(by_letter[letter] for letter in sorted(by_letter)))
+    in_turn = [it for turn in turns for it in turn if it is not None]
+    return sorted(in_turn[:wanted], key=lambda it: (it.task.seed, it.task.id))
+
+
+def _place(it: Candidate, recipe: Recipe) -> tuple[float, str]:
+    """Its place among equals, which depends on nothing but its task and the recipe's seed."""
+    return generator(recipe.seed, "select", it.task.id).random(), it.task.id

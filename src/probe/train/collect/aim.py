@@ -1,0 +1,147 @@
+"""How many episodes are wanted, and what the next batch should be. Arithmetic only."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import islice
+from typing import Literal
+
+from probe.certify.parts import Place
+from probe.errors import BadData
+from probe.tasks.task import QuestionKind
+from probe.train.collect.batches import Harvest, fresh_places
+from probe.types import Shard
+
+PAPER_COUNTS: Mapping[QuestionKind, int] = {
+    "count": 521,
+    "find": 800,
+    "compare": 785,
+    "size": 610,
+    "reduce": 231,
+    "beneath": 0,
+}
+"""Successful episodes of the paper's fine-tuning, by type; Beneath is held out."""
+
+
+def in_proportion(counts: Mapping[QuestionKind, int], total: int) -> dict[QuestionKind, int]:
+    """Counts of the same proportions that add up to a total; the largest remainders get the rest.
+
+    Raises:
+        BadData: There is nothing to share.
+    """
+    whole = sum(counts.values())
+    if not whole:
+        raise BadData("--counts", "asks for nothing", 'Say "--counts.find 20"')
+    shares: dict[QuestionKind, float] = {k: n * total / whole for k, n in counts.items()}
+    made: dict[QuestionKind, int] = {kind: int(share) for kind, share in shares.items()}
+    by_rest = sorted(shares, key=lambda kind: (made[kind] - shares[kind], kind))
+    for kind in by_rest[: total - sum(made.values())]:
+        made[kind] += 1
+    return made
+
+
+Mode = Literal["both", "direct", "agentic"]
+_MARGIN = 1.1
+
+
+@dataclass(frozen=True)
+class Aim:
+    """What is to be collected.
+
+    Attributes:
+        counts: Tasks that were answered rightly, by type, all shards together.
+        first: Number of the first episode.
+        shard: Which part of it.
+        mode: Which arms.
+        always: With both arms, use tools even where the first picture was enough.
+        direct_runs: Episodes of a task without tools.
+        batch: Tasks of a batch at most.
+        most_episodes: Budget of this shard; None for no end.
+        most_cost: Budget of this shard, US dollars; None for no end.
+    """
+
+    counts: Mapping[QuestionKind, int]
+    first: int
+    shard: Shard = Shard()
+    mode: Mode = "both"
+    always: bool = False
+    direct_runs: int = 1
+    batch: int = 48
+    most_episodes: int | None = None
+    most_cost: float | None = None
+
+    def wanted(self, kind: QuestionKind) -> int:
+        """This shard's part of a count."""
+        return len(range(self.shard.number, self.counts.get(kind, 0), self.shard.count))
+
+    @property
+    def total(self) -> int:
+        """Of all types."""
+        return sum(self.wanted(kind) for kind in self.counts)
+
+    @property
+    def episodes_a_task(self) -> int:
+        """At most."""
+        return {"both": self.direct_runs + 1, "direct": self.direct_runs, "agentic": 1}[self.mode]
+
+    def reached(self, so_far: Harvest) -> int:
+        """Successes that count; more of a type than wanted don't."""
+        return sum(min(so_far.successes[kind], self.wanted(kind)) for kind in self.counts)
+
+    def spent(self, so_far: Harvest) -> str | None:
+        """Which budget has no room for another task; None if there is room."""
+        if self._room(so_far) > 0:
+            return None
+        few = self.most_episodes is not None and self._by_episodes(so_far) <= 0
+        return "episodes" if few else "cost"
+
+    def next_places(self, so_far: Harvest) -> list[Place]:
+        """What to make next: as much as is lacking by the success rates so far, within a batch."""
+        needs = {kind: self._need(kind, so_far) for kind in self.counts}
+        most, total = min(self.batch, self._room(so_far)), sum(needs.values())
+        if total > most:
+            # Every type that lacks some gets its part, from the largest need on.
+            needs = {kind: math.ceil(need * most / total) for kind, need in needs.items()}
+        places = list[Place]()
+        for kind in sorted(self.counts, key=lambda kind: -needs[kind]):
+            fresh = fresh_places(kind, self.first, self.shard, so_far.last.get(kind))
+            places += islice(fresh, needs[kind])
+        return places[:most]
+
+    def _need(self, kind: QuestionKind, so_far: Harvest) -> int:
+        lacking = self.wanted(kind) - so_far.successes[kind]
+        rate = (so_far.successes[kind] + 1) / (so_far.tasks[kind] + 2)
+        return math.ceil(_MARGIN * lacking / rate) if lacking > 0 else 0
+
+    def _room(self, so_far: Harvest) -> int:
+        """Tasks that the budgets still allow."""
+        room = self.batch
+        if self.most_episodes is not None:
+            room = min(room, self._by_episodes(so_far))
+        if self.most_cost is not None:
+            room = min(room, self._by_cost(so_far))
+        return room
+
+    def _by_episodes(self, so_far: Harvest) -> int:
+        assert self.most_episodes is not None
+        return (self.most_episodes - so_far.episodes) // self.episodes_a_task
+
+    def _by_cost(self, so_far: Harvest) -> int:
+        """By what episodes have cost so far; a first batch is small.
+
+        Episodes whose cost isn't known are taken to cost as much as others; if none is known,
+        nothing more may be spent.
+        """
+        assert self.most_cost is not None
+        tasks, priced = sum(so_far.tasks.values()), so_far.episodes - so_far.unpriced
+        if not tasks:
+            return len(self.counts)
+        if not priced:
+            return 0
+        cost = so_far.cost * so_far.episodes / priced
+        left, each = self.most_cost - cost, cost / tasks
+        if left <= 0:
+            return 0
+        return self.batch if each == 0 else int(left / each)

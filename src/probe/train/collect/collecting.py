@@ -1,0 +1,166 @@
+"""Collects a teacher's episodes until enough have succeeded or a budget is spent.
+
+Everything is on disk after each step: who comes back goes on where it stopped. Knows no model: who
+plays is an argument.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from probe.assets.library import Library
+from probe.certify.build import assemble
+from probe.certify.parts import Parts, Place
+from probe.chat.prompts import Arm
+from probe.episodes.folder import SUITE
+from probe.episodes.record import EpisodeRecord
+from probe.errors import Unsatisfiable
+from probe.report.darkroom import Darkroom
+from probe.tasks.suite import Suite, check_objects, selection
+from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.task import Task
+from probe.train.collect.aim import Aim
+from probe.train.collect.batches import TASKS, Batch, Grade, Harvest, batches, harvest, new_batch
+
+
+class Play(Protocol):
+    """Lets the teacher work on a suite in an arm; what is done already isn't done again."""
+
+    def __call__(self, suite: Suite, arm: Arm, runs: int, out: Path) -> Iterable[str]:
+        """Yields what became of each episode, in words."""
+        ...
+
+
+Make = Callable[[Sequence[Place]], Iterable[tuple[Place, str | None]]]
+"""Makes tasks into the folder's parts; yields each place with what went wrong, if it did."""
+
+
+@dataclass(frozen=True)
+class Hands:
+    """Who does the work.
+
+    Attributes:
+        make: Makes tasks.
+        play: Plays them.
+        library: The objects.
+        darkroom: Where answers that point at something are graded.
+    """
+
+    make: Make
+    play: Play
+    library: Library
+    darkroom: Callable[[Suite], Darkroom]
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far it is.
+
+    Attributes:
+        so_far: What whole batches have brought.
+        doing: What was done last, in words.
+    """
+
+    so_far: Harvest
+    doing: str
+
+
+def collect(out: Path, aim: Aim, hands: Hands) -> Generator[Progress]:
+    """Collect into a folder; yields after each step.
+
+    Raises:
+        Unsatisfiable: No task of a batch could be made.
+        BadData: What is there already can't be read.
+        OutputFailed: It can't be written.
+    """
+    for batch in batches(out, aim.shard):
+        if not batch.whole:
+            suite = read_suite(batch.folder / SUITE)
+            check_objects(suite, hands.library)
+            for doing in _played(batch, suite, aim, hands):
+                yield Progress(harvest(batches(out, aim.shard)), doing)
+    so_far = harvest(batches(out, aim.shard))
+    yield Progress(so_far, "begun")
+    while aim.reached(so_far) < aim.total and aim.spent(so_far) is None:
+        for doing in _new(out, aim, hands, so_far):
+            yield Progress(so_far, doing)
+        so_far = harvest(batches(out, aim.shard))
+        yield Progress(so_far, "a batch is done")
+
+
+def _new(out: Path, aim: Aim, hands: Hands, so_far: Harvest) -> Generator[str]:
+    """Make and play one more batch."""
+    wanted, failures, made = aim.next_places(so_far), list[str](), list[Place]()
+    for place, failure in hands.make(wanted):
+        if failure is None:
+            made.append(place)
+        else:
+            failures.append(failure)
+        yield f"{len(made)} of {len(wanted)} tasks made"
+    if not made:
+        raise Unsatisfiable(f"None of {len(wanted)} tasks could be made. {failures[0]}")
+    batch, parts = new_batch(out, aim.shard), Parts(out / TASKS)
+    # In the order in which they were wanted: which worker was first mustn't matter.
+    assemble(batch.folder / SUITE, parts, sorted(made), hands.library)
+    suite = read_suite(batch.folder / SUITE)
+    yield from _played(batch, suite, aim, hands)
+
+
+def _played(batch: Batch, suite: Suite, aim: Aim, hands: Hands) -> Generator[str]:
+    """Play what a batch lacks and grade it."""
+    grades = list[Grade]()
+    with hands.darkroom(suite) as darkroom:
+        rest = suite
+        if aim.mode != "agentic":
+            yield from hands.play(suite, "direct", aim.direct_runs, batch.arm("direct"))
+            grades += graded(batch, "direct", aim.direct_runs, darkroom)
+            rest = suite if aim.always else _without(suite, grades)
+        if aim.mode != "direct" and rest.tasks:
+            write_suite(batch.arm("agentic") / SUITE, rest)
+            yield from hands.play(rest, "agentic", 1, batch.arm("agentic"))
+            grades += graded(batch, "agentic", 1, darkroom)
+    batch.keep(grades)
+
+
+def graded(batch: Batch, arm: Arm, runs: int, darkroom: Darkroom) -> list[Grade]:
+    """What came of each run of an arm's tasks, also of those that left no record.
+
+    Raises:
+        BadData: The suite or a record can't be read.
+    """
+    suite = read_suite(batch.arm(arm) / SUITE)
+    found = batch.records(arm, suite)
+    return [
+        _grade(task, arm, run, found.get((task.id, run)), darkroom)
+        for task in suite.tasks
+        for run in range(runs)
+    ]
+
+
+def _grade(
+    task: Task, arm: Arm, run: int, record: EpisodeRecord | None, darkroom: Darkroom
+) -> Grade:
+    score = darkroom.score(task, record) if record and record.end != "fault" else None
+    fault = record.fault if record else "no record was left"
+    return Grade(
+        task=task.id,
+        kind=task.kind,
+        seed=task.seed,
+        arm=arm,
+        run=run,
+        correct=score and score.correct,
+        outcome=score.outcome if score else fault or "fault",
+        manipulations=record.manipulations if record else 0,
+        cost=record.seat.cost if record and record.seat else None,
+    )
+
+
+def _without(suite: Suite, grades: Sequence[Grade]) -> Suite:
+    """The tasks that weren't right each time."""
+    wrong = {grade.task for grade in grades if not grade.correct}
+    known = {grade.task for grade in grades}
+    left = tuple(task for task in suite.tasks if task.id in wrong or task.id not in known)
+    return selection(suite, left, suite.name)

@@ -1,0 +1,73 @@
+"""The page that comes with a data set: how many, of what, under which licences."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from importlib.resources import files
+
+from probe.assets.spec import ObjectSpec
+from probe.scene.layout import PICTURE_PX
+from probe.train.choose.chosen import Chosen
+from probe.train.dataset.manifest import Manifest
+
+_PLACES = {"pixels": "in pixels of a picture 1024 wide and high", "0-1000": "in thousandths"}
+
+
+def card(name: str, manifest: Manifest, chosen: Chosen, specs: Mapping[str, ObjectSpec]) -> str:
+    """The page, as Markdown.
+
+    Args:
+        name: Of the data set.
+        manifest: What it holds.
+        chosen: What it was made of.
+        specs: What the catalogue says of the objects that are shown, by id.
+    """
+    words = (files("probe.train") / "data/card.md").read_text("utf-8")
+    if not any(file.startswith("images/") for file in manifest.files):
+        words = _without(words, ("| `llamafactory/`", "| `vila/`", "| `images/`"))
+    document = chosen.document
+    side = manifest.side_px
+    return words.format(
+        name=name,
+        total=manifest.total,
+        counts=_counts(manifest.examples),
+        pictures=f"{manifest.pictures:,}",
+        side=side,
+        shrunk="" if side == PICTURE_PX else f", made smaller from {PICTURE_PX} x {PICTURE_PX}",
+        points=_PLACES[manifest.points],
+        teachers=", ".join(sorted({record.agent for _, record in chosen.episodes})),
+        sources=", ".join(document.sources),
+        suites=", ".join(document.suites),
+        refused=len(document.refused),
+        limits=", ".join(f"{kind} {most}" for kind, most in sorted(document.limits.items())),
+        licences=_licences(_shown(chosen), specs),
+    )
+
+
+def _without(words: str, starts: tuple[str, ...]) -> str:
+    lines = words.splitlines(keepends=True)
+    return "".join(line for line in lines if not line.startswith(starts))
+
+
+def _counts(examples: Mapping[str, Mapping[str, int]]) -> str:
+    rows = [
+        f"| {kind} | {arms.get('agentic', 0)} | {arms.get('direct', 0)} |"
+        for kind, arms in sorted(examples.items())
+    ]
+    return "\n".join(rows)
+
+
+def _shown(chosen: Chosen) -> set[str]:
+    return {it.object_id for task in chosen.suite.tasks for it in task.scene.objects}
+
+
+def _licences(shown: Iterable[str], specs: Mapping[str, ObjectSpec]) -> str:
+    by_source: defaultdict[tuple[str, str], int] = defaultdict(int)
+    for id in shown:
+        by_source[specs[id].licence, specs[id].source] += 1
+    rows: Sequence[str] = [
+        f"| {licence} | {source} | {count} |"
+        for (licence, source), count in sorted(by_source.items())
+    ]
+    return "\n".join(["| licence | source | objects |", "|---|---|---|", *rows])

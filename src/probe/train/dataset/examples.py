@@ -1,0 +1,125 @@
+"""One episode as an example to learn from: the messages that a model saw and should have said.
+
+The one function of chat tells them, for asking and for training.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from probe.chat.coordinates import told
+from probe.chat.messages import PLAIN, Message, messages
+from probe.chat.prompts import arm_named
+from probe.chat.tools import as_sent
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.seat import Points, Reply
+from probe.errors import BadData
+from probe.tasks.suite_file import CANARY
+from probe.tasks.task import Task
+from probe.train.dataset.showing import Shown
+
+
+class Canary(BadData):
+    """A text of an evaluation suite's file is in an example."""
+
+
+@dataclass(frozen=True)
+class Example:
+    """One conversation.
+
+    Attributes:
+        id: Of the task and of who acted in which run.
+        kind, arm: Type of the question, and how it was answered.
+        letter: The right answer.
+        messages: From the rules to the last reply; nothing follows that.
+        tools: What may be called, as servers get it; JSON, empty without tools.
+    """
+
+    id: str
+    kind: str
+    arm: str
+    letter: str
+    messages: tuple[Message, ...]
+    tools: str
+
+    @property
+    def pictures(self) -> tuple[bytes, ...]:
+        """All that are shown, in order."""
+        return tuple(
+            picture
+            for message in self.messages
+            for picture in message.pictures
+            if isinstance(picture, bytes)
+        )
+
+
+def example_of(
+    task: Task, record: EpisodeRecord, shown: Shown, points: Points | None = None
+) -> Example:
+    """An episode as an example.
+
+    Args:
+        task: What it was about.
+        record: What happened.
+        shown: Its pictures.
+        points: How places are counted; by default as the teacher did.
+
+    Raises:
+        BadData: The teacher counted places in another way, in which they can't be told.
+        Canary: A suite's canary is in a text.
+    """
+    record = _retold(record, points)
+    assert record.seat is not None
+    arm = arm_named(record.seat.arm)
+    conversation = _until_last_reply(messages(record, shown.first, shown.later))
+    tools = json.dumps(as_sent(record.seat.points)) if arm == "agentic" else ""
+    made = Example(
+        id=f"{task.id}-{record.agent}-{arm}-{record.run}".replace("/", "-"),
+        kind=task.kind,
+        arm=arm,
+        letter=task.answer,
+        messages=tuple(conversation),
+        tools=tools,
+    )
+    _check_canary(made)
+    return made
+
+
+def _retold(record: EpisodeRecord, points: Points | None) -> EpisodeRecord:
+    """What the teacher said, told in the way in which a student counts places."""
+    seat = record.seat or replace(PLAIN, replies=tuple(Reply(1) for _ in record.steps))
+    if points is None or points == seat.points:
+        return replace(record, seat=seat)
+    if seat.points != "pixels":
+        reason = f"the teacher counted places {seat.points}, and wrote them down so"
+        remedy = f"Say --points {seat.points}, or collect with --points {points}"
+        raise BadData(record.task, reason, remedy)
+    replies = tuple(Reply(it.calls, told(it.words, points)) for it in seat.replies)
+    steps = tuple(
+        replace(step, call=replace(step.call, words=told(step.call.words, points)))
+        for step in record.steps
+    )
+    return replace(record, seat=replace(seat, points=points, replies=replies), steps=steps)
+
+
+def _until_last_reply(conversation: Sequence[Message]) -> list[Message]:
+    """Without what followed the last reply: no model is asked for anything after it."""
+    last = max(n for n, message in enumerate(conversation) if message.role == "assistant")
+    return list(conversation[: last + 1])
+
+
+def _check_canary(example: Example) -> None:
+    texts = [message.text for message in example.messages]
+    texts += [call.arguments for message in example.messages for _, call in message.calls]
+    if any(CANARY in text or CANARY.split()[-1] in text for text in texts):
+        remedy = "Leave this episode out: it shows a suite's file"
+        raise Canary(example.id, "the canary of the suites is in it", remedy)
+
+
+def call_arguments(arguments: str) -> dict[str, Any]:
+    """A call's arguments as values; messages() gives none that aren't an object."""
+    values: dict[str, Any] = json.loads(arguments)
+    return values

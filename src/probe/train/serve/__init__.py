@@ -1,0 +1,1 @@
+"""A trained model behind OpenAI's protocol, where vLLM can't run."""

@@ -1,0 +1,157 @@
+"""A model behind OpenAI's protocol, for machines on which vLLM can't run. One reply at a time."""
+
+from __future__ import annotations
+
+import json
+import socket
+import time
+import uuid
+from collections.abc import Generator
+from contextlib import contextmanager, suppress
+from importlib import import_module
+from typing import Any, cast
+
+from probe.errors import BadData, MissingExtra, ProbeError
+from probe.train.serve.speaking import Said, Speaker
+from probe.train.tune.conversations import NotUnderstood
+
+_LOOPBACK = "127.0.0.1"
+
+
+class NotServed(ProbeError):
+    """A request is for another model."""
+
+    def __init__(self, asked: object, called: str) -> None:
+        super().__init__(f"There is no model {asked!r} here; this is {called!r}.")
+
+
+def application(speaker: Speaker, called: str) -> Any:
+    """The server, for uvicorn.
+
+    Args:
+        speaker: Who replies.
+        called: The model's name.
+
+    Raises:
+        MissingExtra: Starlette isn't installed.
+    """
+    parts = _web("starlette.applications"), _web("starlette.routing"), _web("starlette.responses")
+    web, routing, responses = parts
+    threads = _web("starlette.concurrency")
+
+    async def complete(request: Any) -> Any:
+        try:
+            body = _body(await request.body(), called)
+            said = await threads.run_in_threadpool(speaker.reply, body)
+        except NotServed as error:
+            return responses.JSONResponse(_refusal(error, "model_not_found"), status_code=404)
+        except ProbeError as error:
+            return responses.JSONResponse(_refusal(error, None), status_code=400)
+        return responses.JSONResponse(completion(said, called))
+
+    async def models(request: Any) -> Any:
+        listed = [{"id": called, "object": "model", "created": 0, "owned_by": "local"}]
+        return responses.JSONResponse({"object": "list", "data": listed})
+
+    return web.Starlette(
+        routes=[
+            routing.Route("/v1/chat/completions", complete, methods=["POST"]),
+            routing.Route("/v1/models", models),
+        ]
+    )
+
+
+@contextmanager
+def reserved(port: int) -> Generator[socket.socket]:
+    """A port of this machine at which nobody listens; whoever connects now is refused.
+
+    Raises:
+        BadData: It is taken, or there is none such.
+    """
+    with socket.socket() as held:
+        held.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            held.bind((_LOOPBACK, port))
+        except (OSError, OverflowError) as error:
+            raise _taken(port, error) from error
+        yield held
+
+
+def serve(speaker: Speaker, called: str, held: socket.socket) -> None:
+    """Serve on this machine alone until it is stopped.
+
+    Args:
+        speaker: Who replies.
+        called: The model's name.
+        held: The port, reserved.
+
+    Raises:
+        BadData: Somebody else was faster to listen there.
+        MissingExtra: uvicorn isn't installed.
+    """
+    web = _web("uvicorn")
+    config = web.Config(application(speaker, called), log_level="warning")
+    try:
+        held.listen()
+    except OSError as error:
+        raise _taken(held.getsockname()[1], error) from error
+    with suppress(KeyboardInterrupt):
+        web.Server(config).run(sockets=[held])
+
+
+def completion(said: Said, called: str) -> dict[str, Any]:
+    """A reply as the protocol has it."""
+    message: dict[str, Any] = {"role": "assistant", "content": said.reply.words or None}
+    if said.reply.calls:
+        message["tool_calls"] = [
+            {
+                "id": f"call_{uuid.uuid4().hex[:16]}",
+                "type": "function",
+                "function": {"name": name, "arguments": arguments},
+            }
+            for name, arguments in said.reply.calls
+        ]
+    ending = "tool_calls" if said.reply.calls else "length" if said.cut else "stop"
+    return {
+        "id": f"chatcmpl-{uuid.uuid4().hex}",
+        "object": "chat.completion",
+        "created": int(time.time()),
+        "model": called,
+        "choices": [{"index": 0, "message": message, "finish_reason": ending}],
+        "usage": {
+            "prompt_tokens": said.tokens_in,
+            "completion_tokens": said.tokens_out,
+            "total_tokens": said.tokens_in + said.tokens_out,
+        },
+    }
+
+
+def _taken(port: int, error: Exception) -> BadData:
+    reason = getattr(error, "strerror", None) or str(error)
+    return BadData("--port", f"{port} can't be used ({reason})", "Choose another")
+
+
+def _refusal(error: ProbeError, code: str | None) -> dict[str, Any]:
+    """An error as the protocol has it."""
+    about = {"type": "invalid_request_error", "param": "model" if code else None, "code": code}
+    return {"error": {"message": str(error), **about}}
+
+
+def _body(content: bytes, called: str) -> dict[str, Any]:
+    try:
+        body: Any = json.loads(content)
+    except ValueError as error:
+        raise NotUnderstood("it is no JSON") from error
+    if not isinstance(body, dict) or "messages" not in body:
+        raise NotUnderstood("it has no messages")
+    asked = cast("dict[str, Any]", body)
+    if asked.get("model", called) != called:
+        raise NotServed(asked["model"], called)
+    return asked
+
+
+def _web(name: str) -> Any:
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise MissingExtra("A server of a model", "train") from error

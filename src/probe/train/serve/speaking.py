@@ -1,0 +1,80 @@
+"""A trained model that replies to conversations. Knows no protocol but the form of messages."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from threading import Lock
+from typing import Any
+
+from probe.train.serve.replying import Reply, read_reply
+from probe.train.tune import libraries
+from probe.train.tune.collating import encoded
+from probe.train.tune.conversations import of_request
+from probe.train.tune.loading import load
+
+MOST_WORDS = 512
+"""Tokens of a reply, if a request doesn't say."""
+
+
+@dataclass(frozen=True)
+class Said:
+    """A reply and what it took.
+
+    Attributes:
+        reply: In words and calls.
+        tokens_in, tokens_out: Of the request and of the reply.
+        cut: The reply was cut off.
+    """
+
+    reply: Reply
+    tokens_in: int
+    tokens_out: int
+    cut: bool
+
+
+class Speaker:
+    """A model in memory; one reply at a time.
+
+    Args:
+        model: Its folder, or a name at Hugging Face.
+
+    Raises:
+        MissingExtra: A library isn't installed.
+        NoModel: It can't be loaded.
+    """
+
+    def __init__(self, model: str) -> None:
+        torch = libraries.torch()
+        loaded, self._processor = load(model)
+        self._model = loaded.to("cuda" if torch.cuda.is_available() else "cpu").eval()
+        self._lock = Lock()
+
+    def asked(self, body: Mapping[str, Any]) -> Any:
+        """Tokens and pictures that a request gives the model.
+
+        Raises:
+            NotUnderstood: It isn't in OpenAI's form.
+        """
+        tools: Sequence[Mapping[str, Any]] | None = body.get("tools") or None
+        return encoded(self._processor, of_request(body["messages"]), tools, asking=True)
+
+    def reply(self, body: Mapping[str, Any]) -> Said:
+        """Reply to a request; without a temperature the likeliest words.
+
+        Raises:
+            NotUnderstood: It isn't in OpenAI's form.
+        """
+        asked = self.asked(body).to(self._model.device)
+        most = int(body.get("max_completion_tokens") or body.get("max_tokens") or MOST_WORDS)
+        warmth = float(body.get("temperature") or 0.0)
+        how = {"do_sample": True, "temperature": warmth} if warmth > 0 else {"do_sample": False}
+        with self._lock, libraries.torch().inference_mode():
+            made = self._model.generate(**asked, max_new_tokens=most, **how)
+        start = asked["input_ids"].shape[1]
+        fresh = made[0, start:]
+        tokenizer = self._processor.tokenizer
+        ended = tokenizer.eos_token_id in fresh.tolist()
+        # Tags of calls are no special tokens of Qwen's tokenizer, and stay.
+        text = tokenizer.decode(fresh, skip_special_tokens=True)
+        return Said(read_reply(text), start, len(fresh), cut=not ended)

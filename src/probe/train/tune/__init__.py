@@ -1,0 +1,1 @@
+"""A model from a data set: loaded or made from nothing, trained with TRL, its diary and card."""

@@ -1,0 +1,87 @@
+"""Rows of a data set as a batch of tokens and pictures, with labels on the assistant's turns.
+
+TRL's own collator leaves out the tools. Each row is encoded alone: rows have other tools or none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from probe.train.tune.conversations import Conversation, of_row, tools_of_row
+from probe.train.tune.libraries import torch
+
+IGNORED = -100
+"""Label of a token on which no loss is taken."""
+
+
+def encoded(
+    processor: Any,
+    conversation: Conversation,
+    tools: Sequence[Mapping[str, Any]] | None,
+    *,
+    template: str | None = None,
+    asking: bool = False,
+) -> Any:
+    """Tokens and pictures of one conversation, for training and for serving.
+
+    Args:
+        processor: Of the model.
+        conversation: What was said.
+        tools: What may be called.
+        template: Another than the processor's; one that marks the assistant's turns makes masks.
+        asking: Whether a reply is to follow.
+    """
+    return processor.apply_chat_template(
+        conversation,
+        tools=tools,
+        chat_template=template,
+        tokenize=True,
+        return_dict=True,
+        return_tensors="pt",
+        return_assistant_tokens_mask=template is not None,
+        add_generation_prompt=asking,
+        processor_kwargs={"add_special_tokens": False},
+    )
+
+
+class Collator:
+    """Makes batches.
+
+    Args:
+        processor: Of the model.
+        template: One that marks the assistant's turns.
+    """
+
+    def __init__(self, processor: Any, template: str) -> None:
+        self._processor = processor
+        self._template = template
+
+    def __call__(self, rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+        """The batch of some rows."""
+        return _joined([self._one(row) for row in rows], self._processor.tokenizer.pad_token_id)
+
+    def _one(self, row: Mapping[str, Any]) -> dict[str, Any]:
+        tools = tools_of_row(row)
+        made = dict(encoded(self._processor, of_row(row), tools, template=self._template))
+        mask = torch().as_tensor(made.pop("assistant_masks"))
+        made["labels"] = made["input_ids"].masked_fill(mask.reshape(1, -1) == 0, IGNORED)
+        return made
+
+
+def _joined(made: Sequence[dict[str, Any]], pad: int) -> dict[str, Any]:
+    """One batch: what goes with tokens is filled up on the right, the rest is appended."""
+    longest = max(each["input_ids"].shape[1] for each in made)
+    filler = {"input_ids": pad, "labels": IGNORED}
+    batch: dict[str, Any] = {}
+    for name in made[0]:
+        parts = [each[name] for each in made]
+        if parts[0].shape == made[0]["input_ids"].shape:
+            parts = [_filled(part, longest, filler.get(name, 0)) for part in parts]
+        batch[name] = torch().cat(parts)
+    return batch
+
+
+def _filled(part: Any, longest: int, filler: int) -> Any:
+    missing = longest - part.shape[1]
+    return torch().nn.functional.pad(part, (0, missing), value=filler)

@@ -1,0 +1,115 @@
+"""The card of a training: what was trained on what, with which libraries, and how the loss went."""
+
+from __future__ import annotations
+
+import json
+import platform
+from collections.abc import Sequence
+from importlib.metadata import version
+from importlib.resources import files
+from pathlib import Path
+from typing import Literal
+
+import pydantic
+
+from probe.files import write_text
+from probe.train.dataset.manifest import Manifest
+from probe.train.tune import libraries
+from probe.train.tune.diary import Entry, read_diary, seconds_of
+from probe.train.tune.started import Begun
+
+RUN, CARD = "run.json", "README.md"
+_LINES = 12
+"""Of the loss in the card; all of it is in the diary."""
+
+
+class Run(pydantic.BaseModel, extra="forbid", frozen=True):
+    """A training that is over.
+
+    Attributes:
+        begun: What it was begun with.
+        examples: By type and arm.
+        versions: Of libraries, ours included.
+        hardware: What it ran on, in words.
+        weights: Type of the numbers that were trained, such as "float32".
+        steps: How many.
+        seconds: Of all sessions together, from their first step's log on.
+        first_loss, last_loss: Means over a tenth of the steps.
+    """
+
+    version: Literal[1] = 1
+    begun: Begun
+    examples: dict[str, dict[str, int]]
+    versions: dict[str, str]
+    hardware: str
+    weights: str
+    steps: int
+    seconds: float
+    first_loss: float
+    last_loss: float
+
+
+def write_card(out: Path, begun: Begun, manifest: Manifest, weights: str) -> Run:
+    """Write run.json and README.md into a training's folder.
+
+    Args:
+        out: The folder.
+        begun: What it was begun with.
+        manifest: The data set's.
+        weights: Type of the numbers that were trained.
+
+    Raises:
+        OutputFailed: They can't be written.
+    """
+    diary = read_diary(out)
+    tenth = max(1, len(diary) // 10)
+    run = Run(
+        begun=begun,
+        examples=manifest.examples,
+        versions={"probe-vqa": version("probe-vqa"), **libraries.versions()},
+        hardware=hardware(),
+        weights=weights,
+        steps=len(diary),
+        seconds=round(seconds_of(out), 1),
+        first_loss=round(_mean(diary[:tenth]), 4),
+        last_loss=round(_mean(diary[-tenth:]), 4),
+    )
+    write_text(out / RUN, run.model_dump_json(indent=1) + "\n")
+    write_text(out / CARD, _page(run, manifest, diary))
+    return run
+
+
+def hardware() -> str:
+    """What this machine computes with."""
+    torch = libraries.torch()
+    if torch.cuda.is_available():
+        return f"{torch.cuda.device_count()} x {torch.cuda.get_device_name(0)}"
+    threads = f"{torch.get_num_threads()} threads"
+    return f"{platform.machine()}, {threads}, no GPU"
+
+
+def _page(run: Run, manifest: Manifest, diary: Sequence[Entry]) -> str:
+    words = (files("probe.train") / "data/run_card.md").read_text("utf-8")
+    step = max(1, len(diary) // _LINES)
+    shown = [entry for n, entry in enumerate(diary, 1) if n % step == 0 or n in (1, len(diary))]
+    return words.format(
+        model=run.begun.model,
+        dataset=run.begun.dataset,
+        mark=run.begun.dataset_sha256,
+        total=manifest.total,
+        counts="\n".join(
+            f"| {kind} | {arms.get('agentic', 0)} | {arms.get('direct', 0)} |"
+            for kind, arms in sorted(run.examples.items())
+        ),
+        settings=json.dumps(run.begun.tuning, indent=1),
+        versions=", ".join(f"{name} {number}" for name, number in run.versions.items()),
+        hardware=run.hardware,
+        weights=run.weights,
+        steps=run.steps,
+        minutes=f"{run.seconds / 60:.1f}",
+        loss="\n".join(f"| {it.step} | {it.loss:.4f} | {it.learning_rate:.2e} |" for it in shown),
+    )
+
+
+def _mean(diary: Sequence[Entry]) -> float:
+    return sum(it.loss for it in diary) / len(diary) if diary else float("nan")

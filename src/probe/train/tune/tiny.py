@@ -1,0 +1,56 @@
+"""A vision-language model from nothing: Qwen3-VL's architecture, very small, untrained.
+
+To see that a recipe works without downloading anything. It knows no language and no pictures.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from probe.chat.prompts import reminder, system_prompt
+from probe.files import check_new, whole_folder
+from probe.train.dataset.manifest import check_dataset
+from probe.train.tune import libraries
+from probe.train.tune.tiny_parts import Shape, processor_for, untrained
+
+
+def make_tiny(dataset: Path, out: Path, shape: Shape) -> int:
+    """Write an untrained model with a tokenizer that was trained on a data set's texts.
+
+    Args:
+        dataset: That `probe dataset` wrote.
+        out: A new folder.
+        shape: How small.
+
+    Returns:
+        How many weights it has.
+
+    Raises:
+        BadData: The data set is broken, or the folder is there already.
+        MissingExtra: A library isn't installed.
+        OutputFailed: It can't be written.
+    """
+    check_dataset(dataset)
+    check_new(out)
+    processor = processor_for(_texts(dataset), shape)
+    model = untrained(processor, shape)
+    with whole_folder(out) as growing:
+        model.save_pretrained(str(growing))
+        processor.save_pretrained(str(growing))
+    return sum(weights.numel() for weights in model.parameters())
+
+
+def _texts(dataset: Path) -> Iterator[str]:
+    """All words of a data set, and what else a model may be told."""
+    data = libraries.part("datasets")
+    for path in sorted((dataset / "data").glob("*.parquet")):
+        columns = data.Dataset.from_parquet(str(path)).select_columns(["messages", "tools"])
+        for row in columns:
+            yield row["tools"]
+            for message in row["messages"]:
+                yield from (part["text"] or "" for part in message["content"])
+                yield from (call["function"]["arguments"] for call in message["tool_calls"] or ())
+    for arm in ("agentic", "direct", "blind", "oracle-view"):
+        yield system_prompt(arm, "0-1000")
+        yield reminder(arm)

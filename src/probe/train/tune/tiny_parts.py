@@ -1,0 +1,137 @@
+"""What a very small model is made of: tokenizer, processor, weights by chance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from probe.train.tune import libraries
+
+_SPECIAL = (
+    "<|endoftext|>", "<|im_start|>", "<|im_end|>", "<|vision_start|>", "<|vision_end|>",
+    "<|image_pad|>", "<|video_pad|>", "<tool_call>", "</tool_call>", "<tool_response>",
+    "</tool_response>",
+)  # fmt: skip
+"""Tokens that Qwen's template and processor name; the last four aren't special to a decoder."""
+
+_UNSPECIAL = 4
+
+
+@dataclass(frozen=True)
+class Shape:
+    """How small it is.
+
+    Attributes:
+        width: Of the language model.
+        layers: Of it.
+        heads: Of its attention.
+        words: Tokens of its own tokenizer.
+        vision_width, vision_layers: Of the part that sees.
+        side_px: To which pictures are made smaller; 32 pixels are a token's side.
+        seed: Of the weights.
+    """
+
+    width: int = 192
+    layers: int = 4
+    heads: int = 4
+    words: int = 3000
+    vision_width: int = 96
+    vision_layers: int = 3
+    side_px: int = 128
+    seed: int = 0
+
+
+def _tokenizer(texts: Iterator[str], words: int) -> Any:
+    parts = libraries.part("tokenizers")
+    made = parts.Tokenizer(parts.models.BPE())
+    # As Qwen's: digits one by one.
+    made.pre_tokenizer = parts.pre_tokenizers.Sequence(
+        [
+            parts.pre_tokenizers.Digits(individual_digits=True),
+            parts.pre_tokenizers.ByteLevel(add_prefix_space=False),
+        ]
+    )
+    made.decoder = parts.decoders.ByteLevel()
+    trainer = parts.trainers.BpeTrainer(
+        vocab_size=words,
+        initial_alphabet=parts.pre_tokenizers.ByteLevel.alphabet(),
+        special_tokens=list(_SPECIAL[:-_UNSPECIAL]),
+        show_progress=False,
+    )
+    made.train_from_iterator(texts, trainer)
+    made.add_tokens(list(_SPECIAL[-_UNSPECIAL:]))
+    return libraries.transformers().PreTrainedTokenizerFast(
+        tokenizer_object=made,
+        eos_token="<|im_end|>",
+        pad_token="<|endoftext|>",
+        additional_special_tokens=list(_SPECIAL[1:-_UNSPECIAL]),
+    )
+
+
+def processor_for(texts: Iterator[str], shape: Shape) -> Any:
+    """A processor of Qwen3-VL's kind with a tokenizer of its own.
+
+    Args:
+        texts: That the tokenizer is trained on.
+        shape: How small pictures are made.
+    """
+    tokenizer = _tokenizer(texts, shape.words)
+    transformers = libraries.transformers()
+    pixels = shape.side_px**2
+    template = Path(str(files(libraries.trl()) / "chat_templates/qwen3_vl.jinja")).read_text()
+    pictures = transformers.Qwen2VLImageProcessor(
+        patch_size=16, merge_size=2, min_pixels=32 * 32, max_pixels=pixels
+    )
+    videos = transformers.Qwen3VLVideoProcessor(patch_size=16, merge_size=2)
+    return transformers.Qwen3VLProcessor(pictures, tokenizer, videos, chat_template=template)
+
+
+def untrained(processor: Any, shape: Shape) -> Any:
+    """A model of Qwen3-VL's architecture with weights by chance."""
+    transformers = libraries.transformers()
+    libraries.torch().manual_seed(shape.seed)
+    word = processor.tokenizer.convert_tokens_to_ids
+    head = shape.width // shape.heads
+    config = transformers.Qwen3VLConfig(
+        text_config={
+            "vocab_size": len(processor.tokenizer),
+            "hidden_size": shape.width,
+            "intermediate_size": 3 * shape.width,
+            "num_hidden_layers": shape.layers,
+            "num_attention_heads": shape.heads,
+            "num_key_value_heads": shape.heads,
+            "head_dim": head,
+            "max_position_embeddings": 65536,
+            # Halves of a head's dimensions, shared between time, height and width.
+            "rope_parameters": {
+                "rope_type": "default",
+                "rope_theta": 500000.0,
+                "mrope_section": [head // 2 - 2 * (head // 6), head // 6, head // 6],
+                "mrope_interleaved": True,
+            },
+            "pad_token_id": processor.tokenizer.pad_token_id,
+            "eos_token_id": processor.tokenizer.eos_token_id,
+            "bos_token_id": None,
+        },
+        vision_config={
+            "depth": shape.vision_layers,
+            "hidden_size": shape.vision_width,
+            "intermediate_size": 2 * shape.vision_width,
+            "num_heads": 4,
+            "out_hidden_size": shape.width,
+            "num_position_embeddings": 16 * 16,
+            "deepstack_visual_indexes": [1],
+        },
+        image_token_id=word("<|image_pad|>"),
+        video_token_id=word("<|video_pad|>"),
+        vision_start_token_id=word("<|vision_start|>"),
+        vision_end_token_id=word("<|vision_end|>"),
+        tie_word_embeddings=True,
+    )
+    model = transformers.Qwen3VLForConditionalGeneration(config)
+    model.generation_config.eos_token_id = processor.tokenizer.eos_token_id
+    model.generation_config.pad_token_id = processor.tokenizer.pad_token_id
+    return model

@@ -1,0 +1,47 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from lessons import lesson, reminded, training_task
+from probe.train.choose.efficiency import failures, limits, waste
+
+TASK = training_task(1)
+
+
+def moves(*pairs):
+    return lesson(TASK, statuses=pairs).record
+
+
+@pytest.mark.parametrize(
+    ("counts", "slack", "limit"), [((1, 2, 5), 1, 3), ((1, 2, 3, 9), 0, 2), ((4,), 2, 6)]
+)
+def test_the_limit_is_the_median_and_something(counts, slack, limit):
+    records = [("find", moves(*[("mug", "done")] * count)) for count in counts]
+    assert limits(records, slack) == {"find": limit}
+
+
+def test_one_failure_at_a_thing_is_let_pass_and_two_are_not():
+    once = moves(("mug", "failed"), ("box", "failed"), ("mug", "done"))
+    twice = moves(("mug", "failed"), ("box", "done"), ("mug", "failed"))
+    assert dict(failures(twice)) == {"mug": 2}
+    assert waste(once, 3) is None
+    assert waste(twice, 3) == "failed twice at one thing"
+
+
+def test_too_many_and_useless_calls():
+    assert waste(moves(("mug", "done"), ("box", "done")), 1) == "too many manipulations"
+    useless = moves(("mug", "done"), ("box", "refused"))
+    assert waste(useless, 1) == "a call or reply that did nothing"
+
+
+@pytest.mark.parametrize("arm", ["agentic", "direct"])
+def test_a_reply_that_needed_a_reminder_did_nothing(arm):
+    it = lesson(TASK, arm=arm)
+    assert waste(it.record, 1) is None
+    assert waste(reminded(it).record, 1) == "a call or reply that did nothing"
+
+
+def test_an_agent_without_a_seat_is_reminded_of_nothing():
+    assert waste(replace(lesson(TASK).record, seat=None), 1) is None

@@ -1,0 +1,164 @@
+"""Collecting with tasks made by hand and a teacher whose answers are known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from lessons import BY_KIND, FIRST_SEED, lesson
+from probe.assets.library import Library, open_library
+from probe.certify.parts import Parts
+from probe.episodes.files import append_record, read_records
+from probe.episodes.folder import RECORDS, SUITE
+from probe.errors import Unsatisfiable
+from probe.report.darkroom import Darkroom
+from probe.tasks.suite_file import write_suite
+from probe.train.collect.aim import Aim
+from probe.train.collect.batches import TASKS, batches
+from probe.train.collect.collecting import Hands, collect
+
+FIRST = 2_000_000
+
+
+@dataclass
+class World:
+    """Makes tasks of one kind and plays them: right if the place's number is even.
+
+    Attributes:
+        made, played: What was done, in order.
+        stop_after: Episodes after which it is killed; None to go on.
+        lost: A task and an arm whose episode leaves no record.
+    """
+
+    out: Path
+    things: Library
+    made: list[int] = field(default_factory=list)
+    played: list[tuple[str, str]] = field(default_factory=list)
+    stop_after: int | None = None
+    impossible: bool = False
+    lost: tuple[str, str] = ("", "")
+
+    def hands(self) -> Hands:
+        dark = partial(Darkroom, open_library=lambda: self.things)
+        return Hands(self.make, self.play, self.things, dark)
+
+    def make(self, places):
+        parts = Parts(self.out / TASKS)
+        for place in places:
+            if self.impossible:
+                yield place, "no luck"
+                continue
+            if not parts.task_path(place).exists():
+                self.made.append(place.episode)
+                parts.keep(place, counting_task(place.episode - FIRST), self.things)
+            yield place, None
+
+    def play(self, suite, arm, runs, out):
+        write_suite(out / SUITE, suite)
+        path = out / RECORDS
+        done = {it.task for it in read_records(path)} if path.exists() else set()
+        for task in suite.tasks:
+            if task.id in done:
+                continue
+            if self.stop_after is not None and len(self.played) >= self.stop_after:
+                raise KeyboardInterrupt
+            self.played.append((task.id, arm))
+            if (task.id, arm) == self.lost:
+                continue
+            number = (task.seed - FIRST_SEED) // 1000
+            right = number % 2 == 0 if arm == "agentic" else number % 4 == 0
+            append_record(path, lesson(task, arm=arm, right=right).record)
+            yield task.id
+
+
+@pytest.fixture
+def things(cache):
+    return open_library("procedural", None, cache)
+
+
+def counting_task(number):
+    """One of the demo's, with a training seed."""
+    return replace(BY_KIND["count"], id=f"count-{number:08x}", seed=FIRST_SEED + 1000 * number)
+
+
+def run(world, aim):
+    return list(collect(world.out, aim, world.hands()))[-1].so_far
+
+
+AIM = Aim({"count": 5}, FIRST, batch=4)
+
+
+def test_it_goes_on_until_enough_are_right(tmp_path, things):
+    world = World(tmp_path, things)
+    so_far = run(world, AIM)
+    assert so_far.successes["count"] >= 5 and AIM.reached(so_far) == 5
+    # Every second one is right, in batches of at most four.
+    assert so_far.tasks["count"] <= 12
+    assert world.made == list(range(FIRST, FIRST + so_far.tasks["count"]))
+
+
+def test_tools_are_used_only_where_the_picture_was_not_enough(tmp_path, things):
+    world = World(tmp_path, things)
+    run(world, AIM)
+    direct = [task for task, arm in world.played if arm == "direct"]
+    agentic = [task for task, arm in world.played if arm == "agentic"]
+    assert len(set(direct)) == len(direct)
+    assert set(agentic) == {task for task in direct if int(task.split("-")[1], 16) % 4}
+    always = World(tmp_path / "always", things)
+    run(always, Aim({"count": 2}, FIRST, batch=4, always=True))
+    assert {arm for _, arm in always.played} == {"direct", "agentic"}
+    assert len({task for task, _ in always.played}) * 2 == len(always.played)
+
+
+@pytest.mark.parametrize("stop", [0, 3, 5, 8])
+def test_a_killed_one_goes_on_and_does_nothing_twice(tmp_path, things, stop):
+    whole = World(tmp_path / "whole", things)
+    run(whole, AIM)
+    world = World(tmp_path / "cut", things, stop_after=stop)
+    with pytest.raises(KeyboardInterrupt):
+        run(world, AIM)
+    world.stop_after = None
+    so_far = run(world, AIM)
+    assert AIM.reached(so_far) == 5
+    assert (world.made, world.played) == (whole.made, whole.played)
+    first, second = (
+        sorted((it.relative_to(w.out), it.read_bytes()) for it in w.out.rglob("*.json*"))
+        for w in (whole, world)
+    )
+    assert first == second
+
+
+def test_a_finished_one_has_nothing_to_do(tmp_path, things):
+    run(World(tmp_path, things), AIM)
+    again = World(tmp_path, things)
+    run(again, AIM)
+    assert again.made == again.played == []
+
+
+def test_a_budget_ends_it(tmp_path, things):
+    world = World(tmp_path, things)
+    aim = Aim({"count": 100}, FIRST, batch=4, most_episodes=13)
+    so_far = run(world, aim)
+    assert so_far.episodes <= 13 and aim.spent(so_far) == "episodes"
+    money = World(tmp_path / "money", things)
+    aim = Aim({"count": 100}, FIRST, batch=4, most_cost=2.0)
+    so_far = run(money, aim)
+    assert 1.0 <= so_far.cost <= 2.0 and aim.spent(so_far) == "cost"
+
+
+def test_an_episode_that_left_no_record_is_missing(tmp_path, things):
+    world = World(tmp_path, things, lost=(counting_task(1).id, "direct"))
+    so_far = run(world, AIM)
+    assert so_far.missing == 1
+    # It isn't known from the picture, so that tools are tried.
+    assert (counting_task(1).id, "agentic") in world.played
+    assert so_far.tasks["count"] == len(world.made)
+
+
+def test_tasks_that_cannot_be_made_are_told(tmp_path, things):
+    with pytest.raises(Unsatisfiable, match="None of 4 tasks could be made. no luck"):
+        run(World(tmp_path, things, impossible=True), AIM)
+    assert batches(tmp_path) == []

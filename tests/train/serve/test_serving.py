@@ -1,0 +1,94 @@
+"""The protocol of the small server; test_same_tokens and test_distill have models behind it."""
+
+from __future__ import annotations
+
+import socket
+from typing import Any
+
+import pytest
+
+from probe.cli.serve_model import serve_model
+from probe.errors import BadData
+from probe.train.serve.replying import Reply
+from probe.train.serve.serving import application, reserved, serve
+from probe.train.serve.speaking import Said
+from probe.train.tune.conversations import of_request
+
+REPLY = Reply("I look.", (("perceive_scene", "{}"),))
+
+
+class Replies:
+    """Says one thing to whoever is understood."""
+
+    def __init__(self, said: Said) -> None:
+        self._said = said
+
+    def reply(self, body):
+        of_request(body["messages"])
+        return self._said
+
+
+def asked(said: Said, body: Any) -> Any:
+    from starlette.testclient import TestClient
+
+    with TestClient(application(Replies(said), "student")) as client:  # type: ignore[arg-type]
+        return client.post("/v1/chat/completions", json=body)
+
+
+HELLO = {"messages": [{"role": "user", "content": "What is under the mug?"}]}
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_call_comes_in_openais_form():
+    told = asked(Said(REPLY, 30, 9, cut=False), HELLO).json()
+    (choice,) = told["choices"]
+    assert choice["finish_reason"] == "tool_calls" and choice["message"]["content"] == "I look."
+    (call,) = choice["message"]["tool_calls"]
+    assert call["function"] == {"name": "perceive_scene", "arguments": "{}"}
+    assert told["usage"] == {"prompt_tokens": 30, "completion_tokens": 9, "total_tokens": 39}
+    assert told["model"] == "student"
+
+
+@pytest.mark.filterwarnings("default")
+def test_words_and_words_that_are_cut_off():
+    for cut, ending in ((False, "stop"), (True, "length")):
+        (choice,) = asked(Said(Reply("ANSWER: B"), 3, 4, cut), HELLO).json()["choices"]
+        assert choice["finish_reason"] == ending
+        assert choice["message"] == {"role": "assistant", "content": "ANSWER: B"}
+
+
+@pytest.mark.filterwarnings("default")
+@pytest.mark.parametrize("body", [{}, {"messages": [{"content": "x"}]}, ["x"]])
+def test_what_is_not_understood_is_told(body):
+    answer = asked(Said(REPLY, 1, 1, cut=False), body)
+    assert answer.status_code == 400 and answer.json()["error"]["message"]
+
+
+@pytest.mark.filterwarnings("default")
+def test_it_answers_for_no_other_model():
+    said = Said(REPLY, 1, 1, cut=False)
+    assert asked(said, HELLO | {"model": "student"}).status_code == 200
+    answer = asked(said, HELLO | {"model": "teacher"})
+    assert answer.status_code == 404
+    error = answer.json()["error"]
+    assert error["code"] == "model_not_found" and error["param"] == "model"
+    assert "'teacher'" in error["message"] and "'student'" in error["message"]
+
+
+def test_a_port_that_is_taken_is_named_before_a_model_is_loaded():
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = other.getsockname()[1]
+        with pytest.raises(BadData, match=f"--port: {port} can't be used .*Choose another"):
+            serve_model("nowhere", port)
+    with pytest.raises(BadData, match="--port: 70000 can't be used"):
+        serve_model("nowhere", 70000)
+
+
+@pytest.mark.filterwarnings("default")
+def test_of_two_that_begin_at_once_one_serves():
+    with reserved(0) as held:
+        port = held.getsockname()[1]
+        with reserved(port) as faster:
+            faster.listen()
+            with pytest.raises(BadData, match=f"--port: {port} can't be used"):
+                serve(Replies(Said(REPLY, 1, 1, cut=False)), "student", held)  # type: ignore[arg-type]
