@@ -1,10 +1,8 @@
-"""What leads are planned for Compare, and how shade moves colours."""
+"""What leads count in Compare, and how shade moves colours."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
-from itertools import product
 
 import numpy as np
 import pytest
@@ -12,12 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from probe.assets.colours import lab
-from probe.certify.leads import Asked, misfit, off_plan
+from probe.certify.leads import Asked, leads_enough, misfit, wanted
 from probe.certify.palettes import dimmed
-from probe.certify.plan import plan
 from tabletops import spec
 
-PLAN = plan("compare", 0)
+LIGHT, DARK = np.array([80.0, 0, 0]), np.array([20.0, 0, 0])
 
 
 def test_half_the_light_by_the_book():
@@ -34,28 +31,35 @@ def test_dimming_is_what_less_light_does_to_a_colour(red, green, blue, light):
     assert np.abs(lab(darker) - dimmed(lab(rgb), light ** (1 / 3))).max() < 1.5
 
 
-@pytest.mark.parametrize("form", ["darker", "colour", "like"])
-@pytest.mark.parametrize(("large", "far"), list(product((False, True), repeat=2)))
-def test_patches_that_tell_and_those_that_mislead_come_from_one_window(form, large, far):
-    asked = Asked((spec("cup", "red"), spec("mug", "blue")), 0, "", None)
-    tells = replace(PLAN, form=form, large_lead=large, far=far, cues=(True, True, True))
-    misleads = replace(tells, cues=(False, True, True))
-    pairs = list(product(range(0, 70, 2), repeat=2))
-    assert [off_plan(tells, asked, pair) for pair in pairs] == [
-        off_plan(misleads, asked, pair[::-1]) for pair in pairs
-    ]
-    within = [pair for pair in pairs if off_plan(tells, asked, pair) < math.inf]
-    leads, bests = [b - a for a, b in within], [min(pair) for pair in within]
-    assert min(leads) >= 5, "it has to be seen"
-    assert max(leads) - min(leads) <= 18
-    if form != "darker":
-        assert min(bests) >= 9 and max(bests) - min(bests) <= 14
-        assert (min(bests) >= 16) == far
+def asked(right: int) -> Asked:
+    pair = spec("white cup", "white"), spec("black cup", "black")
+    return Asked(pair, right, "", None, (LIGHT, DARK))
 
 
 def test_the_right_one_leads_if_it_fits_better():
-    pair = spec("white cup", "white"), spec("black cup", "black")
-    light, dark, wanted = np.array([80.0, 0, 0]), np.array([20.0, 0, 0]), np.array([25.0, 0, 0])
     for form in ("darker", "like"):
-        fits = [misfit(form, colour, wanted) for colour in (light, dark)]
-        assert Asked(pair, 1, "", None).lead(fits) > 0 > Asked(pair, 0, "", None).lead(fits)
+        fits = [float(misfit(form, colour, np.array([25.0, 0, 0]))) for colour in (LIGHT, DARK)]
+        assert asked(1).lead(fits) > 0 > asked(0).lead(fits)
+
+
+def test_patches_are_as_far_off_as_the_farther_one():
+    """Greys at L* 50: 10 apart in L* are about 10 apart."""
+    middle = np.array([50.0, 0, 0])
+    both = replace(asked(0), patches=(middle, middle))
+    assert both.off([middle, middle]) == 0
+    assert both.off([middle + (10, 0, 0), middle]) == pytest.approx(9.4, abs=0.3)
+    assert both.off([middle, middle - (20, 0, 0)]) > 15
+
+
+def test_a_thing_in_view_says_what_is_asked_else_the_word_does():
+    assert wanted("red", np.array([25.0, 0, 0])) == pytest.approx([25, 0, 0])
+    lightness, a, b = wanted("red", None)
+    assert lightness < 50 and a > 40 and b > 10
+    assert wanted("", None).shape == (3,)
+
+
+@pytest.mark.parametrize(("form", "least"), [("darker", 13), ("colour", 5), ("like", 5)])
+def test_who_leads_by_little_does_not_lead(form, least):
+    for sign in (1, -1):
+        assert leads_enough(form, sign * (least + 0.1))
+        assert not leads_enough(form, sign * (least - 0.1))

@@ -31,8 +31,7 @@ def test_what_shows_tells_the_answer_in_half_of_the_pairs(kind):
         mine = [p for p in plans if p.letter == letter]
         assert Counter(p.cues[:2] for p in mine) == dict.fromkeys(both, 10)
     assert Counter((p.cues[2], p.longer_cover) for p in plans) == dict.fromkeys(both, 20)
-    assert sum(p.large_lead for p in plans) == sum(p.lighter for p in plans) == 40
-    assert sum(p.far for p in plans) == 40
+    assert sum(p.lighter for p in plans) == 40
 
 
 def test_all_attempts_of_an_episode_share_a_plan():

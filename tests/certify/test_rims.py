@@ -7,7 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 
 from probe.assets.mesh import Surface, TexturedMesh
-from probe.certify.rims import rim_colours
+from probe.certify.rims import Rims, rim_colours
+from tabletops import spec
 
 
 class Shelf:
@@ -54,3 +55,15 @@ def test_what_is_taller_than_wide_shows_the_side_on_which_it_does_not_lie():
     # Laid over about y, its white half comes to lie above the black one.
     found = np.array(rim_colours(Shelf((0.04, 0.08, 0.12)), "post"))  # type: ignore[arg-type]
     assert (found[:, 0] > 90).any() and not (found[:, 0] < 10).any()
+
+
+def test_rims_of_things_are_dimmer_than_their_textures():
+    """What shows beside covers; the box is as much white as black, and which one is its main."""
+    shelf, things = Shelf((0.1, 0.1, 0.05)), [spec("box", "white"), spec("case", "black")]
+    rims = Rims.of(shelf, things)  # type: ignore[arg-type]
+    assert rims.specs == tuple(things)
+    assert set(rims.owner) == {0, 1} and len(rims.owner) == len(rims.colours) >= 16
+    assert 70 < rims.colours[:, 0].max() < 85, "white, in half the light"
+    assert list(rims.odd()) == [0, 1]
+    nothing = Rims.of(shelf, [])  # type: ignore[arg-type]
+    assert nothing.main.shape == nothing.colours.shape == (0, 3)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from probe.assets.colour_difference import ciede2000
 from probe.assets.library import Library
-from probe.assets.spec import ObjectSpec
-from probe.certify.alike import told_apart
-from probe.certify.leads import Asked, could_show, in_the_open, off_plan, shaded
+from probe.certify.leads import Asked, in_the_open, leads_enough, misfit, wanted
 from probe.certify.looks import Looks
 from probe.certify.marked import (
     INSIDE_PX,
@@ -28,22 +28,29 @@ from probe.certify.pairing import draw_nests
 from probe.certify.palettes import main_colour, palette_of
 from probe.certify.plan import Plan
 from probe.certify.result import Candidate, Rejected
-from probe.certify.rims import CLEAR
+from probe.certify.rims import CLEAR, NEAR, Rims, in_shade
 from probe.certify.rules import is_clear
+from probe.certify.stories import draw_stories
 from probe.certify.view import View
 from probe.certify.writing import Draft, write_task
 from probe.perception.outline import deepest_inside
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
-from probe.tasks.task import PAIR, Form
+from probe.tasks.task import PAIR
 from probe.tasks.truth import which_darker, which_like
 from probe.types import Array
 
-_PAIRS = 2000
 _PLAIN = 0.6
 """Least share of a thing's main colour: lesser ones aren't what most of it shows when it lies some
 other way."""
+
+_TRIES = 5
+"""Attempts in a row that want the same patches: what is hard to lay would else become rare where it
+misleads, but not where it tells."""
+
+_NEAR_IN_PICTURES = 12.0
+"""Likewise as NEAR, once light and reflections are added to textures."""
 
 _ROOM_PX = 1.2 * INSIDE_PX
 """Some of it may be lost to the crowd."""
@@ -58,7 +65,8 @@ def generate_compare(
         Rejected: It failed a check.
     """
     rng = generator(seed, "compare")
-    asked, cast = _draw_cast(library, plan, rng)
+    same = generator(seed // _TRIES, "compare", "asked")
+    asked, cast = _draw_cast(library, plan, same, rng)
     made = build_set(cast, seed, library, renderer, tables, rng)
     view = made.view
     scene = settle_around(made, _nests(made, asked, library, plan, rng), rng)
@@ -66,8 +74,8 @@ def generate_compare(
     labels = view.labels(scene)
     _check_reference(view, scene, labels, reference)
     marks = draw_marks(made, labels)
+    _check_paint(made, asked, library, plan, scene, labels)
     compared = made.marked if reference is None else (*made.marked, reference)
-    _check_paint(made, asked, plan, scene, labels, compared)
     looks = Looks(renderer, scene, labels, compared, library)
     measures = _measure(looks, made, asked, plan, reference)
     draft = Draft(
@@ -86,48 +94,51 @@ def generate_compare(
     return Candidate(write_task(draft, plan, view))
 
 
-def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> tuple[Asked, MarkedCast]:
-    """Two things and what is asked of them, such that patches could tell as planned."""
-    pool = markable(library)
-    for _ in range(_PAIRS):
-        a, b, third = (pool[int(index)] for index in rng.choice(len(pool), size=3, replace=False))
-        needed = [third] if plan.form == "like" else []
-        asked = _asked(plan, (a, b), third) if told_apart([a, b, *needed]) else None
-        if asked is None or _truth(library, plan.form, asked) != plan.letter:
-            continue
-        if any(palette_of(library, spec.id)[0].share < _PLAIN for spec in (a, b, *needed)):
-            continue
-        if could_show(library, plan, asked) and (cast := cast_marked(library, (a, b), needed, rng)):
+def _draw_cast(
+    library: Library, plan: Plan, same: np.random.Generator, rng: np.random.Generator
+) -> tuple[Asked, MarkedCast]:
+    """Two things and what is asked of them, drawn by `same`, and who else plays."""
+    rims = _rims(library)
+    for story in draw_stories(rims, plan, same):
+        asked = story.asked(rims, plan)
+        needed = [asked.reference] if asked.reference else []
+        if cast := cast_marked(library, asked.marked, needed, rng):
             return asked, cast
     raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
 
 
-def _asked(plan: Plan, marked: tuple[ObjectSpec, ObjectSpec], third: ObjectSpec) -> Asked | None:
-    """What may be asked of two things by their annotated colours; None if that would be unclear."""
-    right = PAIR.index(plan.letter)
-    if plan.form == "darker":
-        return Asked(marked, right, "", None)
-    word = (third if plan.form == "like" else marked[right]).colours[0]
-    if marked[right].colours[0] != word or _has_colour(marked[1 - right], word):
-        return None
-    return (
-        Asked(marked, right, "", third) if plan.form == "like" else Asked(marked, right, word, None)
-    )
+@lru_cache(maxsize=4)
+def _rims(library: Library) -> Rims:
+    """Of all that may be marked and is mostly of one colour."""
+    pool = markable(library)
+    return Rims.of(library, [s for s in pool if palette_of(library, s.id)[0].share >= _PLAIN])
 
 
-def _has_colour(spec: ObjectSpec, word: str) -> bool:
-    """Whether a colour's name is among a thing's, whatever its shade."""
-    return word.split()[-1] in {colour.split()[-1] for colour in spec.colours}
+@dataclass(frozen=True, eq=False)
+class _Patch:
+    """What shows of a thing: main colour, CIELAB, and how many pixels."""
+
+    lab: Array
+    area_px: int
 
 
-def _truth(library: Library, form: Form, asked: Asked) -> str:
-    """The letter by the textures; empty if it isn't clear."""
-    a, b = (main_colour(library, spec.id) for spec in asked.marked)
-    wanted = main_colour(library, asked.model.id)
-    try:
-        return which_darker(a, b) if form == "darker" else which_like(a, b, wanted)
-    except ValueError:
-        return ""
+def _off_plan(plan: Plan, asked: Asked, colour: Array, patches: Sequence[_Patch]) -> float:
+    """How far patches of A and B are from what is to show; infinity if they tell otherwise.
+
+    Args:
+        plan: Of the episode.
+        asked: With what is to show.
+        colour: The colour that is asked for, CIELAB, shape (3,).
+        patches: Of A and B.
+    """
+    lead = asked.lead([float(misfit(plan.form, patch.lab, colour)) for patch in patches])
+    right, wrong = patches[asked.right], patches[1 - asked.right]
+    if not leads_enough(plan.form, lead) or (lead > 0) != plan.cues[0]:
+        return math.inf
+    if (right.area_px > wrong.area_px) != plan.cues[1]:
+        return math.inf
+    off = asked.off([patch.lab for patch in patches])
+    return off if off <= NEAR else math.inf
 
 
 def _nests(
@@ -138,27 +149,34 @@ def _nests(
     Raises:
         Rejected: None of those that were tried do.
     """
-    wanted = in_the_open(main_colour(library, asked.model.id))
+    colour = _planned(asked, library)
 
-    def shown(place: int, nest: Nest) -> float | None:
-        number = made.marked[place]
-        if deepest_inside(nest.labels == number)[1] < _ROOM_PX:
+    def shown(place: int, nest: Nest) -> _Patch | None:
+        mask = nest.labels == made.marked[place]
+        if deepest_inside(mask)[1] < _ROOM_PX:
             return None
-        shade = made.view.shades(nest.scene, nest.labels, number)[0]
-        return shaded(plan.form, np.array(shade.lab), wanted) if shade.share >= CLEAR else None
+        shade = made.view.shades(nest.scene, nest.labels, made.marked[place])[0]
+        lab = in_shade(np.array(shade.lab))
+        return _Patch(lab, int(np.count_nonzero(mask))) if shade.share >= CLEAR else None
 
-    return draw_nests(made, shown, lambda a, b: off_plan(plan, asked, (a, b)), rng)
+    return draw_nests(made, shown, lambda a, b: _off_plan(plan, asked, colour, (a, b)), rng)
+
+
+def _planned(asked: Asked, library: Library) -> Array:
+    """The colour that is asked for, as textures let one expect it."""
+    model = asked.reference and in_the_open(main_colour(library, asked.reference.id))
+    return wanted(asked.word, model)
 
 
 def _check_paint(
-    made: Set, asked: Asked, plan: Plan, scene: Scene, labels: Array, compared: Sequence[int]
+    made: Set, asked: Asked, library: Library, plan: Plan, scene: Scene, labels: Array
 ) -> None:
     """That patches still tell as planned, by their textures: pictures take many times as long."""
-    bare, patch = scene.only(*compared), made.view.patch
-    model = compared[-1] if asked.reference else made.marked[asked.right]
-    wanted = in_the_open(patch(bare, made.view.labels(bare), model))
-    misfits = [shaded(plan.form, patch(scene, labels, number), wanted) for number in made.marked]
-    if off_plan(plan, asked, misfits) == math.inf:
+    patches = [
+        _Patch(in_shade(made.view.patch(scene, labels, number)), int((labels == number).sum()))
+        for number in made.marked
+    ]
+    if _off_plan(plan, asked, _planned(asked, library), patches) == math.inf:
         raise Rejected("patch", "among the crowd, the patches tell something else than planned")
 
 
@@ -178,11 +196,15 @@ def _measure(
     Raises:
         Rejected: They don't, or the patches tell something else than planned.
     """
+    subject = asked.word if reference is None else reference
+    misfits = looks.misfits(plan.form, made.marked, subject)
+    lead = asked.lead(misfits)
+    off = asked.off([looks.patch(number) for number in made.marked])
+    if not leads_enough(plan.form, lead) or (lead > 0) != plan.cues[0] or off > _NEAR_IN_PICTURES:
+        found = "the patches fit by {:.0f} and {:.0f}".format(*misfits)
+        raise Rejected("cues", f"{found}, and are off by {off:.0f}")
+    measures = {"patch_lead": lead, "patch_best": min(misfits), "patch_off": off}
     model = reference or made.marked[asked.right]
-    misfits = looks.misfits(plan.form, made.marked, model)
-    if off_plan(plan, asked, misfits) == math.inf:
-        raise Rejected("cues", "the patches fit by {:.0f} and {:.0f}".format(*misfits))
-    measures = {"patch_lead": asked.lead(misfits), "patch_best": min(misfits)}
     for light in looks.lights:
         a, b = (looks.main(number, light) for number in made.marked)
         try:

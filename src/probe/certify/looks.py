@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.library import Library
-from probe.certify.leads import misfit
+from probe.certify.leads import misfit, wanted
 from probe.certify.palettes import shades
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
@@ -62,13 +62,16 @@ class Looks:
         assert self._rgb is not None
         return np.array(shades(self._rgb[self._labels == number])[0].lab)
 
-    def misfits(self, form: Form, marked: Sequence[int], model: int) -> list[float]:
+    def misfits(self, form: Form, marked: Sequence[int], subject: int | str) -> list[float]:
         """How far what shows of each marked thing is from what a question asks, in order.
 
         Args:
             form: Of the question.
             marked: Numbers of the things.
-            model: Number of the thing whose main colour is asked for.
+            subject: Number of the thing whose colour is asked for, else the colour's name or "".
         """
-        wanted = self.main(model, self.lights[0])
-        return [misfit(form, self.patch(number), wanted) for number in marked]
+        if isinstance(subject, int):
+            colour = wanted("", self.main(subject, self.lights[0]))
+        else:
+            colour = wanted(subject, None)
+        return [float(misfit(form, self.patch(number), colour)) for number in marked]

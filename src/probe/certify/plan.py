@@ -36,13 +36,11 @@ class Plan:
         hidden: Count: hidden instances.
         partly: Find: the target is partly visible rather than hidden.
         removals: Reduce: how many things are to be removed.
-        cues: Compare: the first says whether the patches that show tell the answer. Size: whether
-            the larger thing shows by more pixels, whether what shows of it is longer, and whether
-            more of its outline adjoins things.
+        cues: Compare: whether the patches that show tell the answer, and whether more pixels of the
+            right thing show. Size: whether the larger thing shows by more pixels, whether what
+            shows of it is longer, and whether more of its outline adjoins things.
         longer_cover: Size: whether the longer cover lies on the larger thing.
         lighter: Size: whether the larger thing is the lighter one.
-        far: Compare: whether the better patch, too, is far from the colour that is asked for.
-        large_lead: Compare: whether one patch fits better by much, as far as is allowed.
     """
 
     letter: Letter
@@ -55,8 +53,6 @@ class Plan:
     cues: tuple[bool, bool, bool]
     longer_cover: bool
     lighter: bool
-    far: bool
-    large_lead: bool
 
 
 def plan(kind: QuestionKind, seed: int) -> Plan:
@@ -83,8 +79,6 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         cues=(first, second, third),
         longer_cover=longer_cover,
         lighter=_turn((True, False), episode, kind, "lighter"),
-        far=_turn((True, False), episode, kind, "far"),
-        large_lead=_turn((True, False), episode, kind, "lead"),
     )
 
 

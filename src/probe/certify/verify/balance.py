@@ -71,6 +71,12 @@ def _count(task: Task) -> str:
 
 _Crossing = tuple[str, Sequence[str], Callable[[Task], str]]
 
+_LETTER_AREA: _Crossing = (
+    "letter x larger area",
+    [f"{a}, more of it shows: {b}" for a, b in product(PAIR, (True, False))],
+    _area,
+)
+
 _CROSSED: dict[QuestionKind, tuple[_Crossing, ...]] = {
     "compare": (
         (
@@ -78,6 +84,7 @@ _CROSSED: dict[QuestionKind, tuple[_Crossing, ...]] = {
             [f"{a}, patches {b}" for a, b in product(PAIR, ("tell", "mislead"))],
             _patches,
         ),
+        _LETTER_AREA,
     ),
     "count": (
         (
@@ -87,11 +94,7 @@ _CROSSED: dict[QuestionKind, tuple[_Crossing, ...]] = {
         ),
     ),
     "size": (
-        (
-            "letter x larger area",
-            [f"{a}, more of it shows: {b}" for a, b in product(PAIR, (True, False))],
-            _area,
-        ),
+        _LETTER_AREA,
         (
             "what shows of the larger",
             [f"more: {a}, longer: {b}" for a, b in product((True, False), repeat=2)],

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from scipy import ndimage
 
-from probe.certify.leads import may_show
+from probe.certify.leads import leads_enough
 from probe.certify.marked import INSIDE_PX
 from probe.certify.rules import (
     CLEAR_SHARE,
@@ -118,8 +118,8 @@ def _marked(task: Task, anew: Anew) -> Iterator[str]:
 def _compare(task: Task, anew: Anew) -> Iterator[str]:
     yield from _marked(task, anew)
     lead, best = _patches(task, anew)
-    if not may_show(task.form, lead, best):
-        yield f"what shows tells too much: a patch fits to {best:.0f} and leads by {lead:.0f}"
+    if not leads_enough(task.form, lead):
+        yield f"neither patch is clearly nearer to what is asked: one leads by {lead:.1f}"
     stated = [task.certificate.measures[name] for name in ("patch_lead", "patch_best")]
     if max(abs(lead - stated[0]), abs(best - stated[1])) > _SAME_COLOUR:
         yield f"patches lead and fit by {lead:.1f} and {best:.1f}, not {stated}"
@@ -129,9 +129,11 @@ def _patches(task: Task, anew: Anew) -> tuple[float, float]:
     """By how much the right one's patch fits better, and how far the better patch is off."""
     right, wrong = _right_first(task)
     marked = [right.instance, wrong.instance]
-    model = anew.called(task.subject).instance if task.form == "like" else right.instance
-    looks = anew.looks(*marked, *{model}.difference(marked))
-    fits, other = looks.misfits(task.form, marked, model)
+    if task.form == "like":
+        model = anew.called(task.subject).instance
+        fits, other = anew.looks(*marked, model).misfits(task.form, marked, model)
+    else:
+        fits, other = anew.looks(*marked).misfits(task.form, marked, task.subject)
     return other - fits, min(fits, other)
 
 

@@ -1,0 +1,131 @@
+"""The same two patches twice: once they mislead, once they tell. Drawn for Compare.
+
+A thing that shows another colour than its own is rare, so whatever is peculiar to such patches
+would give the answer away. Each pair of patches that misleads is therefore shared with another
+pair of things that show the same, of which the one whose patch fits better is the right one.
+Without such a pair it isn't used at all; with it, a plan says which of the two is asked about.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.certify.alike import told_apart
+from probe.certify.leads import PLAUSIBLE, Asked, in_the_open, least_lead, misfit, wanted
+from probe.certify.plan import Plan
+from probe.certify.rims import Rims
+from probe.tasks.task import PAIR, Form
+from probe.tasks.truth import which_darker, which_like
+from probe.types import Array
+
+_DRAWS = 4000
+
+
+@dataclass(frozen=True, eq=False)
+class Story:
+    """Two things of which one is right, and what is to show of them.
+
+    Attributes:
+        right, wrong: Places among the rims' things.
+        third: Likewise, of the thing whose colour is asked for; None if none is.
+        patches: Of the right one and of the wrong one, CIELAB, shape (3,) each.
+    """
+
+    right: int
+    wrong: int
+    third: int | None
+    patches: tuple[Array, Array]
+
+    def asked(self, rims: Rims, plan: Plan) -> Asked:
+        """The question that a plan asks about it."""
+        right, wrong = rims.specs[self.right], rims.specs[self.wrong]
+        named = right.colours[0] if plan.form == "colour" else ""
+        third = None if self.third is None else rims.specs[self.third]
+        fits, other = self.patches
+        if plan.letter == PAIR[0]:
+            return Asked((right, wrong), 0, named, third, (fits, other))
+        return Asked((wrong, right), 1, named, third, (other, fits))
+
+
+def draw_stories(rims: Rims, plan: Plan, rng: np.random.Generator) -> Iterator[Story]:
+    """Stories of a plan's form that tell or mislead as it says; each has a twin that doesn't."""
+    odd = rims.odd()
+    for _ in range(_DRAWS):
+        misleading = _misleading(rims, odd, plan.form, rng)
+        telling = misleading and _telling(rims, plan.form, misleading, rng)
+        if misleading and telling:
+            yield telling if plan.cues[0] else misleading
+
+
+def _misleading(rims: Rims, odd: Array, form: Form, rng: np.random.Generator) -> Story | None:
+    """Two things of which the wrong one's patch fits better; one shows a colour not its own."""
+    right_is_odd = bool(rng.integers(2))
+    right = int(rng.choice(odd if right_is_odd else len(rims.specs)))
+    shown = rims.colours[rng.choice(np.flatnonzero(rims.owner == right))]
+    third = _third(rims, right, rng) if form == "like" else None
+    if form == "like" and third is None:
+        return None
+    colour = _wanted(rims, form, right, third)
+    misfits = misfit(form, rims.colours, colour)
+    fitting = float(misfit(form, shown, colour)) - misfits >= least_lead(form)
+    if form != "darker":
+        fitting &= misfits <= PLAUSIBLE
+    others = np.unique(rims.owner[fitting])
+    for wrong in rng.permutation(others if right_is_odd else np.intersect1d(others, odd)):
+        if _may_ask(rims, form, right, int(wrong), third):
+            other = rims.colours[rng.choice(np.flatnonzero(fitting & (rims.owner == wrong)))]
+            often = right in rims.showing(shown) and wrong in rims.showing(other)
+            return Story(right, int(wrong), third, (shown, other)) if often else None
+    return None
+
+
+def _telling(rims: Rims, form: Form, twin: Story, rng: np.random.Generator) -> Story | None:
+    """Two things that show the same as those of a misleading story; the one that fits is right."""
+    shown, other = twin.patches[::-1]
+    wrongs = rng.permutation(rims.showing(other))
+    for right in rng.permutation(rims.showing(shown)):
+        if form == "colour" and _word(rims, right) != _word(rims, twin.right):
+            continue
+        for wrong in wrongs:
+            if _may_ask(rims, form, int(right), int(wrong), twin.third):
+                return Story(int(right), int(wrong), twin.third, (shown, other))
+    return None
+
+
+def _third(rims: Rims, right: int, rng: np.random.Generator) -> int | None:
+    """Another thing whose colour has the same name."""
+    words = [_word(rims, place) for place in range(len(rims.specs))]
+    same = [place for place, word in enumerate(words) if word == words[right] and place != right]
+    return int(rng.choice(same)) if same else None
+
+
+def _wanted(rims: Rims, form: Form, right: int, third: int | None) -> Array:
+    model = None if third is None else in_the_open(rims.main[third])
+    return wanted(_word(rims, right) if form == "colour" else "", model)
+
+
+def _may_ask(rims: Rims, form: Form, right: int, wrong: int, third: int | None) -> bool:
+    """Whether one thing is clearly what is asked for, by annotated colours and by textures."""
+    places = [right, wrong] if third is None else [right, wrong, third]
+    if not told_apart([rims.specs[place] for place in places]):
+        return False
+    pair = rims.main[right], rims.main[wrong]
+    try:
+        if form == "darker":
+            return which_darker(*pair) == PAIR[0]
+        word = _word(rims, right)
+        if word.split()[-1] in {colour.split()[-1] for colour in rims.specs[wrong].colours}:
+            return False
+        if third is not None and _word(rims, third) != word:
+            return False
+        return which_like(*pair, rims.main[right if third is None else third]) == PAIR[0]
+    except ValueError:
+        return False
+
+
+def _word(rims: Rims, place: int) -> str:
+    """Name of a thing's main colour."""
+    return rims.specs[place].colours[0]
