@@ -45,7 +45,7 @@ _PLAIN = 0.6
 """Least share of a thing's main colour: lesser ones aren't what most of it shows when it lies some
 other way."""
 
-_TRIES = 5
+_TRIES = 2
 """Attempts in a row that want the same patches: what is hard to lay would else become rare where it
 misleads, but not where it tells."""
 

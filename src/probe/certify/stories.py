@@ -15,6 +15,7 @@ import numpy as np
 
 from probe.certify.alike import told_apart
 from probe.certify.leads import PLAUSIBLE, Asked, in_the_open, least_lead, misfit, wanted
+from probe.certify.palettes import dimmed
 from probe.certify.plan import Plan
 from probe.certify.rims import Rims
 from probe.tasks.task import PAIR, Form
@@ -22,6 +23,9 @@ from probe.tasks.truth import which_darker, which_like
 from probe.types import Array
 
 _DRAWS = 4000
+
+_DIM = 0.75
+"""Cube root of the least light in which an answer must hold; pictures then look at real lights."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,18 +116,24 @@ def _may_ask(rims: Rims, form: Form, right: int, wrong: int, third: int | None) 
     places = [right, wrong] if third is None else [right, wrong, third]
     if not told_apart([rims.specs[place] for place in places]):
         return False
-    pair = rims.main[right], rims.main[wrong]
-    try:
-        if form == "darker":
-            return which_darker(*pair) == PAIR[0]
+    if form != "darker":
         word = _word(rims, right)
         if word.split()[-1] in {colour.split()[-1] for colour in rims.specs[wrong].colours}:
             return False
         if third is not None and _word(rims, third) != word:
             return False
-        return which_like(*pair, rims.main[right if third is None else third]) == PAIR[0]
+    model = right if third is None else third
+    lit = (dimmed(rims.main[[right, wrong, model]], root) for root in (1.0, _DIM))
+    return all(_is_right(form, *colours) for colours in lit)
+
+
+def _is_right(form: Form, right: Array, wrong: Array, model: Array) -> bool:
+    """By main colours, CIELAB, shape (3,) each."""
+    try:
+        first = which_darker(right, wrong) if form == "darker" else which_like(right, wrong, model)
     except ValueError:
         return False
+    return first == PAIR[0]
 
 
 def _word(rims: Rims, place: int) -> str:
