@@ -15,7 +15,7 @@ from probe.certify.stories import draw_stories
 from probe.scene.seeds import generator
 from tabletops import spec
 
-RED, ORANGE, GREY, BLACK = (195, 42, 42), (230, 100, 40), (160, 160, 160), (35, 35, 36)
+RED, ORANGE, GREY, BLACK = (195, 42, 42), (230, 120, 40), (160, 160, 160), (35, 35, 36)
 RGB = {"red": RED, "orange": ORANGE, "gray": GREY, "black": BLACK}
 
 
@@ -118,7 +118,7 @@ def test_darker_misleads_by_lightness():
 
 
 def test_odd_sides_and_those_that_show_a_colour():
-    assert [named(ALL, place) for place in ALL.odd()] == ["red jar"]
+    assert [named(ALL, place) for place in ALL.odd()] == ["red jar", "red cup"]
     grey = in_shade(lab(np.array([GREY]))[0])
     assert [named(ALL, place) for place in ALL.showing(grey)] == ["red jar", "gray stone"]
     assert len(ALL.showing(grey + (2 * NEAR, 0, 0))) == 0
