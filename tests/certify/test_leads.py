@@ -14,6 +14,7 @@ from probe.certify.leads import Asked, leads_enough, misfit, wanted
 from probe.certify.palettes import dimmed
 from tabletops import spec
 
+ANY = np.zeros(1)
 LIGHT, DARK = np.array([80.0, 0, 0]), np.array([20.0, 0, 0])
 
 
@@ -33,7 +34,7 @@ def test_dimming_is_what_less_light_does_to_a_colour(red, green, blue, light):
 
 def asked(right: int) -> Asked:
     pair = spec("white cup", "white"), spec("black cup", "black")
-    return Asked(pair, right, "", None, (LIGHT, DARK))
+    return Asked(pair, right, "", None, (LIGHT, DARK), (ANY, ANY))
 
 
 def test_the_right_one_leads_if_it_fits_better():

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from probe.assets.mesh import Surface, TexturedMesh
-from probe.certify.rims import Rims, rim_colours
+from probe.certify.rims import Rims, sides
 from tabletops import spec
 
 
@@ -44,8 +44,13 @@ def box(size) -> TexturedMesh:
     )
 
 
+def shown(shelf: Shelf) -> np.ndarray:
+    """CIELAB of all sides of the box."""
+    return np.array([side.lab for side in sides(shelf, "box")])  # type: ignore[arg-type]
+
+
 def test_each_side_shows_its_own_colour_and_the_underside_none():
-    found = np.array(rim_colours(Shelf((0.1, 0.1, 0.05)), "box"))  # type: ignore[arg-type]
+    found = shown(Shelf((0.1, 0.1, 0.05)))
     assert len(found) >= 8
     bright, dark = found[:, 0] > 90, found[:, 0] < 10
     assert bright.sum() >= 4 and dark.sum() >= 4 and (bright | dark).all()
@@ -53,7 +58,7 @@ def test_each_side_shows_its_own_colour_and_the_underside_none():
 
 def test_what_is_taller_than_wide_shows_the_side_on_which_it_does_not_lie():
     # Laid over about y, its white half comes to lie above the black one.
-    found = np.array(rim_colours(Shelf((0.04, 0.08, 0.12)), "post"))  # type: ignore[arg-type]
+    found = shown(Shelf((0.04, 0.08, 0.12)))
     assert (found[:, 0] > 90).any() and not (found[:, 0] < 10).any()
 
 
@@ -67,3 +72,9 @@ def test_rims_of_things_are_dimmer_than_their_textures():
     assert list(rims.odd()) == [0, 1]
     nothing = Rims.of(shelf, [])  # type: ignore[arg-type]
     assert nothing.main.shape == nothing.colours.shape == (0, 3)
+
+
+def test_sides_face_where_they_lie():
+    for side in sides(Shelf((0.1, 0.1, 0.05)), "box"):  # type: ignore[arg-type]
+        if abs(np.cos(side.angle)) > 0.5:
+            assert (side.lab[0] > 90) == (np.cos(side.angle) < 0), "white where x < 0"

@@ -26,6 +26,7 @@ def rims(*things: tuple[str, str, tuple[tuple[int, int, int], ...]]) -> Rims:
         tuple(spec(name, colour) for name, colour, _ in things),
         lab(np.array([RGB[colour] for _, colour, _ in things])),
         np.repeat(np.arange(len(things)), [len(found) for found in sides]),
+        np.concatenate([np.arange(len(found)) for found in sides]).astype(float),
         in_shade(np.concatenate(sides)),
     )
 
@@ -124,6 +125,8 @@ def test_odd_sides_and_those_that_show_a_colour():
     assert len(ALL.showing(grey + (2 * NEAR, 0, 0))) == 0
 
 
-def test_a_side_among_many_is_not_shown_often_enough():
-    rare = rims(("red jar", "red", (RED,) * 9 + (GREY,)), ("red cup", "red", (RED,)))
-    assert len(rare.showing(in_shade(lab(np.array([GREY]))[0]))) == 0
+def test_what_is_asked_says_which_sides_look_out():
+    wanted, (story, *_) = stories(ALL, "colour", tells=False)
+    asked = story.asked(ALL, wanted)
+    assert asked.marked[asked.right].name == "red jar"
+    assert [list(angles) for angles in asked.facing][asked.right] == [2.0], "its third side is grey"

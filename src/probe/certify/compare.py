@@ -159,7 +159,10 @@ def _nests(
         lab = in_shade(np.array(shade.lab))
         return _Patch(lab, int(np.count_nonzero(mask))) if shade.share >= CLEAR else None
 
-    return draw_nests(made, shown, lambda a, b: _off_plan(plan, asked, colour, (a, b)), rng)
+    def off(a: _Patch, b: _Patch) -> float:
+        return _off_plan(plan, asked, colour, (a, b))
+
+    return draw_nests(made, shown, off, rng, asked.facing)
 
 
 def _planned(asked: Asked, library: Library) -> Array:

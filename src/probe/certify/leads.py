@@ -38,6 +38,7 @@ class Asked:
         word: The colour's name; empty where none is named.
         reference: The thing in plain view whose colour is asked for, or None.
         patches: What is to show of A and of B, CIELAB, shape (3,) each.
+        facing: Angles of the sides of A and of B that show it, radians.
     """
 
     marked: tuple[ObjectSpec, ObjectSpec]
@@ -45,6 +46,7 @@ class Asked:
     word: str
     reference: ObjectSpec | None
     patches: tuple[Array, Array]
+    facing: tuple[Array, Array]
 
     def lead(self, misfits: Sequence[float]) -> float:
         """By how much a patch of the right thing fits better than one of the wrong one.

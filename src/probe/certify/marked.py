@@ -150,7 +150,9 @@ def build_set(
     return Set(cast, Stage(cast.specs, library, posts), posts, view, frame)
 
 
-def peeks(made: Set, place: int, wanted: float, rng: np.random.Generator) -> list[Nest]:
+def peeks(
+    made: Set, place: int, wanted: float, rng: np.random.Generator, facing: float | None = None
+) -> list[Nest]:
     """Move a thing out from under its cover until about so much of it shows.
 
     Args:
@@ -158,6 +160,7 @@ def peeks(made: Set, place: int, wanted: float, rng: np.random.Generator) -> lis
         place: 0 for A, 1 for B.
         wanted: Visible share, 0 to 1.
         rng: Draws which way, and how both lie.
+        facing: The side of the thing that is to look out, as its angle; None for any.
 
     Returns:
         All that was tried on the way and shows a little; not yet at rest.
@@ -167,6 +170,8 @@ def peeks(made: Set, place: int, wanted: float, rng: np.random.Generator) -> lis
     # Outwards: towards the middle, the other nest might be in its place.
     towards = math.atan2(post.y, post.x) + float(rng.uniform(-_ASIDE, _ASIDE))
     out = np.array([math.cos(towards), math.sin(towards)])
+    if facing is not None:
+        turn = made.stage.turn_under(place + 1, cover, towards - facing)
     low, high = 0.0, cover.reach + max(spec.size) / 2
     found: list[Nest] = []
     for _ in range(_BISECTIONS):

@@ -12,6 +12,7 @@ import numpy as np
 from probe.certify.marked import Nest, Set, at_rest, peeks
 from probe.certify.result import Rejected
 from probe.certify.rules import LITTLE
+from probe.types import Array
 
 _ROUNDS = 5
 _CHOICES = 2
@@ -27,6 +28,7 @@ def draw_nests(
     shown: Callable[[int, Nest], _T | None],
     off: Callable[[_T, _T], float],
     rng: np.random.Generator,
+    facing: tuple[Array, Array] | None = None,
 ) -> tuple[Nest, Nest]:
     """A and B, each partly beneath its cover; many ways of lying are tried.
 
@@ -36,6 +38,7 @@ def draw_nests(
             is of no use.
         off: How far what shows of A and of B is from what is wanted; infinity if it won't do.
         rng: Draws how they lie.
+        facing: Of A and of B, angles of the sides of which one is to look out; None for any.
 
     Raises:
         Rejected: Nothing that was tried does, or stays.
@@ -44,7 +47,8 @@ def draw_nests(
     for _ in range(_ROUNDS):
         for place in (0, 1):
             wanted = math.exp(rng.uniform(math.log(LITTLE[0]), math.log(_MOST)))
-            nests = [n for n in peeks(made, place, wanted, rng) if n.seen.fraction <= _MOST]
+            side = float(rng.choice(facing[place])) if facing else None
+            nests = [n for n in peeks(made, place, wanted, rng, side) if n.seen.fraction <= _MOST]
             found[place].extend((n, it) for n in nests if (it := shown(place, n)) is not None)
         pairs = [(off(a, b), first, second) for (first, a), (second, b) in product(*found)]
         doing = sorted((pair for pair in pairs if pair[0] < math.inf), key=lambda pair: pair[0])

@@ -29,9 +29,6 @@ _SKIN = 0.1
 NEAR = 10.0
 """CIEDE2000 up to which one patch could stand for another."""
 
-_OFTEN = 0.2
-"""Share of its sides on which a thing must show a colour to be asked to."""
-
 _ODD = 15.0
 """CIEDE2000 from which a side isn't of its thing's main colour."""
 
@@ -47,23 +44,28 @@ class Rims:
         specs: The things; each has at least one side.
         main: Their main colours by texture, CIELAB, shape (k, 3).
         owner: Whose side it is, as a place in `specs`, shape (n,).
+        angles: Where on its thing the side is, radians, shape (n,); see Side.
         colours: Of the sides, CIELAB, shape (n, 3).
     """
 
     specs: tuple[ObjectSpec, ...]
     main: Array
     owner: Array
+    angles: Array
     colours: Array
 
     @staticmethod
     def of(library: Library, specs: Iterable[ObjectSpec]) -> Rims:
         """Those of some of a library's things; who has no clear side is left out."""
-        found = {spec: rims for spec in specs if (rims := rim_colours(library, spec.id))}
+        found = {spec: rims for spec in specs if (rims := sides(library, spec.id))}
         return Rims(
             tuple(found),
             np.array([main_colour(library, spec.id) for spec in found]).reshape(-1, 3),
             np.repeat(np.arange(len(found)), [len(rims) for rims in found.values()]),
-            in_shade(np.array([lab for rims in found.values() for lab in rims]).reshape(-1, 3)),
+            np.array([side.angle for rims in found.values() for side in rims]),
+            in_shade(
+                np.array([side.lab for rims in found.values() for side in rims]).reshape(-1, 3)
+            ),
         )
 
     def odd(self) -> Array:
@@ -72,11 +74,13 @@ class Rims:
         return np.unique(self.owner[apart >= _ODD])
 
     def showing(self, colour: Array) -> Array:
-        """Places of things that often enough show something near a colour, shape (m,)."""
-        near = ciede2000(self.colours, colour) <= NEAR
-        sides = np.bincount(self.owner, minlength=len(self.specs))
-        shares = np.bincount(self.owner, near, minlength=len(self.specs)) / sides
-        return np.flatnonzero(shares >= _OFTEN)
+        """Places of things of which some side is near a colour, shape (m,)."""
+        return np.unique(self.owner[ciede2000(self.colours, colour) <= NEAR])
+
+    def facing(self, place: int, colour: Array) -> Array:
+        """Angles of those of a thing's sides that are near a colour, radians, shape (m,)."""
+        mine = self.owner == place
+        return self.angles[mine][ciede2000(self.colours[mine], colour) <= NEAR]
 
 
 def in_shade(texture: Array) -> Array:
@@ -84,12 +88,22 @@ def in_shade(texture: Array) -> Array:
     return dimmed(texture, _BESIDE_COVERS)
 
 
-@lru_cache(maxsize=2048)
-def rim_colours(library: Library, object_id: str) -> tuple[tuple[float, float, float], ...]:
-    """Clear main colours of a thing's outermost fifth, seen from above, on each of its sides.
+@dataclass(frozen=True)
+class Side:
+    """One side of a thing.
 
-    It lies as it is laid beneath a cover. CIELAB; sides of many colours are left out.
+    Attributes:
+        angle: Which way it faces on a thing that isn't turned about the vertical, radians from x.
+        lab: Clear main colour of the outermost fifth there, seen from above, CIELAB.
     """
+
+    angle: float
+    lab: tuple[float, float, float]
+
+
+@lru_cache(maxsize=2048)
+def sides(library: Library, object_id: str) -> tuple[Side, ...]:
+    """Sides of a thing that lies as it is laid beneath a cover; those of many colours left out."""
     mesh = library.body(object_id).mesh
     face, weights = spots(mesh.vertices, mesh.faces, _SPOTS)
     points = places(mesh.vertices, mesh.faces, face, weights)
@@ -97,13 +111,13 @@ def rim_colours(library: Library, object_id: str) -> tuple[tuple[float, float, f
         points = Pose(wxyz=on_side(spec)).apply(points)
     colours = colours_at(mesh, face, weights)
     top = _from_above(points)
-    found = list[tuple[float, float, float]]()
-    for turn in np.arange(_DIRECTIONS) * 2 * math.pi / _DIRECTIONS:
-        out = points[:, :2] @ np.array([np.cos(turn), np.sin(turn)])
+    found = list[Side]()
+    for angle in np.arange(_DIRECTIONS) * 2 * math.pi / _DIRECTIONS:
+        out = points[:, :2] @ np.array([np.cos(angle), np.sin(angle)])
         outer = top & (out >= np.quantile(out[top], 1 - _OUTER))
         shade = shades(colours[outer])[0]
         if shade.share >= CLEAR:
-            found.append(shade.lab)
+            found.append(Side(float(angle), shade.lab))
     return tuple(found)
 
 

@@ -81,9 +81,7 @@ class Stage:
             laid: Whether the target lies on its longer side instead of standing.
         """
         self._clear()
-        size, lowest = self.items[target - 1].spec.size, layers[0]
-        crosswise = (size[0] > size[1]) != (lowest.cover.extent[0] > lowest.cover.extent[1])
-        turned = about_z(lowest.turn + (math.pi / 2 if crosswise else 0.0))
+        turned = about_z(layers[0].turn + self._crosswise(target, layers[0].cover))
         if laid:
             tipped = (Pose(wxyz=turned) @ Pose(wxyz=on_side(self.items[target - 1].spec))).wxyz
             self._pile.drop(target, Drop(at.x, at.y, tipped))
@@ -101,6 +99,15 @@ class Stage:
         self._pile.step(_NEST_CHECK_TIME)
         self._pile.stay_awake(awake=False)
         return self._poses()
+
+    def turn_under(self, target: int, cover: Cover, yaw: float) -> float:
+        """The turn of a lowest cover under which nest() gives a target this yaw, radians."""
+        return yaw - self._crosswise(target, cover)
+
+    def _crosswise(self, target: int, cover: Cover) -> float:
+        size = self.items[target - 1].spec.size
+        crosswise = (size[0] > size[1]) != (cover.extent[0] > cover.extent[1])
+        return math.pi / 2 if crosswise else 0.0
 
     @property
     def jammed(self) -> bool:

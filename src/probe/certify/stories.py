@@ -45,13 +45,18 @@ class Story:
 
     def asked(self, rims: Rims, plan: Plan) -> Asked:
         """The question that a plan asks about it."""
-        right, wrong = rims.specs[self.right], rims.specs[self.wrong]
-        named = right.colours[0] if plan.form == "colour" else ""
-        third = None if self.third is None else rims.specs[self.third]
-        fits, other = self.patches
-        if plan.letter == PAIR[0]:
-            return Asked((right, wrong), 0, named, third, (fits, other))
-        return Asked((wrong, right), 1, named, third, (other, fits))
+        order = (self.right, self.wrong), self.patches
+        if plan.letter != PAIR[0]:
+            order = (self.wrong, self.right), self.patches[::-1]
+        (a, b), (patch_a, patch_b) = order
+        return Asked(
+            marked=(rims.specs[a], rims.specs[b]),
+            right=PAIR.index(plan.letter),
+            word=_word(rims, self.right) if plan.form == "colour" else "",
+            reference=None if self.third is None else rims.specs[self.third],
+            patches=(patch_a, patch_b),
+            facing=(rims.facing(a, patch_a), rims.facing(b, patch_b)),
+        )
 
 
 def draw_stories(rims: Rims, plan: Plan, rng: np.random.Generator) -> Iterator[Story]:
@@ -81,8 +86,7 @@ def _misleading(rims: Rims, odd: Array, form: Form, rng: np.random.Generator) ->
     for wrong in rng.permutation(others if right_is_odd else np.intersect1d(others, odd)):
         if _may_ask(rims, form, right, int(wrong), third):
             other = rims.colours[rng.choice(np.flatnonzero(fitting & (rims.owner == wrong)))]
-            often = right in rims.showing(shown) and wrong in rims.showing(other)
-            return Story(right, int(wrong), third, (shown, other)) if often else None
+            return Story(right, int(wrong), third, (shown, other))
     return None
 
 
