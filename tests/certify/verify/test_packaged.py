@@ -42,7 +42,7 @@ def test_letters_and_crossings_of_v1_balance():
     assert [b for b in found if b.of == "letter" and not b.even] == []
     # 28 are three and a half rounds of Size's crossings, and "smaller" turns letters round.
     spreads = {(b.kind, b.of): max(b.counts.values()) - min(b.counts.values()) for b in found}
-    assert len(spreads) == 10 and max(spreads.values()) <= 2
+    assert len(spreads) == 11 and max(spreads.values()) <= 2
     assert [name for name, spread in spreads.items() if spread > 1] == [
         ("size", "letter x larger area"),
         ("size", "what shows of the larger"),
