@@ -27,7 +27,12 @@ _CELLS = 40
 _SKIN = 0.1
 
 NEAR = 10.0
-"""CIEDE2000 up to which one patch could stand for another."""
+"""CIEDE2000 up to which a patch is what was planned."""
+
+_SAME = 5.0
+"""CIEDE2000 up to which one patch can stand for another: about what light does to one and the same
+patch in pictures (standard deviation of L* 4.7, a* 2.4, b* 1.9, 600 patches). Up to 10, nearest
+neighbours could tell the two apart in 61 % of 800 drawn stories; up to 5 in 52 %."""
 
 _ODD = 15.0
 """CIEDE2000 from which a side isn't of its thing's main colour."""
@@ -75,12 +80,12 @@ class Rims:
 
     def showing(self, colour: Array) -> Array:
         """Places of things of which some side is near a colour, shape (m,)."""
-        return np.unique(self.owner[ciede2000(self.colours, colour) <= NEAR])
+        return np.unique(self.owner[ciede2000(self.colours, colour) <= _SAME])
 
     def facing(self, place: int, colour: Array) -> Array:
         """Angles of those of a thing's sides that are near a colour, radians, shape (m,)."""
         mine = self.owner == place
-        return self.angles[mine][ciede2000(self.colours[mine], colour) <= NEAR]
+        return self.angles[mine][ciede2000(self.colours[mine], colour) <= _SAME]
 
 
 def in_shade(texture: Array) -> Array:

@@ -3,7 +3,7 @@
 A thing that shows another colour than its own is rare, so whatever is peculiar to such patches
 would give the answer away. Each pair of patches that misleads is therefore shared with another
 pair of things that show the same, of which the one whose patch fits better is the right one.
-Without such a pair it isn't used at all; with it, a plan says which of the two is asked about.
+Without such a pair it isn't used at all.
 """
 
 from __future__ import annotations
@@ -59,14 +59,26 @@ class Story:
         )
 
 
-def draw_stories(rims: Rims, plan: Plan, rng: np.random.Generator) -> Iterator[Story]:
-    """Stories of a plan's form that tell or mislead as it says; each has a twin that doesn't."""
+@dataclass(frozen=True, eq=False)
+class Twins:
+    """Two stories of the same patches, of which one tells and one misleads."""
+
+    telling: Story
+    misleading: Story
+
+    def asked(self, rims: Rims, plan: Plan) -> Asked:
+        """The question that a plan asks about one of them."""
+        return (self.telling if plan.cues[0] else self.misleading).asked(rims, plan)
+
+
+def draw_twins(rims: Rims, form: Form, rng: np.random.Generator) -> Iterator[Twins]:
+    """Stories of a form, in twos."""
     odd = rims.odd()
     for _ in range(_DRAWS):
-        misleading = _misleading(rims, odd, plan.form, rng)
-        telling = misleading and _telling(rims, plan.form, misleading, rng)
+        misleading = _misleading(rims, odd, form, rng)
+        telling = misleading and _telling(rims, form, misleading, rng)
         if misleading and telling:
-            yield telling if plan.cues[0] else misleading
+            yield Twins(telling, misleading)
 
 
 def _misleading(rims: Rims, odd: Array, form: Form, rng: np.random.Generator) -> Story | None:
