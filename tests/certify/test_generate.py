@@ -211,8 +211,8 @@ def check_patches(task: Task, right: int, cues: tuple[bool, ...], library, rende
     frame = photograph(renderer, task.scene)
     assert frame.rgb is not None
     masks = [frame.labels == mark.instance for mark in task.marks]
-    assert task.subject == "brown"
-    word = lab(np.array([(110, 72, 45)]))[0]
+    assert task.subject == "pink"
+    word = lab(np.array([(240, 150, 180)]))[0]
     off = [float(ciede2000(np.median(lab(frame.rgb[mask]), axis=0), word)) for mask in masks]
     assert (off[right] < off[1 - right]) == cues[0]
     assert (masks[right].sum() > masks[1 - right].sum()) == cues[1]
