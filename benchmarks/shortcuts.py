@@ -59,7 +59,7 @@ def _found(args: Args, words: str, make: Make, leak: Leak, share: float) -> None
     hits = 0
     for seed in range(args.sims):
         hits += bool(leaks(investigate(examples(make, args.tasks, leak, 2000 + seed), LORE)))
-    print(f"{words}, in {share:.0%} more tasks: found in {hits} of {args.sims} sets")
+    print(f"{words}, made so in {share:.0%} of the tasks: found in {hits} of {args.sims} sets")
 
 
 def _finder(finding: Finding) -> str:
@@ -68,7 +68,7 @@ def _finder(finding: Finding) -> str:
 
 def _smallest(share: float) -> Leak:
     def leak(draw: Draw) -> None:
-        if draw.rng.random() < share:
+        if draw.rng.random() < share and draw.right < len(draw.options) - 1:
             named = draw.options[:-1]
             draw.right = named.index(min(named, key=lambda n: max(LORE.by_name[n].size)))
 

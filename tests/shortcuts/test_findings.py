@@ -50,9 +50,16 @@ def test_a_small_excess_is_no_leak_however_sure():
 
 @pytest.mark.parametrize(("n", "tests"), [(300, 1), (300, 200), (1000, 200)])
 def test_what_can_be_detected_is_called_in_four_of_five_sets(n, tests):
-    share = detectable(n, 0.2, tests)
+    share = detectable(n, 0.2, 0.03, tests)
     called = [k for k in range(n + 1) if stats.binom.sf(k - 1, n, 0.2) < 0.05 / tests]
     assert stats.binom.sf(called[0] - 1, n, share) == pytest.approx(0.8, abs=1e-6)
+
+
+def test_what_is_within_the_limit_is_no_leak_however_many_tasks():
+    # 23 % of 10,000 tasks is the limit; a share of 0.2336 exceeds it in four sets of five.
+    share = detectable(10_000, 0.2, 0.03, 1)
+    assert stats.binom.sf(2_300, 10_000, share) == pytest.approx(0.8, abs=1e-6)
+    assert share == pytest.approx(0.2336, abs=2e-4)
 
 
 def test_the_table_says_all_of_it():

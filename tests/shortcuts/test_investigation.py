@@ -72,8 +72,8 @@ def test_a_wording_tells_that_it_is_none():
 
 
 def test_what_is_seen_is_all_there_is():
-    def make(rng):
-        return count(rng, hidden=0 if rng.random() < 0.5 else None)
+    def make(rng, lot):
+        return count(rng, lot, hidden=0 if rng.random() < 0.5 else None)
 
     by = found(examples(make, 300))
     assert {"seen + 0", "logistic on graph", "observer"} <= by

@@ -14,6 +14,7 @@ from probe.certify.observer import (
     marked,
     misfit,
     named_in,
+    says,
     visible_count,
     wanted_colour,
 )
@@ -23,7 +24,7 @@ from probe.shortcuts.sample import Lore, Sample, known
 from probe.tasks.task import PAIR
 
 _FARTHEST = 100.0
-_CM2 = 31.0
+_CM2 = 312.0
 """Pixels of a square centimetre of table, so that logarithms of areas are near 0."""
 
 
@@ -73,7 +74,11 @@ def by_patch(sample: Sample, lore: Lore) -> tuple[Features, ...]:
     look = sample.look
     if sample.paired:
         wanted = None if sample.form == "darker" else wanted_colour(sample.question, look)
-        a, b = (_patch(thing, wanted) for thing in marked(look))
+        a, b = (
+            _patch(thing, wanted)
+            | {"said": float(any(says(sample.question, c) for c in thing.colours))}
+            for thing in marked(look)
+        )
         return opposed(sample.form, a, b)
     beside = half_hidden(sample.question, look)
     anywhere = [thing for thing in look.things if thing.name is None]

@@ -1,10 +1,10 @@
 """Simple classifiers, always judged on tasks that they weren't trained on. The home of sklearn.
 
 Each task is predicted by a classifier that was trained on tasks before it alone, in an order that
-is drawn (prequential evaluation: Dawid, J. R. Stat. Soc. A 147(2), 1984). If features tell
-nothing, each prediction is right with the chance of a guess whatever came before, so that the
-number of right ones is binomial. In cross-validation it isn't: what is common in one fold by luck
-is predicted in the others, and their errors go together.
+is drawn (prequential evaluation: Dawid, J. R. Stat. Soc. A 147(2), 1984). Tasks come in whole
+blocks, each even in all that was planned, so that what is common in one block by plan isn't rare in
+the next: features that tell nothing then predict as well as a guess. In cross-validation they
+don't: what is common in one fold by luck is predicted in the others, and their errors go together.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from __future__ import annotations
 import warnings
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -25,8 +24,8 @@ from probe.types import Array
 FEWEST_TASKS = 70
 """With fewer tasks there is nothing to learn from."""
 
-WARM_UP, ROUNDS = 0.2, 8
-"""Share of the tasks that are only trained on, and how often a classifier is trained anew."""
+WARM_UP = 0.2
+"""Least share of the tasks that are only trained on."""
 
 _SUPPORT = 5
 _NEIGHBOURS = 25
@@ -68,7 +67,11 @@ def models() -> Mapping[str, Model]:
 
 
 def guesses(
-    model: Model, told: Sequence[Sequence[Features]], right: Sequence[int], seed: int = 0
+    model: Model,
+    told: Sequence[Sequence[Features]],
+    right: Sequence[int],
+    blocks: Sequence[int],
+    seed: int = 0,
 ) -> dict[int, int]:
     """The option that a classifier chooses, by the place of the task; see this file's docstring.
 
@@ -79,6 +82,7 @@ def guesses(
         model: Makes the classifier.
         told: Features of each option, by task.
         right: Place of each task's right option.
+        blocks: Number of each task's block.
         seed: Of the order and the lots.
 
     Returns:
@@ -91,19 +95,30 @@ def guesses(
     task = np.repeat(np.arange(len(told)), [len(options) for options in told])
     answers = is_right(told, right)
     rng = generator(seed, "order")
-    turn = np.empty(len(told), dtype=int)
-    turn[rng.permutation(len(told))] = np.arange(len(told))
+    turn = _rounds(blocks, rng)
     chosen: dict[int, int] = {}
-    for start, end in pairwise(np.linspace(WARM_UP, 1, ROUNDS + 1) * len(told)):
-        known, new = (
-            turn[task] < round(start),
-            (turn[task] >= round(start)) & (turn[task] < round(end)),
-        )
+    for number in range(1, int(turn.max()) + 1):
+        known, new = turn[task] < number, turn[task] == number
         chances = _trained(model, rows[known], answers[known], rows[new])
         chances = chances + rng.random(len(chances)) * 1e-9
         for one in np.unique(task[new]):
             chosen[int(one)] = int(chances[task[new] == one].argmax())
     return chosen
+
+
+def _rounds(blocks: Sequence[int], rng: np.random.Generator) -> Array:
+    """In which round each task is predicted, shape (n,); 0 is the warm-up, where none is.
+
+    Each round is a block. Those that lack tasks come first: they may be uneven.
+    """
+    numbers, block, counts = np.unique(blocks, return_inverse=True, return_counts=True)
+    lot = rng.permutation(len(numbers))
+    order = np.lexsort((lot, counts == counts.max()))
+    before = np.concatenate([[0], np.cumsum(counts[order])[:-1]])
+    warm = int(np.count_nonzero(before < WARM_UP * len(block)))
+    turn = np.empty(len(numbers), dtype=int)
+    turn[order] = np.maximum(np.arange(len(numbers)) - warm + 1, 0)
+    return turn[block]
 
 
 def _trained(model: Model, rows: Array, answers: Array, new: Array) -> Array:

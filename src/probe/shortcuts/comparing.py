@@ -38,10 +38,14 @@ def relative(name: str, values: Sequence[float | None]) -> tuple[Features, ...]:
 
 
 def opposed(form: Form, a: Mapping[str, float], b: Mapping[str, float]) -> tuple[Features, ...]:
-    """Numbers of two options, each less the other's; by what is asked, too."""
+    """Numbers of two options, each less the other's; by what is asked, too.
+
+    Besides, what both have on average: it tells of neither, but may tell which way to go.
+    """
+    both = {f"both {name}": (a[name] + b[name]) / 2 for name in a}
     less = {name: a[name] - b[name] for name in a}
     forms = less | {f"{form} {name}": value for name, value in less.items()}
-    return forms, {name: -value for name, value in forms.items()}
+    return forms | both, {name: -value for name, value in forms.items()} | both
 
 
 def joined(*parts: Sequence[Features]) -> tuple[Features, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -101,10 +102,17 @@ def judge(tallies: Sequence[Tally]) -> list[Finding]:
     return found
 
 
-def detectable(n: int, ceiling: float, tests: int) -> float:
+def detectable(n: int, ceiling: float, allowance: float, tests: int) -> float:
     """True accuracy from which on n tasks show a leak four times in five, among so many tests.
 
     Exact for Holm's first step, which is what a single leak has to pass.
+
+    Args:
+        n: Tasks.
+        ceiling: As in Tally.
+        allowance: As in Tally.
+        tests: All that are judged together.
     """
-    most = int(stats.binom.isf(LEVEL / tests, n, ceiling))
+    by_luck = int(stats.binom.isf(LEVEL / tests, n, ceiling))
+    most = max(by_luck, math.floor((ceiling + allowance) * n))
     return float(stats.beta.ppf(POWER, most + 1, n - most)) if most < n else 1.0

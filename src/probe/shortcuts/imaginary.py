@@ -19,6 +19,9 @@ _COLOURS = ("red", "green", "blue", "yellow", "white", "black")
 _CATEGORIES = ("mug", "brick", "egg", "die", "pawn", "coin", "lid", "cork", "nut", "key")
 _WORDINGS = tuple(f"{word} is it that lies there" for word in ("What", "Which", "Name what", "Say"))
 
+_BLOCK = 40
+"""Letters are even in this many tasks."""
+
 
 def _spec(name: str, size: float) -> ObjectSpec:
     colour, category = name.split(" ", 1)
@@ -78,10 +81,12 @@ class Draw:
         look = FirstLook(tuple(self.things), (), marked)
         question = f"{self.question}?"
         sample = Sample(self.kind, self.form, question, tuple(self.options), look)
-        return Example(f"{self.kind}-{number:04}", sample, self.right)
+        return Example(f"{self.kind}-{number:04}", sample, self.right, number // _BLOCK)
 
 
-Make = Callable[[np.random.Generator], Draw]
+Make = Callable[[np.random.Generator, int], Draw]
+"""Makes a task; the number, 0 to 9, is a lot that occurs once in ten tasks, for its letter."""
+
 Leak = Callable[[Draw], None]
 
 
@@ -94,16 +99,16 @@ def offer(draw: Draw, candidates: Sequence[str], truth: int) -> None:
     draw.options = [*others, NONE_OF_THE_ABOVE]
 
 
-def find(rng: np.random.Generator) -> Draw:
+def find(rng: np.random.Generator, lot: int) -> Draw:
     """A question of five options that are objects."""
     names = [LORE.specs[int(n)].name for n in rng.choice(len(LORE.specs), 15, replace=False)]
     things = [_sight(name if rng.random() < 0.8 else None, rng) for name in names[5:]]
-    draw = Draw(rng, [], int(rng.integers(5)), str(rng.choice(_WORDINGS)), things)
+    draw = Draw(rng, [], lot % 5, str(rng.choice(_WORDINGS)), things)
     offer(draw, names[:5], int(rng.integers(5)))
     return draw
 
 
-def count(rng: np.random.Generator, hidden: int | None = None) -> Draw:
+def count(rng: np.random.Generator, lot: int, hidden: int | None = None) -> Draw:
     """A question of numbers; so many are hidden, else 0 to 2."""
     name = LORE.specs[int(rng.integers(len(LORE.specs)))].name
     seen, hidden = int(rng.integers(4)), int(rng.integers(3)) if hidden is None else hidden
@@ -114,26 +119,26 @@ def count(rng: np.random.Generator, hidden: int | None = None) -> Draw:
     things = [_sight(name, rng) for _ in range(seen)]
     things += [_sight(other, rng) for other in others if other != name]
     asked = f"{rng.choice(_WORDINGS)}: how many {name}s"
-    draw = Draw(rng, [], int(rng.integers(5)), asked, things, "count")
+    draw = Draw(rng, [], lot % 5, asked, things, "count")
     offer(draw, [str(n) for n in candidates], candidates.index(seen + hidden))
     return draw
 
 
-def size(rng: np.random.Generator) -> Draw:
+def size(rng: np.random.Generator, lot: int) -> Draw:
     """A question which of two is larger."""
-    return _pair(rng, "size", ("longer", "larger", "smaller"))
+    return _pair(rng, lot, "size", ("longer", "larger", "smaller"))
 
 
-def compare(rng: np.random.Generator) -> Draw:
+def compare(rng: np.random.Generator, lot: int) -> Draw:
     """A question which of two has a colour."""
-    return _pair(rng, "compare", ("colour", "darker"))
+    return _pair(rng, lot, "compare", ("colour", "darker"))
 
 
-def _pair(rng: np.random.Generator, kind: QuestionKind, forms: tuple[Form, ...]) -> Draw:
+def _pair(rng: np.random.Generator, lot: int, kind: QuestionKind, forms: tuple[Form, ...]) -> Draw:
     things = [_sight(None, rng) for _ in range(12)]
     form = forms[int(rng.integers(len(forms)))]
     word = f" {rng.choice(_COLOURS)}" if form == "colour" else ""
-    right, question = int(rng.integers(2)), f"{rng.choice(_WORDINGS)}: the {form} one{word}"
+    right, question = lot % 2, f"{rng.choice(_WORDINGS)}: the {form} one{word}"
     return Draw(rng, ["Object A", "Object B"], right, question, things, kind, form, (0, 1))
 
 
@@ -141,7 +146,8 @@ def examples(make: Make, n: int, leak: Leak | None = None, seed: int = 0) -> lis
     """So many tasks; a leak, if any, may change each."""
     found: list[Example] = []
     for number in range(n):
-        draw = make(np.random.default_rng([seed, number]))
+        lots = np.random.default_rng([seed, n, number // 10]).permutation(10)
+        draw = make(np.random.default_rng([seed, number]), int(lots[number % 10]))
         if leak:
             leak(draw)
         found.append(draw.example(number))

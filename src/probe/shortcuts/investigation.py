@@ -42,10 +42,11 @@ def _one_of(places: Sequence[int], task: str) -> int:
 
 def _by_classifiers(examples: Sequence[Example], lore: Lore) -> Iterator[Tally]:
     right = [example.right for example in examples]
+    blocks = [example.block for example in examples]
     for family in FAMILIES:
         told = [features(family, example.sample, lore) for example in examples]
         for name, model in models().items():
-            said = guesses(model, told, right)
+            said = guesses(model, told, right, blocks)
             if said:
                 alone = family in LETTERS_ALONE
                 yield from _tallies(examples, f"{name} on {family}", said, letters_alone=alone)

@@ -10,6 +10,7 @@ from functools import cached_property
 from probe.assets.spec import ObjectSpec
 from probe.certify.first_look import FirstLook
 from probe.certify.observer import says
+from probe.certify.plan import block_of
 from probe.tasks.english import plural
 from probe.tasks.task import LETTERS, PAIR, Form, QuestionKind, Task
 
@@ -45,12 +46,14 @@ class Example:
         task: Its id.
         sample: All that may be used to guess.
         right: Place of the right option.
+        block: Number of the block of tasks that together are even in all that was planned.
         part: Stratum in which it is also reported, or empty.
     """
 
     task: str
     sample: Sample
     right: int
+    block: int
     part: str = ""
 
 
@@ -94,6 +97,7 @@ def example_of(task: Task, look: FirstLook) -> Example:
             look,
         ),
         right=LETTERS.index(task.answer),
+        block=block_of(task.kind, task.seed),
         part="" if partly is None else "partly" if partly else "hidden",
     )
 

@@ -42,14 +42,15 @@ def _summary(findings: Sequence[Finding]) -> str:
         f"{len(findings)} tests: {counts['below']} below their limit, {counts['within noise']} "
         f"over it within noise, {counts['above']} above it at {LEVEL:.0%} after Holm's correction."
     )
-    rows = ["| type | n | limit | least true accuracy that would be called a leak (80 % power) |"]
-    rows.append("|---|---|---|---|")
+    rows = ["| type | n | by classifiers | limit | true accuracy called a leak (80 % power) |"]
+    rows.append("|---|---|---|---|---|")
     for kind in dict.fromkeys(finding.tally.kind for finding in _in_order(findings)):
         mine = [finding.tally for finding in findings if finding.tally.kind == kind]
         tally = max(mine, key=lambda t: t.ceiling)
         # Classifiers predict fewer than rules do.
-        least = detectable(min(t.n for t in mine), tally.ceiling, len(findings))
-        rows.append(f"| {kind} | {tally.n} | {tally.limit:.0%} | {least:.0%} |")
+        fewest, most = min(t.n for t in mine), max(t.n for t in mine)
+        least = detectable(fewest, tally.ceiling, tally.allowance, len(findings))
+        rows.append(f"| {kind} | {most} | {fewest} | {tally.limit:.0%} | {least:.0%} |")
     return head + "\n\n" + "\n".join(rows)
 
 
