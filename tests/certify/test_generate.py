@@ -24,6 +24,14 @@ from probe.scene.scene import Scene
 from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionKind, Task
 
 TABLES = ("oak_planks",)
+WORDS = {
+    "black": (30, 30, 30),
+    "brown": (110, 70, 40),
+    "pink": (240, 150, 180),
+    "red": (205, 45, 45),
+}
+"""sRGB of everyday words."""
+
 pytestmark = pytest.mark.slow
 
 
@@ -211,8 +219,7 @@ def check_patches(task: Task, right: int, cues: tuple[bool, ...], library, rende
     frame = photograph(renderer, task.scene)
     assert frame.rgb is not None
     masks = [frame.labels == mark.instance for mark in task.marks]
-    assert task.subject == "pink"
-    word = lab(np.array([(240, 150, 180)]))[0]
+    word = lab(np.array([WORDS[task.subject]]))[0]
     off = [float(ciede2000(np.median(lab(frame.rgb[mask]), axis=0), word)) for mask in masks]
     assert (off[right] < off[1 - right]) == cues[0]
     assert (masks[right].sum() > masks[1 - right].sum()) == cues[1]

@@ -95,6 +95,7 @@ def cast_marked(
     pair: tuple[ObjectSpec, ObjectSpec],
     needed: Sequence[ObjectSpec],
     rng: np.random.Generator,
+    unlike_too: Sequence[ObjectSpec] = (),
 ) -> MarkedCast | None:
     """Draw covers that would both do for either of two marked things, and the others.
 
@@ -103,6 +104,7 @@ def cast_marked(
         pair: The two, A first.
         needed: What must be among the others; it is dropped last.
         rng: Draws the rest.
+        unlike_too: What else all others have to be told apart from by name.
 
     Returns:
         None if nothing covers them.
@@ -110,7 +112,7 @@ def cast_marked(
     Raises:
         Rejected: The library has too few others.
     """
-    free = unlike(library.specs, [*pair, *needed])
+    free = unlike(library.specs, [*pair, *needed, *unlike_too])
     room = [low_footprint_of(library, spec.id) for spec in pair]
     first = draw_shield(library, free, room, rng)
     second = first and draw_shield(library, unlike(free, [first.spec]), room, rng)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import TypeVar
@@ -21,6 +22,18 @@ PAIRED: tuple[QuestionKind, ...] = "compare", "size"
 
 _CROSSED = tuple(product(PAIR, (True, False), (True, False)))
 _MORE_CUES = tuple(product((True, False), repeat=2))
+_PARTLY = (False, False, True)
+_LIGHTER = (True, False)
+_BALANCED: Mapping[QuestionKind, tuple[int, ...]] = {
+    "beneath": (len(LETTERS),),
+    "compare": (len(_CROSSED), len(_MORE_CUES)),
+    "count": (len(LETTERS), len(_COUNTS)),
+    "find": (len(LETTERS), len(_PARTLY)),
+    "reduce": (len(LETTERS), len(_REMOVALS)),
+    "size": (len(_CROSSED), len(_MORE_CUES), len(_LIGHTER)),
+}
+"""Episodes in which what a type is planned by, wordings apart, takes all its values."""
+
 _T = TypeVar("_T")
 
 
@@ -74,12 +87,17 @@ def plan(kind: QuestionKind, seed: int) -> Plan:
         form=form,
         visible=visible,
         hidden=hidden,
-        partly=_turn((False, False, True), episode, kind, "partly"),
+        partly=_turn(_PARTLY, episode, kind, "partly"),
         removals=_turn(_REMOVALS, episode, kind, "removals"),
         cues=(first, second, third),
         longer_cover=longer_cover,
-        lighter=_turn((True, False), episode, kind, "lighter"),
+        lighter=_turn(_LIGHTER, episode, kind, "lighter"),
     )
+
+
+def block_of(kind: QuestionKind, seed: int) -> int:
+    """Number of an attempt's block: of episodes that together are even in all that is planned."""
+    return seed // ATTEMPTS // math.lcm(len(wordings(kind)), *_BALANCED[kind])
 
 
 def _turn(values: Sequence[_T], episode: int, kind: str, purpose: str) -> _T:

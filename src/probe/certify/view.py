@@ -8,8 +8,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.mesh import Surface, TexturedMesh
-from probe.assets.sampling import colours_at, places, spots, topmost
-from probe.certify.palettes import Shade, shades
+from probe.assets.sampling import places, spots, topmost
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
 from probe.scene.layout import TABLE_SIZE, top_camera
@@ -42,19 +41,13 @@ class View:
         placed = [item for item in scene.objects if item.instance in of]
         return visibilities(labels, self._renderer.outlines(placed, top_camera()))
 
-    def patch(self, scene: Scene, labels: Array, number: int) -> Array:
-        """Main colour of what shows of an object, by its texture, CIELAB, shape (3,)."""
-        return np.array(self.shades(scene, labels, number)[0].lab)
-
-    def shades(self, scene: Scene, labels: Array, number: int) -> tuple[Shade, ...]:
-        """Colours of what shows of an object, by its texture, the most frequent first."""
+    def shown(self, scene: Scene, labels: Array, number: int) -> tuple[Array, Array]:
+        """Spots of an object that show: faces, shape (n,), and weights, shape (n, 3)."""
         mesh = self._meshes[scene[number].object_id]
         face, weights = spots(mesh.vertices, mesh.faces, _SPOTS)
-        shown = _spots_shown(
-            scene, labels, number, places(mesh.vertices, mesh.faces, face, weights)
-        )
-        colours = colours_at(mesh, face, weights)
-        return shades(colours[shown] if shown.any() else colours)
+        points = places(mesh.vertices, mesh.faces, face, weights)
+        shown = _spots_shown(scene, labels, number, points)
+        return face[shown], weights[shown]
 
     def silhouettes(self, scene: Scene, of: Collection[int]) -> dict[int, Silhouette]:
         """Silhouettes of some instances of a scene."""

@@ -81,7 +81,7 @@ def test_a_cover_elsewhere_hides_nothing(library, renderer):
 
 @pytest.mark.parametrize(
     ("task", "problem"),
-    [(COMPARE, "patches lead and fit by"), (SIZE, "tells too much")],
+    [(COMPARE, "of what shows of A tells it from its twin"), (SIZE, "tells too much")],
     ids=["compare", "size"],
 )
 def test_marked_things_in_full_view_tell_too_much(library, renderer, task, problem):
@@ -94,7 +94,7 @@ def test_patches_are_measured_anew(library, renderer):
     lead = COMPARE.certificate.measures["patch_lead"]
     stated = {**COMPARE.certificate.measures, "patch_lead": lead + 3}
     untrue = replace(COMPARE, certificate=replace(COMPARE.certificate, measures=stated))
-    assert f"patches lead and fit by {lead:.1f}" in shown(untrue, library, renderer)
+    assert f"patch leads by {lead:.1f}, not {lead + 3:.1f}" in shown(untrue, library, renderer)
 
 
 def test_what_floats_is_not_at_rest(library, renderer):

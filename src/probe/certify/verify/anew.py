@@ -6,9 +6,9 @@ from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
 
 from probe.assets.library import Library
-from probe.certify.looks import Looks
 from probe.certify.restaged import Restaged
 from probe.certify.view import View
+from probe.certify.worlds import Matter, look_at_worlds
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.visibility import Visibility
@@ -51,9 +51,9 @@ class Anew:
         settled = bare.moved(bare.stage.lift(bare.poses, *bare.places(*gone)))
         yield "resettled", self._visibility(settled, self.view.labels(settled))
 
-    def looks(self, *compared: int) -> Looks:
-        """Pictures of these things."""
-        return Looks(self._renderer, self.scene, self.labels, compared, self.library)
+    def worlds(self, matter: Matter, right: int) -> dict[str, float]:
+        """Compare's two worlds in pictures; see look_at_worlds()."""
+        return look_at_worlds(matter, self.scene, self.labels, right, self.library, self._renderer)
 
     def _visibility(self, scene: Scene, labels: Array) -> Mapping[int, Visibility]:
         return self.view.visibility(scene, labels, [placed.instance for placed in scene.objects])

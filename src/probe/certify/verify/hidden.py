@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterator, Sequence
 
 from scipy import ndimage
 
-from probe.certify.leads import leads_enough
 from probe.certify.marked import INSIDE_PX
+from probe.certify.paint_twins import ALIKE
+from probe.certify.result import Rejected
 from probe.certify.rules import (
     CLEAR_SHARE,
     HIDDEN_SHARE,
@@ -22,8 +23,10 @@ from probe.certify.rules import (
     is_seen,
 )
 from probe.certify.size_leads import Patch, are_within, leads_of
+from probe.certify.unpainted import shared
 from probe.certify.verify.anew import Anew
-from probe.tasks.task import Mark, QuestionKind, Task
+from probe.certify.worlds import Matter
+from probe.tasks.task import PAIR, Mark, QuestionKind, Task
 
 _SAME = 0.02
 _SAME_PX = 40
@@ -117,24 +120,31 @@ def _marked(task: Task, anew: Anew) -> Iterator[str]:
 
 def _compare(task: Task, anew: Anew) -> Iterator[str]:
     yield from _marked(task, anew)
-    lead, best = _patches(task, anew)
-    if not leads_enough(task.form, lead):
-        yield f"neither patch is clearly nearer to what is asked: one leads by {lead:.1f}"
-    stated = [task.certificate.measures[name] for name in ("patch_lead", "patch_best")]
-    if max(abs(lead - stated[0]), abs(best - stated[1])) > _SAME_COLOUR:
-        yield f"patches lead and fit by {lead:.1f} and {best:.1f}, not {stated}"
+    twins = task.certificate.candidates[len(PAIR) :]
+    for mark, twin in zip(task.marks, twins, strict=True):
+        share = shared(anew.view, anew.scene, anew.labels, mark.instance, twin, anew.library)
+        if share < ALIKE - _SAME:
+            yield f"{1 - share:.0%} of what shows of {mark.letter} tells it from its twin"
+    try:
+        lead = anew.worlds(_matter(task, anew), PAIR.index(task.answer))["patch_lead"]
+    except Rejected as failure:
+        yield failure.rejection.detail
+        return
+    stated = task.certificate.measures["patch_lead"]
+    if abs(lead - stated) > _SAME_COLOUR:
+        yield f"the right one's patch leads by {lead:.1f}, not {stated:.1f}"
 
 
-def _patches(task: Task, anew: Anew) -> tuple[float, float]:
-    """By how much the right one's patch fits better, and how far the better patch is off."""
-    right, wrong = _right_first(task)
-    marked = [right.instance, wrong.instance]
-    if task.form == "like":
-        model = anew.called(task.subject).instance
-        fits, other = anew.looks(*marked, model).misfits(task.form, marked, model)
-    else:
-        fits, other = anew.looks(*marked).misfits(task.form, marked, task.subject)
-    return other - fits, min(fits, other)
+def _matter(task: Task, anew: Anew) -> Matter:
+    like = task.form == "like"
+    a, b = (mark.instance for mark in task.marks)
+    return Matter(
+        task.form,
+        (a, b),
+        (task.certificate.candidates[2], task.certificate.candidates[3]),
+        "" if like else task.subject,
+        anew.called(task.subject).instance if like else None,
+    )
 
 
 def _size(task: Task, anew: Anew) -> Iterator[str]:
