@@ -7,7 +7,13 @@ WORKERS ?= 2
 .DELETE_ON_ERROR:
 
 help:
-	@echo "make demo | test | test-slow | check | bench | mutants | format"
+	@echo "make demo       a scripted agent solves six tasks; outputs/demo/index.html"
+	@echo "make test       the fast tests"
+	@echo "make test-slow  the slow ones; installs PyTorch, Blender and a Chromium"
+	@echo "make check      format, lint, types, architecture"
+	@echo "make bench      what things cost"
+	@echo "make mutants    whether tests notice errors in grading and statistics"
+	@echo "make format     let ruff put it right"
 
 demo: .venv/.ready driver
 	$(BIN)/probe demo

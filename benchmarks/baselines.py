@@ -38,8 +38,7 @@ RULES: tuple[AgentName, ...] = (
     "smallest",
     "largest",
 )
-"""All but the question-only one, which first has to learn from training tasks."""
-
+"""All but question-only: of Compare's tasks, as they are now, it has yet to learn."""
 
 BEGIN, END = "<!-- benchmarks/baselines.py -->", "<!-- end of table -->"
 

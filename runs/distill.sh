@@ -18,6 +18,7 @@ SELECT=${SELECT:---slack 3}
 TINY=${TINY:---width 96 --layers 2 --heads 2}  # how small: probe init-tiny --help
 TRAIN=${TRAIN:---learning-rate 2e-3 --global-batch 2 --epochs 2 --no-save-memory --loaders 1}
 probe=${PROBE:-.venv/bin/probe}
+[ -n "${PROBE:-}" ] || make --silent driver .venv/.torch
 
 step() { echo; echo "== $*"; }
 
