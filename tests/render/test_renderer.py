@@ -138,10 +138,24 @@ def test_a_killed_worker_costs_one_retry(loaded):
 
 def test_dying_twice_is_an_error_that_says_so(loaded, monkeypatch):
     loaded.load(MESHES, grey_table())
-    nothing_like_it = [PlacedObject(1, "unknown", Pose())]
     with pytest.raises(RenderFailed, match="died twice"):
-        loaded.draw(nothing_like_it, top_camera(128), rgb=False)
+        loaded.draw(OBJECTS, top_camera(-1), rgb=False)
     assert loaded.draw(OBJECTS, top_camera(128), rgb=False).labels.any()
+
+
+def test_what_isn_t_loaded_is_named(loaded):
+    loaded.load(MESHES, grey_table())
+    stray = [*OBJECTS, PlacedObject(7, "stray", Pose())]
+    asked = (
+        lambda: loaded.draw(stray, top_camera(128), rgb=False),
+        lambda: loaded.labels(stray, top_camera(128)),
+        lambda: loaded.outlines(stray, top_camera(128)),
+    )
+    for ask in asked:
+        with pytest.raises(ValueError, match="load.*: stray$"):
+            ask()
+    with pytest.raises(ValueError, match="load"):
+        Renderer().labels([], top_camera(128))
 
 
 def test_no_process_outlives_its_renderer():

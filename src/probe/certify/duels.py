@@ -16,7 +16,7 @@ from probe.certify.paint_twins import PaintTwins
 from probe.certify.palettes import dimmed, main_colour
 from probe.certify.plan import Plan
 from probe.tasks.task import PAIR, Form
-from probe.tasks.truth import which_darker, which_like
+from probe.tasks.truth import which_fits
 from probe.types import Array
 
 _DRAWS = 4000
@@ -162,7 +162,6 @@ def _is_clear(
 def _is_right(form: Form, right: Array, wrong: Array, model: Array) -> bool:
     """By main colours, CIELAB, shape (3,) each."""
     try:
-        first = which_darker(right, wrong) if form == "darker" else which_like(right, wrong, model)
+        return which_fits(form, right, wrong, model) == PAIR[0]
     except ValueError:
         return False
-    return first == PAIR[0]

@@ -13,7 +13,7 @@ from probe.certify.result import Rejected
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.tasks.task import PAIR, Form
-from probe.tasks.truth import which_darker, which_like
+from probe.tasks.truth import which_fits
 from probe.types import Array
 
 MOST_APART = 1.5
@@ -101,7 +101,7 @@ def _check_lights(matter: Matter, looks: Looks, right: int) -> dict[str, float]:
         model = matter.marked[right] if matter.reference is None else matter.reference
         a, b, like = (looks.main(number, light) for number in (*matter.marked, model))
         try:
-            found = which_darker(a, b) if matter.form == "darker" else which_like(a, b, like)
+            found = which_fits(matter.form, a, b, like)
         except ValueError as error:
             raise Rejected("light", f"{light}: {error}") from error
         if found != PAIR[right]:

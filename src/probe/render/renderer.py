@@ -99,8 +99,9 @@ class Renderer:
 
         Raises:
             RenderFailed: The worker died twice on this request.
+            ValueError: An object isn't loaded.
         """
-        answer = self._ask(Draw(tuple(objects), camera, light if rgb else None))
+        answer = self._ask_of(Draw(tuple(objects), camera, light if rgb else None))
         assert isinstance(answer, Drawn)
         return Frame(camera, answer.depth, answer.rgb, answer.labels)
 
@@ -110,15 +111,22 @@ class Renderer:
         Raises:
             RenderFailed: The worker died twice on this request.
         """
-        answer = self._ask(Label(tuple(objects), camera))
+        answer = self._ask_of(Label(tuple(objects), camera))
         assert isinstance(answer, Labels)
         return answer.numbers
 
     def outlines(self, objects: Sequence[PlacedObject], camera: Camera) -> dict[int, Array]:
         """Mask, bool (h, w), of each object as if it stood there alone, by instance."""
-        answer = self._ask(Outline(tuple(objects), camera))
+        answer = self._ask_of(Outline(tuple(objects), camera))
         assert isinstance(answer, Outlines)
         return answer.masks
+
+    def _ask_of(self, request: Draw | Label | Outline) -> Answer:
+        loaded = self._load.meshes if self._load else {}
+        missing = sorted({each.object_id for each in request.objects} - loaded.keys())
+        if missing:
+            raise ValueError(f"load() before drawing: {', '.join(missing)}")
+        return self._ask(request)
 
     def _ask(self, request: Request) -> Answer:
         reasons: list[str] = []
@@ -135,7 +143,7 @@ class Renderer:
 
     def _start(self) -> _Worker:
         if self._load is None:
-            raise ValueError("load() before draw()")
+            raise ValueError("load() before drawing")
         worker = _Worker(self._engine, self._cache)
         self._worker = worker
         worker.ask(self._load)

@@ -137,6 +137,15 @@ def which_like(a: Array, b: Array, wanted: Array) -> Letter:
     return "A" if first < second else "B"
 
 
+def which_fits(form: Form, a: Array, b: Array, wanted: Array) -> Letter:
+    """Compare: which of two main colours is what a form asks for; only "darker" has no third.
+
+    Raises:
+        ValueError: Neither is, clearly.
+    """
+    return which_darker(a, b) if form == "darker" else which_like(a, b, wanted)
+
+
 def _only(found: list[PlacedObject]) -> PlacedObject:
     if len(found) != 1:
         raise ValueError(f"Exactly one candidate should answer the question, not {len(found)}.")
