@@ -72,7 +72,7 @@ def test_a_killed_training_goes_on_with_the_same_loss(tmp_path, dataset, model):
     assert whole[6] < whole[1]
     run = Run.model_validate_json((cut / "run.json").read_text())
     assert run.steps == 6 and run.versions["trl"] and run.begun.tuning["epochs"] == 2.0
-    assert "| 6 | " in (cut / "README.md").read_text()
+    assert f"| 6-6 | {losses(cut)[6]:.4f} |" in (cut / "README.md").read_text()
     # A finished one has nothing left to do.
     before = (cut / "run.json").read_bytes()
     train(dataset, str(model), cut, TUNING, ())

@@ -9,6 +9,7 @@ import tyro
 
 from probe.tasks.task import QuestionKind
 from probe.train.tune.fine_tuning import train as trained
+from probe.train.tune.run_card import told_curve
 from probe.train.tune.tuning import Tuning
 
 _PAPER = Tuning()
@@ -34,5 +35,6 @@ def train(
     """
     print(f"Checkpoints go to {out}; Ctrl-C stops, the same command goes on.")
     folder = trained(dataset, model, out, tuning, types)
+    print("steps, mean loss, learning rate at the end:", *told_curve(out), sep="\n")
     print(f"The model is in {folder}, its card in {out / 'README.md'}.")
     print(f"`probe serve-model {folder}` lets `probe run` ask it.")

@@ -6,9 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from probe.train.tune.diary import DIARY, diary_callback, read_diary
-
-pytestmark = pytest.mark.slow  # Transformers takes seconds to import.
+from probe.train.tune.diary import DIARY, Entry, Stretch, diary_callback, learning_curve, read_diary
 
 
 def note(diary, step: int) -> None:
@@ -16,6 +14,23 @@ def note(diary, step: int) -> None:
     diary.on_log(None, state, None, logs={"loss": 1.0 / step, "learning_rate": 0.1})
 
 
+def entries(*losses: float) -> list[Entry]:
+    return [
+        Entry(step=n, loss=loss, learning_rate=0.25 * n, session=0, seconds=n)
+        for n, loss in enumerate(losses, 1)
+    ]
+
+
+def test_learning_curve():
+    assert learning_curve(entries(8, 6, 5, 1, 3), 2) == [
+        Stretch(1, 2, 7, 0.5),
+        Stretch(3, 5, 3, 1.25),
+    ]
+    assert [it.loss for it in learning_curve(entries(8, 6), 12)] == [8, 6]
+    assert learning_curve([], 12) == []
+
+
+@pytest.mark.slow  # Transformers takes seconds to import.
 def test_a_line_that_was_cut_off_spoils_neither_the_next_nor_the_end(tmp_path):
     first = diary_callback(tmp_path)
     note(first, 1)

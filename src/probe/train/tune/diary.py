@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from time import time
 from typing import Any
@@ -32,6 +34,22 @@ class Entry(pydantic.BaseModel, extra="ignore", frozen=True):
     learning_rate: float
     session: float
     seconds: float
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Some steps in a row.
+
+    Attributes:
+        first, last: Numbers of its steps, both included.
+        loss: Mean over them.
+        learning_rate: Of the last one.
+    """
+
+    first: int
+    last: int
+    loss: float
+    learning_rate: float
 
 
 def diary_callback(out: Path) -> Any:
@@ -72,6 +90,23 @@ def read_diary(out: Path) -> list[Entry]:
             raise BadData(out / DIARY, "a line can't be read", "Delete that line") from error
         by_step[entry.step] = entry
     return [by_step[step] for step in sorted(by_step)]
+
+
+def learning_curve(entries: Sequence[Entry], most: int) -> list[Stretch]:
+    """The loss in stretches of about as many steps each: that of one step depends on its examples.
+
+    Args:
+        entries: Of all steps, in order.
+        most: How many stretches; fewer where there are fewer steps.
+    """
+    count = min(most, len(entries))
+    bounds = [len(entries) * n // count for n in range(count + 1)] if count else []
+    return [_stretch(entries[start:end]) for start, end in pairwise(bounds)]
+
+
+def _stretch(entries: Sequence[Entry]) -> Stretch:
+    loss = sum(it.loss for it in entries) / len(entries)
+    return Stretch(entries[0].step, entries[-1].step, loss, entries[-1].learning_rate)
 
 
 def seconds_of(out: Path) -> float:

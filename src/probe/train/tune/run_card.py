@@ -15,12 +15,12 @@ import pydantic
 from probe.files import write_text
 from probe.train.dataset.manifest import Manifest
 from probe.train.tune import libraries
-from probe.train.tune.diary import Entry, read_diary, seconds_of
+from probe.train.tune.diary import Entry, Stretch, learning_curve, read_diary, seconds_of
 from probe.train.tune.started import Begun
 
 RUN, CARD = "run.json", "README.md"
 _LINES = 12
-"""Of the loss in the card; all of it is in the diary."""
+"""Of the learning curve; the loss of each step is in the diary."""
 
 
 class Run(pydantic.BaseModel, extra="forbid", frozen=True):
@@ -75,8 +75,17 @@ def write_card(out: Path, begun: Begun, manifest: Manifest, weights: str) -> Run
         last_loss=round(_mean(diary[-tenth:]), 4),
     )
     write_text(out / RUN, run.model_dump_json(indent=1) + "\n")
-    write_text(out / CARD, _page(run, manifest, diary))
+    write_text(out / CARD, _page(run, manifest, told_curve(out)))
     return run
+
+
+def told_curve(out: Path) -> list[str]:
+    """A training's learning curve as rows of Markdown: steps, mean loss, learning rate at the end.
+
+    Args:
+        out: The training's folder.
+    """
+    return [_row(stretch) for stretch in learning_curve(read_diary(out), _LINES)]
 
 
 def hardware() -> str:
@@ -88,10 +97,12 @@ def hardware() -> str:
     return f"{platform.machine()}, {threads}, no GPU"
 
 
-def _page(run: Run, manifest: Manifest, diary: Sequence[Entry]) -> str:
+def _row(it: Stretch) -> str:
+    return f"| {it.first}-{it.last} | {it.loss:.4f} | {it.learning_rate:.2e} |"
+
+
+def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
     words = (files("probe.train") / "data/run_card.md").read_text("utf-8")
-    step = max(1, len(diary) // _LINES)
-    shown = [entry for n, entry in enumerate(diary, 1) if n % step == 0 or n in (1, len(diary))]
     return words.format(
         model=run.begun.model,
         dataset=run.begun.dataset,
@@ -107,7 +118,7 @@ def _page(run: Run, manifest: Manifest, diary: Sequence[Entry]) -> str:
         weights=run.weights,
         steps=run.steps,
         minutes=f"{run.seconds / 60:.1f}",
-        loss="\n".join(f"| {it.step} | {it.loss:.4f} | {it.learning_rate:.2e} |" for it in shown),
+        loss="\n".join(curve),
     )
 
 
