@@ -22,7 +22,7 @@ test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS)
 
 test-slow: .venv/.ready driver browser .venv/.blender .venv/.torch
-	$(BIN)/pytest -m "slow and not gpu" -n $(WORKERS)
+	$(BIN)/pytest -m "slow and not gpu" --durations 15 -n $(WORKERS)
 
 check: .venv/.ready
 	$(BIN)/ruff format --check
