@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from probe.chat.prompts import reminder, system_prompt
 from probe.files import check_new, whole_folder
@@ -42,15 +43,20 @@ def make_tiny(dataset: Path, out: Path, shape: Shape) -> int:
 
 
 def _texts(dataset: Path) -> Iterator[str]:
-    """All words of a data set, and what else a model may be told."""
+    """All words of a data set and what else a model may be told, with the template's breaks."""
     data = libraries.part("datasets")
     for path in sorted((dataset / "data").glob("*.parquet")):
         columns = data.Dataset.from_parquet(str(path)).select_columns(["messages", "tools"])
         for row in columns:
             yield row["tools"]
             for message in row["messages"]:
-                yield from (part["text"] or "" for part in message["content"])
-                yield from (call["function"]["arguments"] for call in message["tool_calls"] or ())
+                yield from ((part["text"] or "") + "\n" for part in message["content"])
+                yield from map(_called, message["tool_calls"] or ())
     for arm in ("agentic", "direct", "blind", "oracle-view"):
         yield system_prompt(arm, "0-1000")
         yield reminder(arm)
+
+
+def _called(call: dict[str, Any]) -> str:
+    named = call["function"]
+    return f'{{"name": "{named["name"]}", "arguments": {named["arguments"]}}}\n'

@@ -47,13 +47,10 @@ class Shape:
 def _tokenizer(texts: Iterator[str], words: int) -> Any:
     parts = libraries.part("tokenizers")
     made = parts.Tokenizer(parts.models.BPE())
-    # As Qwen's: digits one by one.
-    made.pre_tokenizer = parts.pre_tokenizers.Sequence(
-        [
-            parts.pre_tokenizers.Digits(individual_digits=True),
-            parts.pre_tokenizers.ByteLevel(add_prefix_space=False),
-        ]
-    )
+    # Qwen's: digits stand alone, and a line break is part of the full stop before it, so that the
+    # one before a call isn't the one in it.
+    qwen = libraries.transformers().Qwen2Tokenizer().backend_tokenizer
+    made.pre_tokenizer = qwen.pre_tokenizer
     made.decoder = parts.decoders.ByteLevel()
     trainer = parts.trainers.BpeTrainer(
         vocab_size=words,
