@@ -31,6 +31,7 @@ def test_two_processes_train_the_same_model_and_one_of_them_writes_it(tmp_path):
     options = ("--model", model, "--learning-rate", "1e-3", "--global-batch", "4")
     ended = launched(dataset, "--out", tmp_path / "two", *options)
     assert ended.returncode == 0, ended.stderr[-2000:]
+    assert ended.stdout.count("Checkpoints go to") == ended.stdout.count("The model is in") == 1
     assert (tmp_path / "two" / "model" / "config.json").exists()
     assert (tmp_path / "two" / "run.json").exists()
     alone, together = (

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
 from probe.tasks.task import QuestionKind
+from probe.train.tune.diary import read_diary
 from probe.train.tune.fine_tuning import train as trained
 from probe.train.tune.run_card import told_curve
 from probe.train.tune.tuning import Tuning
@@ -33,8 +35,16 @@ def train(
         types: Types of questions of which there must be examples.
         tuning: How; by default as the paper did.
     """
-    print(f"Checkpoints go to {out}; Ctrl-C stops, the same command goes on.")
+    speaks = os.environ.get("RANK", "0") == "0"  # of several processes one
+    if speaks:
+        print(f"Checkpoints go to {out}; Ctrl-C stops, the same command goes on.")
     folder = trained(dataset, model, out, tuning, types)
-    print("steps, mean loss, learning rate at the end:", *told_curve(out), sep="\n")
+    if speaks:
+        _tell(out, folder)
+
+
+def _tell(out: Path, folder: Path) -> None:
+    curve = told_curve(read_diary(out))
+    print("steps, mean loss, learning rate at the end:", *curve, sep="\n")
     print(f"The model is in {folder}, its card in {out / 'README.md'}.")
     print(f"`probe serve-model {folder}` lets `probe run` ask it.")

@@ -75,17 +75,17 @@ def write_card(out: Path, begun: Begun, manifest: Manifest, weights: str) -> Run
         last_loss=round(_mean(diary[-tenth:]), 4),
     )
     write_text(out / RUN, run.model_dump_json(indent=1) + "\n")
-    write_text(out / CARD, _page(run, manifest, told_curve(out)))
+    write_text(out / CARD, _page(run, manifest, told_curve(diary)))
     return run
 
 
-def told_curve(out: Path) -> list[str]:
+def told_curve(diary: Sequence[Entry]) -> list[str]:
     """A training's learning curve as rows of Markdown: steps, mean loss, learning rate at the end.
 
     Args:
-        out: The training's folder.
+        diary: Of all its steps, in order.
     """
-    return [_row(stretch) for stretch in learning_curve(read_diary(out), _LINES)]
+    return [_row(stretch) for stretch in learning_curve(diary, _LINES)]
 
 
 def hardware() -> str:
