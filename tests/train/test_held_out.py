@@ -28,7 +28,7 @@ def test_what_nobody_learnt_is_apart():
     lines = markdown(found).splitlines()
     assert (
         lines[0]
-        == "|  | runs | n | macro, trained types | find | size | **beneath**, held out (n) |"
+        == "|  | episodes | n | macro, trained types | find | size | **beneath**, held out (n) |"
     )
     cells = [cell.strip() for cell in lines[3].strip("|").split("|")]
     assert cells[:3] == ["base, agentic", "4", "4"] and cells[3].startswith("75.0 (")

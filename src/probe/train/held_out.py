@@ -56,7 +56,7 @@ def markdown(found: Sequence[Standing]) -> str:
     """A table: shares of right answers in per cent with 95 % intervals (t), and n tasks."""
     kinds = _types(it.trained for it in found)
     others = _types(it.held_out for it in found)
-    head = ["", "runs", "n", "macro, trained types", *kinds]
+    head = ["", "episodes", "n", "macro, trained types", *kinds]
     head += [f"**{kind}**, held out (n)" for kind in others]
     lines = [f"| {' | '.join(head)} |", f"|{'---|' * len(head)}"]
     lines += [f"| {' | '.join(_cells(each, kinds, others))} |" for each in found]
