@@ -11,6 +11,7 @@ import pytest
 from probe.assets.library import Library
 from probe.certify.compare import paint_twins_of
 from probe.certify.duels import Duel, Side, draw_duels
+from probe.certify.paint_twins import PaintTwins
 from probe.certify.palettes import main_colour
 from probe.certify.plan import plan
 from probe.scene.seeds import generator
@@ -38,6 +39,17 @@ def test_one_is_right_in_each_world_and_both_look_the_same(letter, tells):
     assert shapes[0] == shapes[1]
     opposite = replace(wanted, letter="AB"[letter == "A"], cues=(not tells, False, True))
     assert DUEL.asked(opposite).marked == asked.twins
+
+
+def test_nobody_is_asked_for_a_colour_without_a_meaning(tmp_path):
+    cans, jars = (
+        PaintTwins(
+            (spec(f"one {it}", "magenta"), spec(f"other {it}", "puce")), SIDE[1], SIDE[0][None]
+        )
+        for it in ("can", "jar")
+    )
+    nothing_known = Library((), None, tmp_path)
+    assert not [*draw_duels(nothing_known, (cans, jars), "colour", generator(0, "t"))]
 
 
 @pytest.mark.slow

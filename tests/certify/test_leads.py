@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from probe.assets.colours import lab
 from probe.certify.leads import leads_enough, misfit, wanted
 from probe.certify.palettes import dimmed
+from probe.errors import UnknownName
 
 LIGHT, DARK = np.array([80.0, 0, 0]), np.array([20.0, 0, 0])
 
@@ -46,3 +47,8 @@ def test_who_leads_by_little_does_not_lead(form, least):
     for sign in (1, -1):
         assert leads_enough(form, sign * (least + 0.1))
         assert not leads_enough(form, sign * (least - 0.1))
+
+
+def test_a_word_without_a_meaning_is_named():
+    with pytest.raises(UnknownName, match="no colour called 'magenta'.*beige"):
+        wanted("magenta", None)

@@ -18,6 +18,9 @@ _WORDS = {
     "tan": (200, 165, 120), "teal": (30, 140, 140), "white": (238, 238, 235),
     "yellow": (240, 208, 60),
 }  # fmt: skip
+KNOWN = tuple(_WORDS)
+"""Colours that have a meaning, also with "light" or "dark" before them."""
+
 _SHADES = {"light": 18.0, "dark": -18.0}
 _NAMED = re.compile(rf"\b(?:(light|dark) )?({'|'.join(_WORDS)})\b")
 

@@ -11,6 +11,7 @@ from probe.assets.colour_difference import ciede2000
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.certify.alike import told_apart
+from probe.certify.colour_words import colours_in
 from probe.certify.leads import least_lead, misfit, wanted
 from probe.certify.paint_twins import PaintTwins
 from probe.certify.palettes import dimmed, main_colour
@@ -127,6 +128,8 @@ def _duel(
 ) -> Duel | None:
     """The two as a duel; None if either world wouldn't be clear, or what shows hardly differs."""
     word = one.right.colours[0]
+    if form == "colour" and not colours_in(word):
+        return None  # people's own words for what they import
     worlds = (one.right, other.wrong), (other.right, one.wrong)
     for right, wrong in worlds:
         if form != "darker" and (right.colours[0] != word or _has(wrong, word)):

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from probe.assets.colour_difference import ciede2000
-from probe.certify.colour_words import colours_in
+from probe.certify.colour_words import KNOWN, colours_in
+from probe.errors import UnknownName
 from probe.tasks.task import Form
 from probe.types import Array
 
@@ -24,10 +25,18 @@ def wanted(word: str, model: Array | None) -> Array:
     Args:
         word: The colour's name; without any, nothing depends on the result.
         model: Main colour of the thing that is named, or None.
+
+    Raises:
+        UnknownName: Nobody knows what the word means.
     """
     if model is not None:
         return model
-    return colours_in(word)[-1] if word else np.zeros(3)
+    if not word:
+        return np.zeros(3)
+    meant = colours_in(word)
+    if not meant:
+        raise UnknownName("colour", word, list(KNOWN))
+    return meant[-1]
 
 
 def misfit(form: Form, patch: Array, wanted: Array) -> Array:
