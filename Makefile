@@ -18,6 +18,9 @@ help:
 demo: .venv/.ready driver
 	$(BIN)/probe demo
 
+# A core for each worker: threads of several that share one wait for each other in loops.
+test test-slow: export OMP_NUM_THREADS = 1
+
 test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS)
 
