@@ -13,6 +13,7 @@ from rich.progress import track
 
 from probe.assets import scan_pool
 from probe.assets.cache import Cache
+from probe.assets.fingerprint import Fingerprint, fingerprint
 from probe.assets.mesh import Body
 from probe.assets.own_pool import own_body, own_specs
 from probe.assets.procedural_pool import procedural_body, procedural_specs
@@ -42,6 +43,9 @@ class Library:
     cache: Path
     own: Path | None = None
     _kept: dict[str, Body] = field(default_factory=dict[str, Body], init=False, repr=False)
+    _prints: dict[str, Fingerprint] = field(
+        default_factory=dict[str, Fingerprint], init=False, repr=False
+    )
 
     def __getitem__(self, object_id: str) -> ObjectSpec:
         """The spec of an object.
@@ -76,6 +80,16 @@ class Library:
         if len(self._kept) > KEPT:
             del self._kept[next(iter(self._kept))]
         return body
+
+    def fingerprint(self, object_id: str) -> Fingerprint:
+        """What tells whether an object is still the same; computed once.
+
+        Raises:
+            UnknownName, BadMesh, OutputFailed: As body().
+        """
+        if object_id not in self._prints:
+            self._prints[object_id] = fingerprint(self.body(object_id))
+        return self._prints[object_id]
 
     def table(self, table_id: str) -> TableMaterial:
         """What a table is made of; see load_table()."""

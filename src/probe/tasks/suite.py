@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from probe.assets.fingerprint import Fingerprint, fingerprint, same
+from probe.assets.fingerprint import Fingerprint, same
 from probe.assets.library import Library
 from probe.errors import BadData, UnknownName
 from probe.tasks.task import Task
@@ -29,7 +29,7 @@ class Suite:
 def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
     """A suite of these tasks, with the fingerprints of their objects as they are now."""
     ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
-    return Suite(name, tasks, {id: fingerprint(library.body(id)) for id in ids})
+    return Suite(name, tasks, {id: library.fingerprint(id) for id in ids})
 
 
 def part(suite: Suite, task: Task) -> Suite:
@@ -58,8 +58,8 @@ def check_objects(suite: Suite, library: Library) -> None:
     remedy = "Use the assets and the release that the suite was made with, or build it anew"
     for object_id, frozen in suite.objects.items():
         try:
-            body = library.body(object_id)
+            found = library.fingerprint(object_id)
         except UnknownName as error:
             raise BadData(f"suite {suite.name}", f"there is no {object_id} here", remedy) from error
-        if not same(fingerprint(body), frozen):
+        if not same(found, frozen):
             raise BadData(f"suite {suite.name}", f"{object_id} has changed since", remedy)
