@@ -14,6 +14,7 @@ from rich.table import Table
 from probe.assets.library import Library
 from probe.certify.verify.balance import balances
 from probe.certify.verify.check import Depth, check, rebuild_problem
+from probe.certify.verify.text import read_anew
 from probe.certify.verify.verdict import CHECKS, Verdict, read_verdict, write_verdict
 from probe.cli.bars import bar
 from probe.cli.shards import parse_shard
@@ -44,7 +45,7 @@ def verify(
     pool: Pool = "procedural",
     shard: str = "0/1",
 ) -> None:
-    """Check each task anew: at rest, hidden, true, unambiguous, solvable; may be interrupted.
+    """Check each task anew: text, at rest, hidden, true, unambiguous, solvable; may be interrupted.
 
     Args:
         suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
@@ -88,8 +89,17 @@ def _verdicts(
             if found is None or not _stands(found, task, depth):
                 found = check(task, things, renderer, depth)
                 write_verdict(path, found)
+            elif "text" not in found.problems:
+                found = _with_text(found, task, things)
+                write_verdict(path, found)
             verdicts.append(found)
     return verdicts
+
+
+def _with_text(verdict: Verdict, task: Task, things: Library) -> Verdict:
+    """A verdict from before there was a check of the text, with that check made."""
+    problems = {"text": read_anew(task, things), **verdict.problems}
+    return verdict.model_copy(update={"problems": problems})
 
 
 def _stands(verdict: Verdict, task: Task, depth: Depth) -> bool:
@@ -107,7 +117,8 @@ def _rebuilt(
 def _print(
     suite: Suite, verdicts: Sequence[Verdict], changed: dict[str, str], rebuilt: int
 ) -> None:
-    console = Console()
+    # What a task says isn't to be taken for mark-up.
+    console = Console(markup=False)
     console.print(_table(suite.name, verdicts))
     told = (_failures(verdicts), _balance_lines(suite), _history_lines(verdicts))
     for line in (*chain(*told), *_observer_lines(verdicts)):

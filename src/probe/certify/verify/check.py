@@ -16,6 +16,8 @@ from probe.certify.solve import solves_as_noted, trials
 from probe.certify.verify.anew import Anew
 from probe.certify.verify.hidden import hidden_problems
 from probe.certify.verify.histories import histories, history_problems, is_reachable
+from probe.certify.verify.makeup import makeup_problems
+from probe.certify.verify.text import text_problems
 from probe.certify.verify.truth import clarity_problems, truth_problems
 from probe.certify.verify.verdict import Verdict
 from probe.render.renderer import Renderer
@@ -37,9 +39,17 @@ class Depth:
 
 
 def check(task: Task, library: Library, renderer: Renderer, depth: Depth) -> Verdict:
-    """Make the checks on one task; what was loaded in the renderer is replaced."""
+    """Make the checks on one task; what was loaded in the renderer is replaced.
+
+    Where a task lacks something that its type has, only its text is checked.
+    """
+    if broken := tuple(makeup_problems(task, library)):
+        return Verdict(
+            task=task.id, kind=task.kind, digest=digest_of(task), problems={"text": broken}
+        )
     anew = Anew(task.scene, library, renderer)
     problems = {
+        "text": tuple(text_problems(task, library)),
         "hidden": tuple(hidden_problems(task, anew)),
         "unambiguous": tuple(clarity_problems(task, anew)),
     }
