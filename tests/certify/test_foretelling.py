@@ -70,14 +70,15 @@ def by_id(suite: Sequence[Seen]) -> list[Letter | None]:
                 letter = plan_of(kind, episode).letter
                 for number in range(40):
                     letters.setdefault(task_id(kind, episode * ATTEMPTS + number), letter)
-    return [letters.get(it.id[: len(it.kind) + 9]) for it in suite]
+    short = [it.id[: len(it.kind) + 9] for it in suite]
+    return [letters.get(id) for id in short]
 
 
 def by_salt(guess: Salt) -> Attack:
     """Ids keyed with a salt that somebody might have taken, over first tries."""
 
     def attack(suite: Sequence[Seen]) -> list[Letter | None]:
-        letters = {
+        letters: dict[str, Letter] = {
             attempt.id: attempt.plan.letter
             for place in places_of(COUNTS, 0)
             for attempt in (Attempt(place, number, guess) for number in range(5))

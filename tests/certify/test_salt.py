@@ -11,6 +11,8 @@ from importlib.resources import files
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis.strategies import integers
 
 from probe.certify.attempt import Attempt
 from probe.certify.parts import Making, Parts, Place
@@ -49,6 +51,21 @@ def test_a_salt_of_another_length_is_none():
 def test_it_isnt_shown():
     assert ONE.secret.hex() not in repr(ONE) and "\\x01" not in repr(ONE)
     assert "secret" not in repr(Attempt(Place("find", 0), 0, ONE))
+
+
+@given(value=integers(0, 2**40 - 1), bit=integers(0, 127))
+def test_what_is_sealed_is_opened_by_the_salt_alone(value, bit):
+    sealed = ONE.seal(value, "find")
+    assert PRIVATE_FROM <= sealed < 2**128 and ONE.unseal(sealed, "find") == value
+    assert OTHER.unseal(sealed, "find") is None and ONE.unseal(sealed, "count") is None
+    assert ONE.unseal(sealed ^ 1 << bit, "find") is None
+
+
+@pytest.mark.parametrize("value", [-1, 2**40])
+def test_what_is_too_wide_isnt_sealed(value):
+    with pytest.raises(ValueError, match="40 bits"):
+        ONE.seal(value, "find")
+    assert ONE.unseal(value, "find") is None
 
 
 def test_no_two_are_drawn_alike_and_only_the_owner_can_read_one(tmp_path):

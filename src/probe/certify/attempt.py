@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from itertools import product
 
 from probe.certify.parts import Place
 from probe.certify.plan import ATTEMPTS, Plan, plan_of
 from probe.certify.result import Candidate
-from probe.certify.salt import PRIVATE_FROM, Salt
+from probe.certify.salt import Salt
 from probe.certify.writing import task_id
 from probe.scene.scene import Scene
-from probe.tasks.task import KINDS, QuestionKind, Task
-
-FARTHEST = 1000
-"""Episodes of a type, beyond its number of tasks, among which origins() looks."""
+from probe.tasks.task import QuestionKind, Task
 
 _ID_DIGITS = 16
 
@@ -35,10 +31,10 @@ class Attempt:
     salt: Salt | None = None
 
     @staticmethod
-    def of_seed(kind: QuestionKind, seed: int) -> Attempt:
-        """The try at a public task that is made from a seed."""
+    def of_seed(kind: QuestionKind, seed: int, salt: Salt | None = None) -> Attempt:
+        """The try at the public task that is made from a seed, or its like with a salt."""
         episode, number = divmod(seed, ATTEMPTS)
-        return Attempt(Place(kind, episode), number)
+        return Attempt(Place(kind, episode), number, salt)
 
     @property
     def plan(self) -> Plan:
@@ -49,22 +45,27 @@ class Attempt:
     def seed(self) -> int:
         """What the scene is made from."""
         if self.salt is None:
-            return self.place.episode * ATTEMPTS + self.number
+            return self._public_seed
         return self.salt.number("scene", *self.place, self.number)
 
     @property
     def bears(self) -> int:
         """The seed that the task bears: the scene's, or one that only the salt leads from to it."""
         if self.salt is None:
-            return self.seed
-        return PRIVATE_FROM | self.salt.number("bears", *self.place, self.number)
+            return self._public_seed
+        return self.salt.seal(self._public_seed, self.place.kind)
 
     @property
     def id(self) -> str:
         """The task's."""
         if self.salt is None:
-            return task_id(self.place.kind, self.seed)
-        return _private_id(self.salt, *self.place, self.number)
+            return task_id(self.place.kind, self._public_seed)
+        digits = self.salt.keyed("id", *self.place, self.number).hex()[:_ID_DIGITS]
+        return f"{self.place.kind}-{digits}"
+
+    @property
+    def _public_seed(self) -> int:
+        return self.place.episode * ATTEMPTS + self.number
 
     def named(self, candidate: Candidate) -> Candidate:
         """What this try made, under the names that it may bear."""
@@ -77,22 +78,13 @@ class Attempt:
         return Candidate(task, tuple(map(renamed, candidate.twins)))
 
 
-def origins(tasks: Collection[Task], salt: Salt, farthest: int = FARTHEST) -> Mapping[str, Attempt]:
+def origins(tasks: Iterable[Task], salt: Salt) -> Mapping[str, Attempt]:
     """By which tries a private suite's tasks came about, by their ids; others are left out."""
     found = dict[str, Attempt]()
-    for kind in KINDS:
-        wanted = {task.id for task in tasks if task.kind == kind}
-        # First tries first: most tasks need few.
-        tries = product(range(ATTEMPTS), range(len(wanted) + farthest)) if wanted else ()
-        for number, episode in tries:
-            name = _private_id(salt, kind, episode, number)
-            if name in wanted:
-                found[name] = Attempt(Place(kind, episode), number, salt)
-                wanted.discard(name)
-            if not wanted:
-                break
+    for task in tasks:
+        value = salt.unseal(task.seed, task.kind)
+        if value is not None:
+            attempt = Attempt.of_seed(task.kind, value, salt)
+            if attempt.id == task.id:
+                found[task.id] = attempt
     return found
-
-
-def _private_id(salt: Salt, kind: QuestionKind, episode: int, number: int) -> str:
-    return f"{kind}-{salt.keyed('id', kind, episode, number).hex()[:_ID_DIGITS]}"

@@ -16,6 +16,8 @@ PRIVATE_FROM = 1 << 127
 
 _COMMITTED = b"PROBE suite salt, version 1\0"
 _NUMBER_BYTES = 16
+_SEALED_BITS = 40
+_TAG_BITS = 87
 
 
 @dataclass(frozen=True)
@@ -54,3 +56,28 @@ class Salt:
     def generator(self, *purpose: str | int) -> np.random.Generator:
         """A generator for this purpose alone."""
         return np.random.default_rng(self.number(*purpose))
+
+    def seal(self, value: int, purpose: str) -> int:
+        """A seed from PRIVATE_FROM on, of 128 bits, that only this salt leads from to a value.
+
+        As in synthetic initialisation vectors (RFC 5297): a keyed hash of the value, then the
+        value hidden by a keyed hash of that.
+
+        Raises:
+            ValueError: The value is negative or has over 40 bits.
+        """
+        if not 0 <= value < 1 << _SEALED_BITS:
+            raise ValueError(f"{value} is no number of {_SEALED_BITS} bits.")
+        tag = self.number("tag", purpose, value) % (1 << _TAG_BITS)
+        return PRIVATE_FROM | tag << _SEALED_BITS | value ^ self._mask(tag, purpose)
+
+    def unseal(self, sealed: int, purpose: str) -> int | None:
+        """The value that was sealed; None if this salt didn't seal it for this purpose."""
+        if not PRIVATE_FROM <= sealed < 2 * PRIVATE_FROM:
+            return None
+        tag = (sealed >> _SEALED_BITS) % (1 << _TAG_BITS)
+        value = sealed % (1 << _SEALED_BITS) ^ self._mask(tag, purpose)
+        return value if self.seal(value, purpose) == sealed else None
+
+    def _mask(self, tag: int, purpose: str) -> int:
+        return self.number("mask", purpose, tag) % (1 << _SEALED_BITS)
