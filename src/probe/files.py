@@ -41,6 +41,31 @@ def write_bytes(path: Path, content: bytes) -> None:
         raise OutputFailed(path, error.strerror or str(error)) from error
 
 
+def write_secret(path: Path, text: str) -> None:
+    """Write a UTF-8 file that its owner alone can read; whole, and only if there is none yet.
+
+    Of several who do so at once, one succeeds, and the others leave its file as it is.
+
+    Raises:
+        OutputFailed: As write_bytes().
+    """
+    temporary = ""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        # Born with mode 0600.
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        with os.fdopen(handle, "wb") as file:
+            file.write(text.encode())
+        with contextlib.suppress(FileExistsError):
+            os.link(temporary, path)
+    except OSError as error:
+        raise OutputFailed(path, error.strerror or str(error)) from error
+    finally:
+        if temporary:
+            with contextlib.suppress(OSError):
+                os.unlink(temporary)
+
+
 def check_new(out: Path) -> None:
     """Refuse a folder that is there.
 

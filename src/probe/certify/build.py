@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
 
 from probe.assets.library import Library
-from probe.certify.generate import generate
+from probe.certify.attempt import Attempt
+from probe.certify.generate import make
 from probe.certify.parts import KEPT, RESTLESS, UNSOLVED, Line, Parts, Place
 from probe.certify.plan import ATTEMPTS
 from probe.certify.restaged import Restaged
 from probe.certify.result import Candidate, Rejection
+from probe.certify.salt import Salt
 from probe.certify.solve import Trial, noted, trials
-from probe.errors import Unsatisfiable
+from probe.errors import BadData, Unsatisfiable
 from probe.render.renderer import Renderer
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
-from probe.tasks.task import QuestionKind, Task
+from probe.tasks.task import KINDS, QuestionKind, Task
 
 
 @dataclass(frozen=True)
@@ -27,12 +29,14 @@ class Workshop:
 
     Attributes:
         unchecked: Leave out the scripted agents' check: for tests of the generator alone.
+        salt: Of a private suite.
     """
 
     library: Library
     tables: Sequence[str]
     renderer: Renderer
     unchecked: bool = False
+    salt: Salt | None = None
 
 
 def places_of(counts: Mapping[QuestionKind, int], first: int) -> list[Place]:
@@ -55,9 +59,9 @@ def fill(place: Place, parts: Parts, workshop: Workshop) -> Iterator[Line]:
     if log and log[-1].check == KEPT and parts.task_path(place).exists():
         return
     tried = sum(line.check != KEPT for line in log)
-    for seed in range(place.episode * ATTEMPTS + tried, (place.episode + 1) * ATTEMPTS):
-        start = monotonic()
-        result, made = _attempt(place.kind, seed, workshop)
+    for number in range(tried, ATTEMPTS):
+        start, attempt = monotonic(), Attempt(place, number, workshop.salt)
+        result, made = _attempt(attempt, workshop)
         solved = made[0].solved if made else None
         if isinstance(result, Rejection):
             check, detail = result.check, result.detail
@@ -67,7 +71,7 @@ def fill(place: Place, parts: Parts, workshop: Workshop) -> Iterator[Line]:
         else:
             parts.keep(place, noted(result.task, made), workshop.library)
             check, detail = KEPT, ""
-        line = Line(place.kind, seed, check, solved, detail, monotonic() - start)
+        line = Line(place.kind, attempt.bears, check, solved, detail, monotonic() - start)
         parts.add(place, line)
         yield line
         if line.check == KEPT:
@@ -78,18 +82,29 @@ def fill(place: Place, parts: Parts, workshop: Workshop) -> Iterator[Line]:
     )
 
 
-def assemble(path: Path, parts: Parts, places: Sequence[Place], library: Library) -> None:
-    """Join the parts of a suite in the order of its places, with the whole log beside it.
+def assemble(
+    path: Path,
+    parts: Parts,
+    places: Sequence[Place],
+    library: Library,
+    salt: Salt | None = None,
+) -> None:
+    """Join the parts of a suite, in the order of its places; see in_order() for a private one.
 
     Raises:
-        BadData: A part is missing or isn't whole.
+        BadData: A part is missing, isn't whole, or isn't of this salt.
     """
-    tasks = [task for place in places for task in read_suite(parts.task_path(place)).tasks]
-    write_suite(path, freeze(path.stem, tuple(tasks), library))
+    tasks = [task for place in places for task in _kept(place, parts, salt)]
+    _write(path, tasks, library, salt)
 
 
 def assemble_unsolved(
-    path: Path, parts: Parts, places: Sequence[Place], library: Library, most: int
+    path: Path,
+    parts: Parts,
+    places: Sequence[Place],
+    library: Library,
+    most: int,
+    salt: Salt | None = None,
 ) -> int:
     """Join candidates that failed only the scripted agents' check, evenly over the places.
 
@@ -99,6 +114,7 @@ def assemble_unsolved(
         places: Of which suite.
         library: Has their objects.
         most: How many to take.
+        salt: Of a private suite.
 
     Returns:
         How many there were in all.
@@ -106,14 +122,38 @@ def assemble_unsolved(
     found = list(parts.unsolved(places))
     step = max(1.0, len(found) / most)
     chosen = [found[int(number * step)] for number in range(min(most, len(found)))]
-    write_suite(path, freeze(path.stem, tuple(chosen), library))
+    _write(path, chosen, library, salt)
     return len(found)
 
 
+def in_order(tasks: Iterable[Task]) -> list[Task]:
+    """A private suite's order: by type, then by id, which tells nothing of the place."""
+    return sorted(tasks, key=lambda task: (KINDS.index(task.kind), task.id))
+
+
+def _write(path: Path, tasks: Sequence[Task], library: Library, salt: Salt | None) -> None:
+    if salt is None:
+        write_suite(path, freeze(path.stem, tuple(tasks), library))
+        return
+    suite = freeze(path.stem, tuple(in_order(tasks)), library)
+    write_suite(path, replace(suite, commitment=salt.commitment))
+
+
+def _kept(place: Place, parts: Parts, salt: Salt | None) -> tuple[Task, ...]:
+    path = parts.task_path(place)
+    tasks = read_suite(path).tasks
+    if salt is not None:
+        ours = {Attempt(place, number, salt).id for number in range(len(parts.log(place)))}
+        if not {task.id for task in tasks} <= ours:
+            remedy = "Delete it and its log; its place is then made anew"
+            raise BadData(path, "was made with another salt", remedy)
+    return tasks
+
+
 def _attempt(
-    kind: QuestionKind, seed: int, workshop: Workshop
+    attempt: Attempt, workshop: Workshop
 ) -> tuple[Candidate | Rejection, tuple[Trial, ...]]:
-    result = generate(kind, seed, workshop.library, workshop.renderer, workshop.tables)
+    result = make(attempt, workshop.library, workshop.renderer, workshop.tables)
     if isinstance(result, Rejection):
         return result, ()
     if restless := Restaged.of(result.task.scene, workshop.library).unrest():

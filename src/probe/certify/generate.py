@@ -1,15 +1,16 @@
-"""One attempt to make a task of a given type, from a seed alone."""
+"""One attempt to make a task of a given type, from numbers alone."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
 from probe.assets.library import Library
+from probe.certify.attempt import Attempt
 from probe.certify.beneath import generate_beneath
 from probe.certify.compare import generate_compare
 from probe.certify.count import generate_count
 from probe.certify.find import generate_find
-from probe.certify.plan import Plan, plan
+from probe.certify.plan import Plan
 from probe.certify.reduce import generate_reduce
 from probe.certify.result import Candidate, Rejected, Rejection
 from probe.certify.size import generate_size
@@ -31,16 +32,32 @@ GENERATORS: dict[QuestionKind, Generator] = {
 def generate(
     kind: QuestionKind, seed: int, library: Library, renderer: Renderer, tables: Sequence[str]
 ) -> Candidate | Rejection:
-    """Make a scene for a question of this type and check it; the same seed gives the same.
+    """One attempt at a public task; see make().
 
     Args:
         kind: The type.
         seed: Of this attempt; seeds with the same thousands belong to one episode (see plan()).
+        library: As in make().
+        renderer: As in make().
+        tables: As in make().
+    """
+    return make(Attempt.of_seed(kind, seed), library, renderer, tables)
+
+
+def make(
+    attempt: Attempt, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> Candidate | Rejection:
+    """Make a scene for a question and check it; the same attempt gives the same.
+
+    Args:
+        attempt: Which task is tried, and what it is made from.
         library: Objects to choose from.
         renderer: Measures visibility; what was loaded in it is replaced.
         tables: Ids of table materials to choose from.
     """
+    generator = GENERATORS[attempt.place.kind]
     try:
-        return GENERATORS[kind](seed, plan(kind, seed), library, renderer, tables)
+        made = generator(attempt.seed, attempt.plan, library, renderer, tables)
     except Rejected as failure:
         return failure.rejection
+    return attempt.named(made)

@@ -15,7 +15,7 @@ import pydantic
 
 from probe.assets.library import Library
 from probe.errors import BadData
-from probe.files import claim_folder, write_text
+from probe.files import claim_folder, read_document, write_text
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionKind, Task
@@ -26,6 +26,7 @@ things move once its table stands alone."""
 
 _UNTRIED = "-"
 _MAKING = "making.json"
+_REMEDY = "Build into another file"
 
 
 class Place(NamedTuple):
@@ -41,10 +42,12 @@ class Making(pydantic.BaseModel, extra="forbid", frozen=True):
     Attributes:
         pool: Which objects appear.
         unchecked: Whether the scripted agents' check is left out.
+        commitment: To a private suite's salt; None for a public suite, as in older folders.
     """
 
     pool: str
     unchecked: bool
+    commitment: str | None = None
 
 
 @dataclass(frozen=True)
@@ -52,7 +55,7 @@ class Line:
     """What became of one candidate.
 
     Attributes:
-        kind, seed: What it was made from.
+        kind, seed: The type, and the seed that the task bears or would have borne.
         check: KEPT, or the check that it failed.
         solved: Whether the very first scripted attempt succeeded; None if none was made.
         detail: What was measured, for people.
@@ -98,7 +101,16 @@ class Parts:
             BadData: It was begun otherwise.
             OutputFailed: It can't be written.
         """
-        claim_folder(self.folder / _MAKING, making, "Build into another file")
+        claim_folder(self.folder / _MAKING, making, _REMEDY)
+
+    def making(self) -> Making | None:
+        """How its tasks are made; None if nothing was begun there.
+
+        Raises:
+            BadData: That can't be read.
+        """
+        path = self.folder / _MAKING
+        return read_document(path, Making, _REMEDY) if path.exists() else None
 
     def task_path(self, place: Place) -> Path:
         """Where a place's task lies once it is made."""

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from itertools import product
 from typing import TypeVar
 
+from probe.certify.salt import Salt
 from probe.scene.seeds import generator
 from probe.tasks.task import LETTERS, PAIR, Form, Letter, QuestionKind
 from probe.tasks.wordings import wordings
 
 ATTEMPTS = 1000
-"""Seeds of one episode: attempt k of episode e has seed 1000 e + k, plus a base."""
+"""Of one episode, at most: in a public suite attempt k of episode e has seed 1000 e + k."""
 
 _COUNTS = tuple(product(range(4), range(3)))
 _REMOVALS = (1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 5)
@@ -69,38 +70,45 @@ class Plan:
 
 
 def plan(kind: QuestionKind, seed: int) -> Plan:
-    """The plan of the episode that an attempt's seed belongs to.
+    """The plan of the episode of a public suite that an attempt's seed belongs to."""
+    return plan_of(kind, seed // ATTEMPTS)
+
+
+def plan_of(kind: QuestionKind, episode: int, salt: Salt | None = None) -> Plan:
+    """The plan of an episode, by its number.
 
     Each property runs through all its values in every block of consecutive episodes, in an order
-    drawn for the block: letters balance over any suite, yet none can be foretold.
+    drawn for the block: letters balance over any suite. Whoever has this file can foretell them,
+    but where a salt draws the orders.
     """
-    episode = seed // ATTEMPTS
     texts = wordings(kind)
-    wording = _turn(range(len(texts)), episode, kind, "wording")
-    visible, hidden = _turn(_COUNTS, episode, kind, "count")
-    crossed, first, second = _turn(_CROSSED, episode, kind, "crossed")
-    form = texts[wording].form
-    third, longer_cover = _turn(_MORE_CUES, episode, kind, "cues")
+
+    def turn(purpose: str, values: Sequence[_T]) -> _T:
+        block, place = divmod(episode, len(values))
+        if salt is None:
+            rng = generator(block, "plan", kind, purpose)
+        else:
+            rng = salt.generator("plan", kind, purpose, block)
+        return values[int(rng.permutation(len(values))[place])]
+
+    wording = turn("wording", range(len(texts)))
+    visible, hidden = turn("count", _COUNTS)
+    crossed, first, second = turn("crossed", _CROSSED)
+    third, longer_cover = turn("cues", _MORE_CUES)
     return Plan(
-        letter=crossed if kind in PAIRED else _turn(LETTERS, episode, kind, "letter"),
+        letter=crossed if kind in PAIRED else turn("letter", LETTERS),
         wording=wording,
-        form=form,
+        form=texts[wording].form,
         visible=visible,
         hidden=hidden,
-        partly=_turn(_PARTLY, episode, kind, "partly"),
-        removals=_turn(_REMOVALS, episode, kind, "removals"),
+        partly=turn("partly", _PARTLY),
+        removals=turn("removals", _REMOVALS),
         cues=(first, second, third),
         longer_cover=longer_cover,
-        lighter=_turn(_LIGHTER, episode, kind, "lighter"),
+        lighter=turn("lighter", _LIGHTER),
     )
 
 
 def block_of(kind: QuestionKind, seed: int) -> int:
-    """Number of an attempt's block: of episodes that together are even in all that is planned."""
+    """A public attempt's block: of episodes that together are even in all that is planned."""
     return seed // ATTEMPTS // math.lcm(len(wordings(kind)), *_BALANCED[kind])
-
-
-def _turn(values: Sequence[_T], episode: int, kind: str, purpose: str) -> _T:
-    block, place = divmod(episode, len(values))
-    order = generator(block, "plan", kind, purpose).permutation(len(values))
-    return values[int(order[place])]

@@ -47,9 +47,8 @@ def write_task(draft: Draft, plan: Plan, view: View) -> Task:
     scene = draft.scene
     rng = generator(scene.seed, "words", draft.kind)
     wording = wordings(draft.kind)[plan.wording]
-    question = wording.text.format(**draft.slots)
+    question = asked(wording.text, draft.slots, draft.marks)
     if draft.marks:
-        question = f"{question} {_places(draft.marks)}"
         options = tuple(Option(letter, f"Object {letter}") for letter in PAIR)
     else:
         options = drop_one(draft.candidates, draft.truth, plan.letter, rng)
@@ -71,6 +70,12 @@ def write_task(draft: Draft, plan: Plan, view: View) -> Task:
         marks=draft.marks,
         certificate=Certificate(visibility, draft.measures, draft.drawn_from),
     )
+
+
+def asked(wording: str, slots: Mapping[str, str], marks: Sequence[Mark]) -> str:
+    """A question as agents read it: a wording with its slots filled, then where the marks are."""
+    question = wording.format(**slots)
+    return f"{question} {_places(marks)}" if marks else question
 
 
 def _places(marks: Sequence[Mark]) -> str:

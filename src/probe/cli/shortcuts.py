@@ -38,6 +38,8 @@ def shortcuts(
         rules_only: Train nothing; for a suite too small to learn from.
     """
     things, read = everything(), _read(suites)
+    if not rules_only:
+        _check_public(read)
     total = len({task.id for suite in read for task in suite.tasks})
     looking = examples_of(read, things, cache_folder())
     examples = list(track(looking, "Looking", total=total))
@@ -63,6 +65,14 @@ def learn(
     write_text(out, learnt.model_dump_json(indent=0) + "\n")
     counts = ", ".join(f"{kind} {what.tasks}" for kind, what in learnt.root.items())
     print(f"What was learnt is in {out}; tasks: {counts}.")
+
+
+def _check_public(suites: Sequence[Suite]) -> None:
+    """Classifiers learn block by block of the plan, which nobody knows of a private suite."""
+    for suite in suites:
+        if suite.commitment is not None:
+            remedy = "Say --rules-only, or build tasks for this with --public"
+            raise BadData(f"suite {suite.name}", "is private: its plan isn't known", remedy)
 
 
 def _read(names: Sequence[str]) -> list[Suite]:

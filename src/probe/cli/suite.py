@@ -10,9 +10,9 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
-from probe.assets.library import Library
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
 from probe.certify.parts import Line, Making, Parts, Place
+from probe.certify.salt_file import salt_of
 from probe.cli.bars import bar
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
@@ -41,6 +41,7 @@ def build(
     out: Annotated[Path, tyro.conf.Positional],
     counts: dict[QuestionKind, int] = _NONE,
     pool: Pool = "procedural",
+    public: bool = False,
     first: int = 0,
     shard: str = "0/1",
     unchecked: bool = False,
@@ -50,29 +51,36 @@ def build(
 
     Kept tasks and a log of every candidate wait in a folder beside the suite. Any number of
     processes may share the work; the last to end writes the suite, and the whole log beside it.
+    A secret salt, drawn at the start and kept in that folder, decides letters, order and ids.
 
     Args:
         out: File for the suite.
         counts: Tasks of each type: "--counts.find 28 --counts.compare 24".
         pool: Which objects appear; scans need PROBE_ASSETS.
-        first: Number of the first episode of each type; other numbers give other tasks.
+        public: Draw no salt, so that anyone can make these tasks again, and foretell their answers.
+        first: With --public, number of the first episode of each type; others give other tasks.
         shard: "0/2" and "1/2" in two processes share the work.
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
     """
+    if first and not public:
+        reason = "numbers public tasks; a private suite's follow from its salt"
+        raise BadData("--first", reason, "Say --public too, or leave it out")
     parts, things = Parts(out.with_suffix(".parts")), library(pool)
     places = places_of(counts, first)
     if not places:
         raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
     part = parse_shard(shard)
-    parts.claim(Making(pool=pool, unchecked=unchecked))
+    salt = salt_of(parts, public=public)
+    commitment = salt.commitment if salt else None
+    parts.claim(Making(pool=pool, unchecked=unchecked, commitment=commitment))
     with Renderer() as renderer:
-        workshop = Workshop(things, tables_for(pool), renderer, unchecked)
+        workshop = Workshop(things, tables_for(pool), renderer, unchecked, salt)
         _fill(part.of(places), parts, workshop)
     if waiting := [place for place in places if not parts.task_path(place).exists()]:
         print(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
         return
-    _finish(out, places, parts, things, unsolved)
+    _finish(out, places, parts, workshop, unsolved)
 
 
 @app.command
@@ -99,17 +107,28 @@ def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
 
 
 def _finish(
-    out: Path, places: Sequence[Place], parts: Parts, things: Library, unsolved: Path | None
+    out: Path,
+    places: Sequence[Place],
+    parts: Parts,
+    workshop: Workshop,
+    unsolved: Path | None,
 ) -> None:
-    assemble(out, parts, places, things)
+    things, salt = workshop.library, workshop.salt
+    assemble(out, parts, places, things, salt)
     lines = [line for place in places for line in parts.log(place)]
+    if salt:
+        # By numbers that tell nothing: in the order of places, lines would tell a task's.
+        lines.sort(key=lambda line: (line.kind, line.seed))
     log = out.with_suffix(".log.tsv")
     write_text(log, "".join(f"{line}\n" for line in lines))
     _print_yield(lines)
     if unsolved:
-        found = assemble_unsolved(unsolved, parts, places, things, _UNSOLVED_MOST)
+        found = assemble_unsolved(unsolved, parts, places, things, _UNSOLVED_MOST, salt)
         print(f"{found} candidates failed the scripted agents' check alone; {unsolved} has some")
     print(f"{len(places)} tasks are in {out}; every candidate is in {log}")
+    if salt:
+        print(f"Keep {out} and {parts.folder} to yourself. The suite's commitment, for anyone:")
+        print(salt.commitment)
 
 
 def _print_yield(lines: Iterable[Line]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 from typing import Annotated
@@ -12,11 +12,15 @@ from rich.console import Console
 from rich.table import Table
 
 from probe.assets.library import Library
+from probe.certify.attempt import Attempt
 from probe.certify.verify.balance import balances
 from probe.certify.verify.check import Depth, check, rebuild_problem
+from probe.certify.verify.salted import salt_problems
+from probe.certify.verify.text import read_anew
 from probe.certify.verify.verdict import CHECKS, Verdict, read_verdict, write_verdict
 from probe.cli.bars import bar
 from probe.cli.shards import parse_shard
+from probe.cli.suite_salt import origins_by
 from probe.cli.surroundings import Pool, everything, library, tables_for
 from probe.errors import ProbeError
 from probe.render.renderer import Renderer
@@ -41,10 +45,11 @@ def verify(
     solve: bool = True,
     histories: int = 0,
     rebuild: int = 0,
+    salt: Path | None = None,
     pool: Pool = "procedural",
     shard: str = "0/1",
 ) -> None:
-    """Check each task anew: at rest, hidden, true, unambiguous, solvable; may be interrupted.
+    """Check each task anew: text, at rest, hidden, true, unambiguous, solvable; may be interrupted.
 
     Args:
         suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
@@ -52,10 +57,12 @@ def verify(
         solve: Whether scripted agents have to solve each task again.
         histories: On how many tasks, evenly spaced, three random histories are played.
         rebuild: How many tasks, evenly spaced, are made from their seeds again.
+        salt: File of a private suite's salt: do the tasks follow from what it was committed to?
         pool: Which objects the suite was made of, for that.
         shard: "0/2" and "1/2" in two processes share the work; then run once more without.
     """
     frozen, things = find_suite(suite), everything()
+    known = origins_by(frozen, salt, rebuild)
     check_objects(frozen, things)
     folder = out or Path("outputs") / f"verify-{frozen.name}"
     part = parse_shard(shard)
@@ -63,10 +70,13 @@ def verify(
     with Renderer() as renderer:
         mine = part.of(frozen.tasks)
         verdicts = _verdicts(mine, folder, things, renderer, solve=solve, played=played)
-        again = spaced(mine, rebuild)
-        changed = _rebuilt(again, library(pool), renderer, tables_for(pool))
+        again = [task for task in spaced(mine, rebuild) if known is None or task.id in known]
+        changed = _rebuilt(again, library(pool), renderer, tables_for(pool), known or {})
     _print(frozen, verdicts, changed, len(again))
-    if failed := sum(not verdict.holds for verdict in verdicts) + len(changed):
+    strange = [] if known is None else list(salt_problems(frozen, known))
+    if known is not None:
+        _print_salt(frozen, strange)
+    if failed := sum(not verdict.holds for verdict in verdicts) + len(changed) + len(strange):
         raise Unverified(frozen.name, failed, folder)
 
 
@@ -88,8 +98,17 @@ def _verdicts(
             if found is None or not _stands(found, task, depth):
                 found = check(task, things, renderer, depth)
                 write_verdict(path, found)
+            elif "text" not in found.problems:
+                found = _with_text(found, task, things)
+                write_verdict(path, found)
             verdicts.append(found)
     return verdicts
+
+
+def _with_text(verdict: Verdict, task: Task, things: Library) -> Verdict:
+    """A verdict from before there was a check of the text, with that check made."""
+    problems = {"text": read_anew(task, things), **verdict.problems}
+    return verdict.model_copy(update={"problems": problems})
 
 
 def _stands(verdict: Verdict, task: Task, depth: Depth) -> bool:
@@ -98,16 +117,24 @@ def _stands(verdict: Verdict, task: Task, depth: Depth) -> bool:
 
 
 def _rebuilt(
-    tasks: Sequence[Task], things: Library, renderer: Renderer, tables: Sequence[str]
+    tasks: Sequence[Task],
+    things: Library,
+    renderer: Renderer,
+    tables: Sequence[str],
+    known: Mapping[str, Attempt],
 ) -> dict[str, str]:
-    problems = {task.id: rebuild_problem(task, things, renderer, tables) for task in tasks}
+    problems = {
+        task.id: rebuild_problem(task, things, renderer, tables, known.get(task.id))
+        for task in tasks
+    }
     return {id: problem for id, problem in problems.items() if problem}
 
 
 def _print(
     suite: Suite, verdicts: Sequence[Verdict], changed: dict[str, str], rebuilt: int
 ) -> None:
-    console = Console()
+    # What a task says isn't to be taken for mark-up.
+    console = Console(markup=False)
     console.print(_table(suite.name, verdicts))
     told = (_failures(verdicts), _balance_lines(suite), _history_lines(verdicts))
     for line in (*chain(*told), *_observer_lines(verdicts)):
@@ -117,6 +144,14 @@ def _print(
         console.print(f"{same} of {rebuilt} that were rebuilt from their seeds are the same.")
     for task, problem in changed.items():
         console.print(f"{task}: rebuilt: {problem}")
+
+
+def _print_salt(suite: Suite, strange: Sequence[str]) -> None:
+    print(f"The salt is the one that {suite.name} is committed to.")
+    if not strange:
+        print(f"Ids, seeds, letters, forms and order of {len(suite.tasks)} tasks follow from it.")
+    for line in strange:
+        print(line)
 
 
 def _table(name: str, verdicts: Sequence[Verdict]) -> Table:

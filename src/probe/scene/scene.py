@@ -27,7 +27,7 @@ class Scene:
     """A settled table.
 
     Attributes:
-        seed: The seed it was made from.
+        seed: The seed it was made from; a private task's scene bears the task's.
         table: Id of the table's material.
         objects: In order of their instance numbers.
     """

@@ -19,11 +19,13 @@ class Suite:
         name: "v1", "demo".
         tasks: In a fixed order.
         objects: Fingerprint of each object that appears, by id.
+        commitment: To the salt that a private suite was made with; None of a public one.
     """
 
     name: str
     tasks: tuple[Task, ...]
     objects: Mapping[str, Fingerprint]
+    commitment: str | None = None
 
 
 def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
@@ -40,7 +42,7 @@ def part(suite: Suite, task: Task) -> Suite:
 def selection(suite: Suite, tasks: tuple[Task, ...], name: str) -> Suite:
     """Some tasks of a suite under another name, with the fingerprints of their objects."""
     ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
-    return Suite(name, tasks, {id: suite.objects[id] for id in ids})
+    return Suite(name, tasks, {id: suite.objects[id] for id in ids}, suite.commitment)
 
 
 def spaced(tasks: Sequence[Task], count: int) -> tuple[Task, ...]:

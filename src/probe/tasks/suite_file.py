@@ -145,6 +145,8 @@ class SuiteDocument(pydantic.BaseModel, extra="forbid"):
     version: Literal[3] = 3
     name: str = pydantic.Field(min_length=1)
     canary: str = CANARY
+    # Of private suites alone: SHA-256 of the salt they were made with.
+    commitment: str | None = pydantic.Field(default=None, pattern=r"^[0-9a-f]{64}$")
     objects: dict[str, tuple[float, ...]]
     manifest: dict[str, str]
     tasks: list[TaskDocument]
@@ -184,11 +186,13 @@ def write_suite(path: Path, suite: Suite) -> None:
     tasks = [TaskDocument.of(task) for task in suite.tasks]
     document = SuiteDocument(
         name=suite.name,
+        commitment=suite.commitment,
         objects=dict(suite.objects),
         manifest={task.id: task.digest() for task in tasks},
         tasks=tasks,
     )
-    write_text(path, document.model_dump_json(indent=1) + "\n")
+    left_out = {"commitment"} if suite.commitment is None else None
+    write_text(path, document.model_dump_json(indent=1, exclude=left_out) + "\n")
 
 
 def read_suite(path: Path) -> Suite:
@@ -198,7 +202,8 @@ def read_suite(path: Path) -> Suite:
         BadData: The file is missing, truncated, changed, or not a suite of this version.
     """
     document = read_document(path, SuiteDocument, _REMEDY)
-    return Suite(document.name, tuple(task.task() for task in document.tasks), document.objects)
+    tasks = tuple(task.task() for task in document.tasks)
+    return Suite(document.name, tasks, document.objects, document.commitment)
 
 
 def packaged_suites() -> list[str]:

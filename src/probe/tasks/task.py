@@ -75,7 +75,8 @@ class Task:
         id: Says nothing of the answer.
         kind: Its type.
         form: What exactly it asks.
-        seed: What it was made from; never shown to an agent.
+        seed: What it was made from, or in a private suite a number that leads to it by the salt
+            alone; never shown to an agent.
         subject: The words of the question that name a thing: the cover, what is counted, in the
             singular, what a colour is compared with, or the colour itself; else empty.
         question: What the agent is asked.

@@ -8,6 +8,9 @@ import pytest
 
 from lessons import FIRST_SEED, moved_away, suite_of, training_task
 from probe.assets.split import Split
+from probe.certify.attempt import Attempt
+from probe.certify.parts import Place
+from probe.certify.salt import Salt
 from probe.tasks.suite_file import packaged_suite, packaged_suites
 from probe.tasks.task import Certificate
 from probe.train.choose.evaluation import evaluation_of
@@ -46,6 +49,12 @@ def test_a_seed_of_a_suite_is_refused_whatever_the_table():
 def test_a_seed_below_those_for_training_is_refused():
     refusal = evaluation_of([]).refusal(replace(TASK, seed=FIRST_SEED - 1))
     assert refusal and refusal.leak == "seed" and "1999999999 is below 2000000000" in refusal.detail
+
+
+def test_a_private_suites_seed_is_refused_though_nobody_knows_the_suite():
+    seed = Attempt(Place("find", 0), 0, Salt(bytes(32))).bears
+    refusal = evaluation_of([]).refusal(replace(TASK, seed=seed))
+    assert refusal and refusal.leak == "seed" and "is of a private suite" in refusal.detail
 
 
 @pytest.mark.parametrize("change", [as_for_training, lambda it: moved_away(as_for_training(it))])

@@ -7,15 +7,18 @@ from dataclasses import dataclass
 
 from probe.assets.library import Library
 from probe.assets.tables import TableMaterial
+from probe.certify.attempt import Attempt
 from probe.certify.build import without_notes
 from probe.certify.first_look import look_at
-from probe.certify.generate import generate
+from probe.certify.generate import make
 from probe.certify.observer import observe
 from probe.certify.result import Candidate
 from probe.certify.solve import solves_as_noted, trials
 from probe.certify.verify.anew import Anew
 from probe.certify.verify.hidden import hidden_problems
 from probe.certify.verify.histories import histories, history_problems, is_reachable
+from probe.certify.verify.makeup import makeup_problems
+from probe.certify.verify.text import text_problems
 from probe.certify.verify.truth import clarity_problems, truth_problems
 from probe.certify.verify.verdict import Verdict
 from probe.render.renderer import Renderer
@@ -37,9 +40,17 @@ class Depth:
 
 
 def check(task: Task, library: Library, renderer: Renderer, depth: Depth) -> Verdict:
-    """Make the checks on one task; what was loaded in the renderer is replaced."""
+    """Make the checks on one task; what was loaded in the renderer is replaced.
+
+    Where a task lacks something that its type has, only its text is checked.
+    """
+    if broken := tuple(makeup_problems(task, library)):
+        return Verdict(
+            task=task.id, kind=task.kind, digest=digest_of(task), problems={"text": broken}
+        )
     anew = Anew(task.scene, library, renderer)
     problems = {
+        "text": tuple(text_problems(task, library)),
         "hidden": tuple(hidden_problems(task, anew)),
         "unambiguous": tuple(clarity_problems(task, anew)),
     }
@@ -85,10 +96,23 @@ def _observed(task: Task, library: Library, renderer: Renderer) -> bool:
 
 
 def rebuild_problem(
-    task: Task, library: Library, renderer: Renderer, tables: Sequence[str]
+    task: Task,
+    library: Library,
+    renderer: Renderer,
+    tables: Sequence[str],
+    attempt: Attempt | None = None,
 ) -> str | None:
-    """What is different if a task is made from its seed again; None if nothing is."""
-    result = generate(task.kind, task.seed, library, renderer, tables)
+    """What is different if a task is made again; None if nothing is.
+
+    Args:
+        task: The task.
+        library: Objects that it was made of.
+        renderer: What was loaded in it is replaced.
+        tables: Ids of table materials that it was made with.
+        attempt: That made it; where it isn't given, its seed tells.
+    """
+    attempt = attempt or Attempt.of_seed(task.kind, task.seed)
+    result = make(attempt, library, renderer, tables)
     if not isinstance(result, Candidate):
         return f"its seed now fails {result.check}: {result.detail}"
     frozen, made = digest_of(without_notes(task)), digest_of(result.task)

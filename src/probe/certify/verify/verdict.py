@@ -9,7 +9,7 @@ import pydantic
 
 from probe.files import read_document, write_text
 
-CHECKS = ("at rest", "hidden", "invariant", "unambiguous", "solvable")
+CHECKS = ("text", "at rest", "hidden", "invariant", "unambiguous", "solvable")
 """In the order in which they are made."""
 
 

@@ -9,6 +9,7 @@ from typing import Literal
 
 from probe.assets.split import Split
 from probe.certify.plan import ATTEMPTS
+from probe.certify.salt import PRIVATE_FROM
 from probe.scene.scene import Scene
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of
@@ -70,6 +71,8 @@ class Evaluation:
             yield "seed", f"{task.seed} is of {self.seeds[task.seed]}"
         elif task.seed < FIRST_EPISODE * ATTEMPTS:
             yield "seed", f"{task.seed} is below {FIRST_EPISODE * ATTEMPTS}"
+        elif task.seed >= PRIVATE_FROM:
+            yield "seed", f"{task.seed} is of a private suite"
         if near := self._near(task.scene):
             yield "scene", near
         yield from self._objects(task)
