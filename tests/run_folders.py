@@ -53,7 +53,8 @@ def episode(
     )
     if fault:
         return record
-    last = Step(Call.of("answer_question", {"choice": letter}), "done", "Recorded.", None, start)
+    said = {"choice": letter, "point": [10, 20]} if task.kind == "find" else {"choice": letter}
+    last = Step(Call.of("answer_question", said), "done", "Recorded.", None, start)
     answer = Answer(letter, (10.0, 20.0) if task.kind == "find" else None)
     return replace(
         record, steps=(*steps, last), answer=answer, seconds=Seconds((1.0,) * 4, (2.0,) * 4)

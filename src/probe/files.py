@@ -14,6 +14,7 @@ from typing import TypeVar
 from PIL import Image
 from pydantic import BaseModel, ValidationError
 
+from probe.checksum import without_sum
 from probe.errors import BadData, OutputFailed
 from probe.types import Array
 
@@ -141,7 +142,7 @@ def encode(image: Image.Image, layout: str, *, quality: int = 75) -> bytes:
 def read_document(
     path: Path, model: type[Document], remedy: str, missing: str = "Check the path"
 ) -> Document:
-    """Read a JSON file that holds one document.
+    """Read a JSON file that holds one document, with a checksum at its end or without.
 
     Args:
         path: The file.
@@ -150,14 +151,17 @@ def read_document(
         missing: What to do about a file that can't be read.
 
     Raises:
-        BadData: It can't be read, or it breaks the schema; the first broken field is named.
+        BadData: It can't be read, has changed since its checksum was made, or breaks the schema;
+            the first broken field is named.
     """
     try:
-        return model.model_validate_json(path.read_bytes())
+        return model.model_validate_json(without_sum(path.read_bytes()))
     except OSError as error:
         raise BadData(path, error.strerror or str(error), missing) from error
     except ValidationError as error:
         raise BadData(path, fault(error, "the file"), remedy) from error
+    except ValueError as error:
+        raise BadData(path, str(error), remedy) from error
 
 
 def fault(error: ValidationError, whole: str) -> str:

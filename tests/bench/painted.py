@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -20,9 +20,11 @@ from probe.perception.oracle import Oracle
 from probe.runs.plan import Job
 from probe.runs.table import TableKeeper, TablePlace
 from probe.runs.table_talk import Sit
+from probe.scene.scene import Scene
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import demo_suite
 from probe.toolshed.toolshed import Toolshed
+from probe.types import Array, Pose
 from tabletops import Block, Obedient, PaintedStation, paint, spec
 
 SPECS = {701: spec("red mug", "red"), 702: spec("white ball", "white")}
@@ -47,8 +49,25 @@ class Deadly(Obedient):
         return super().grasp_and_remove(station, frame, mask, drop_at)
 
 
+class Told:
+    """Tells the record of the task's own things: one is away for each painted one that is gone."""
+
+    def __init__(self, station: PaintedStation, scene: Scene) -> None:
+        self._station = station
+        self._scene = scene
+
+    def snapshot(self) -> Scene:
+        gone = len(BLOCKS) - len(self._station.blocks)
+        objects = self._scene.objects
+        away = tuple(replace(it, pose=Pose((0.0, -0.5, 0.1))) for it in objects[:gone])
+        return replace(self._scene, objects=(*away, *objects[gone:]))
+
+    def joints(self) -> Array:
+        return self._station.joints()
+
+
 class PaintedKeeper(TableKeeper):
-    """The same two things on every table."""
+    """The same two things on every table; a record tells of the task's."""
 
     def _open(self, job: Job) -> Episode:
         station = PaintedStation(BLOCKS)
@@ -56,7 +75,8 @@ class PaintedKeeper(TableKeeper):
         tools = Toolshed(station, Oracle(SPECS), skills, (0, 0, 0))
         question = question_of(job.task, tools.first_picture())
         name = self._order.agent
-        return Episode(job.task.id, question, tools, station, agent_name=name, run=job.run)
+        witness = Told(station, job.task.scene)
+        return Episode(job.task.id, question, tools, witness, agent_name=name, run=job.run)
 
     def _stills(self, job: Job):
         count = {"blind": 0, "direct": 1, "oracle-view": 2}[self._arm]

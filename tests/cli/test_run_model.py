@@ -94,6 +94,8 @@ def test_other_arms_show_what_they_should(tmp_path, arm, pictures):
     assert [pictures_in(body) for body in asked(server)] == [pictures]
     (record,) = read_records(tmp_path / "out" / RECORDS)
     assert record.arm == arm
+    said = probe("audit", tmp_path / "out", "--replay", "all")
+    assert f"1 can't be replayed: a model answered in words (arm {arm})" in said
 
 
 def test_a_model_sits_at_a_changed_table(tmp_path):
@@ -110,6 +112,8 @@ def test_a_model_sits_at_a_changed_table(tmp_path):
     moved = zip(record.start.scene.objects, COUNT.scene.objects, strict=True)
     assert all(now.pose != then.pose for now, then in moved)
     assert record.conditions.camera == "moved"
+    said = probe("audit", tmp_path / "out", "--replay", "all")
+    assert "audited: 1 of 1 replayed, all equal" in said
 
 
 def test_the_harness_finds_our_tasks_by_name(tmp_path):
@@ -150,6 +154,8 @@ def test_a_pointer_is_asked_at_the_endpoint_too(tmp_path):
     assert (models[0], models[-1]) == ("mine", "mine") and "eyes" in models
     # The server counts 100 tokens for each request, a dollar each; only the pointer has a price.
     assert record.seat and record.seat.cost == 100 * models.count("eyes")
+    said = probe("audit", tmp_path / "out", "--replay", "all")
+    assert "1 can't be replayed: perception asked a model (pointer openai-api/" in said
 
 
 def test_a_server_that_isnt_there_is_named_and_nothing_is_left(tmp_path):

@@ -5,23 +5,22 @@ import pytest
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import ARM, RECORDS, SUITE, arm_of_folder
+from probe.episodes.grading import question_of
 from probe.episodes.luck import NOISES
 from probe.episodes.ordered import note_ordered, read_ordered
 from probe.episodes.record import EpisodeRecord, Table
 from probe.episodes.remarks import Remark, add_remark, read_remarks
-from probe.episodes.turns import Question
 from probe.errors import BadData
 from probe.runs.merge import merge_folders
-from probe.scene.scene import Scene
 from probe.tasks.suite_file import demo_suite, read_suite, write_suite
 
 DEMO = demo_suite()
-TABLE = Table(Scene(0, "oak", ()), (0.0,) * 6)
 
 
 def record(task: int, **changes) -> EpisodeRecord:
-    asked = Question("What?", ())
-    made = EpisodeRecord(DEMO.tasks[task].id, "a", 0, asked, TABLE, (), None, "stopped")
+    asked = DEMO.tasks[task]
+    table = Table(asked.scene, (0.0,) * 6)
+    made = EpisodeRecord(asked.id, "a", 0, question_of(asked), table, (), None, "stopped")
     return replace(made, **changes)
 
 

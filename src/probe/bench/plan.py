@@ -26,6 +26,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.episodes.seat import Points
 from probe.files import write_text
 from probe.perception.points import Convention
+from probe.runs.checks.folder import check_records
 from probe.runs.plan import Order
 from probe.runs.run import check_settings
 from probe.tasks.suite import Suite
@@ -109,12 +110,15 @@ def check_folder(plan: Plan, order: Order) -> None:
     """See that a folder, if it is one, is about the same suite under the same conditions.
 
     Raises:
-        BadData: It isn't.
+        BadData: It isn't, or a record can't be of a run of the suite.
     """
     check_suite(plan.out, plan.suite)
     path = plan.out / RECORDS
     if path.exists():
-        check_settings(path, read_records(path, whole=False), order)
+        earlier = read_records(path, whole=False)
+        check_settings(path, earlier, order)
+        # The harness shows what they are worth beside what is played now.
+        check_records(earlier, plan.suite, path)
 
 
 def missing_of(plan: Plan, order: Order) -> int:

@@ -30,6 +30,7 @@ COMMANDS: dict[str, _Command] = {
     "merge": _Command("merge", "Join folders of records that `probe run --shard` wrote."),
     "report": _Command("report", "Grade records and write a page of scores and replays."),
     "rescore": _Command("rescore", "Grade a run's records again and write rows and scores."),
+    "audit": _Command("audit", "Check records, do their episodes again, sign a folder."),
     "robustness": _Command("robustness", "Compare runs of the same tasks under other conditions."),
     "serve": _Command("serve", "Let another program use the tools on one task, over MCP."),
     "export": _Command("export", "Write a suite as a data set for other programs."),

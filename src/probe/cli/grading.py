@@ -7,11 +7,11 @@ from pathlib import Path
 from rich.progress import track
 
 from probe.cli.surroundings import everything
-from probe.episodes.files import read_records
-from probe.episodes.folder import RECORDS, SUITE, in_order
+from probe.cli.unsummed import tell_unsummed
+from probe.episodes.folder import SUITE, in_order
 from probe.episodes.record import EpisodeRecord
-from probe.errors import BadData
 from probe.report.darkroom import Darkroom
+from probe.runs.checks.folder import read_checked
 from probe.tasks.grading import Score
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
@@ -24,7 +24,7 @@ def graded(out: Path) -> list[Graded]:
     """Every record of a folder with its task and what it is worth, by task, agent and run.
 
     Raises:
-        BadData: The suite or a record can't be read, or a record is about something else.
+        BadData: The suite or a record can't be read, or a record can't be of a run of the suite.
         OtherTask: A task has changed since.
     """
     suite = read_suite(out / SUITE)
@@ -40,11 +40,8 @@ def darkroom_of(suite: Suite) -> Darkroom:
 def grade_folder(out: Path, suite: Suite, darkroom: Darkroom) -> list[Graded]:
     """As `graded`, of a suite that has been read; each task's objects are loaded but once."""
     tasks = {task.id: task for task in suite.tasks}
-    records = in_order(read_records(out / RECORDS), suite)
-    for record in records:
-        if record.task not in tasks:
-            remedy = "Move one of them elsewhere"
-            raise BadData(out / RECORDS, f"{record.task} is not in {SUITE}", remedy)
+    records = in_order(read_checked(out, suite), suite)
+    tell_unsummed(out)
     places = sorted(range(len(records)), key=lambda place: records[place].task)
     scores = {
         place: darkroom.score(tasks[records[place].task], records[place])

@@ -9,7 +9,8 @@ from typing import Annotated
 import tyro
 from rich.console import Console
 
-from probe.cli.gathering import gather, one_suite
+from probe.audit.kept import tally_of
+from probe.cli.gathering import gather, one_suite, short_names
 from probe.cli.grading import darkroom_of
 from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, headline_line, write_beside
 from probe.report.build_log import read_build_log
@@ -65,8 +66,14 @@ def write_run_report(
     write_beside(folder, rows, scores)
     page = folder / ("report.html" if single else "index.html")
     files = (ROWS_CSV, ROWS_JSON, SCORES)
-    write_report(page, Report(suite, scores, played, tuple(candidates), files), single=single)
+    audits = tuple(
+        (name, tally_of(run).words) for name, run in zip(short_names(runs), runs, strict=True)
+    )
+    shown = Report(suite, scores, played, tuple(candidates), files, audits)
+    write_report(page, shown, single=single)
     console = Console(markup=False, highlight=False, soft_wrap=True)
     for card in scores.cards:
         console.print(headline_line(card))
+    for name, words in audits:
+        console.print(f"{name}: {words}")
     return page

@@ -10,6 +10,7 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
+from probe.audit.kept import tally_of
 from probe.cli.agents import ARMS
 from probe.cli.grading import Graded, graded
 from probe.episodes.folder import SUITE, arm_of_folder
@@ -41,6 +42,7 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
         console.print(_table(card))
     for line in _lines(scores):
         console.print(line, highlight=False)
+    console.print(f"{out}: {tally_of(out).words}.", highlight=False, soft_wrap=True)
     print(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
 
 

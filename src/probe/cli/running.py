@@ -9,6 +9,7 @@ from pathlib import Path
 from probe.assets.library import Library, open_all
 from probe.cli.bars import bar
 from probe.cli.surroundings import cache_folder
+from probe.cli.unsummed import tell_unsummed
 from probe.cli.varying import varied
 from probe.episodes.folder import RECORDS
 from probe.runs.plan import Order
@@ -58,5 +59,6 @@ def _tell(beginning: Beginning, out: Path) -> None:
     print(f"Records go to {out / RECORDS}; Ctrl-C stops, the same command goes on.")
     if beginning.cut:
         print(f"Its last record was cut off: moved to {beginning.cut}, and run again.")
+    tell_unsummed(out)
     if beginning.done:
         print(f"{beginning.done} episodes were there already.")

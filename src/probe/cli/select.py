@@ -14,6 +14,7 @@ from probe.assets.fingerprint import Fingerprint
 from probe.assets.split import read_split
 from probe.cli.near import near_groups, those_here
 from probe.cli.surroundings import cache_folder, everything
+from probe.cli.unsummed import tell_unsummed
 from probe.errors import BadData
 from probe.files import check_new
 from probe.tasks.suite import Suite
@@ -22,9 +23,10 @@ from probe.tasks.task import QuestionKind
 from probe.train.choose.chosen import SelectionDocument, write_selection
 from probe.train.choose.efficiency import SLACK
 from probe.train.choose.evaluation import evaluation_of
-from probe.train.choose.gathering import candidates_of
+from probe.train.choose.gathering import ARMS, candidates_of
 from probe.train.choose.selection import BEYOND_SHARE, Recipe
 from probe.train.choose.selection import select as selected
+from probe.train.collect.batches import batches
 
 _SHOWN = 5
 
@@ -63,6 +65,9 @@ def select(
     check_new(out)
     objects: dict[str, Fingerprint] = {}
     candidates, unfinished = candidates_of(collected, objects)
+    tell_unsummed(
+        *(batch.arm(arm) for folder in collected for batch in batches(folder) for arm in ARMS)
+    )
     if unfinished:
         print(f"{unfinished} batches aren't whole yet and are left out.")
     packaged = [find_suite(name) for name in packaged_suites()]

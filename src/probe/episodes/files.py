@@ -1,4 +1,4 @@
-"""Records in a file, one line each."""
+"""Records in a file, one line each, which ends with a checksum of its bytes."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pydantic
 
+from probe.checksum import has_sum, with_sum, without_sum
 from probe.episodes.document import EpisodeDocument
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, OutputFailed
@@ -19,14 +20,14 @@ _REMEDY = "Delete this line (the others are whole) and run the episode again"
 
 def line_of(record: EpisodeRecord, *, timed: bool = True) -> bytes:
     """A record as one line of JSON; without timing, equal episodes give equal bytes."""
-    return EpisodeDocument.of(record, timed=timed).model_dump_json().encode() + b"\n"
+    return with_sum(EpisodeDocument.of(record, timed=timed).model_dump_json().encode())
 
 
 def record_of(line: bytes) -> EpisodeRecord:
     """The record of a line that line_of wrote.
 
     Raises:
-        BadData: It is no record of this version.
+        BadData: It is no record of this version, or a byte of it has changed.
     """
     return _read("record", line)
 
@@ -101,14 +102,41 @@ def read_records(path: Path, *, whole: bool = True) -> list[EpisodeRecord]:
         whole: Refuse a last line that was cut off; otherwise it is left out.
 
     Raises:
-        BadData: The file is missing, or a line is cut off or no record of this version.
+        BadData: The file is missing, or a line is cut off, has changed since it was written, or is
+            no record of this version.
+    """
+    lines = lines_of(path, whole=whole)
+    return [_read(f"{path}, line {number}", line) for number, line in enumerate(lines, start=1)]
+
+
+def lines_of(path: Path, *, whole: bool = True) -> list[bytes]:
+    """The lines of a file of records as they are, without their ends; see read_records.
+
+    Raises:
+        BadData: The file can't be read.
     """
     try:
         content = path.read_bytes()
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Check the path") from error
-    lines = (content if whole else content[: content.rfind(b"\n") + 1]).splitlines()
-    return [_read(f"{path}, line {number}", line) for number, line in enumerate(lines, start=1)]
+    return (content if whole else content[: content.rfind(b"\n") + 1]).splitlines()
+
+
+def without_checksum(paths: Sequence[Path]) -> str | None:
+    """What to tell of files some of whose lines have no checksum; None if all have one.
+
+    Raises:
+        BadData: A file can't be read.
+    """
+    lines = [line for path in paths for line in lines_of(path)]
+    bare = sum(not has_sum(line) for line in lines)
+    if not bare:
+        return None
+    where = str(paths[0]) if len(paths) == 1 else f"{len(paths)} files of records"
+    return (
+        f"{where}: {bare} of {len(lines)} records have no checksum, like all that were written "
+        "before there were any. A byte of them that has changed may go unnoticed."
+    )
 
 
 def _write_whole(file: FileIO, line: bytes) -> None:
@@ -126,9 +154,11 @@ def _write_whole(file: FileIO, line: bytes) -> None:
 
 def _read(place: str, line: bytes) -> EpisodeRecord:
     try:
-        return EpisodeDocument.model_validate_json(line).record()
+        return EpisodeDocument.model_validate_json(without_sum(line)).record()
     except pydantic.ValidationError as error:
         first = error.errors(include_input=False)[0]
         field = ".".join(str(part) for part in first["loc"])
         reason = f"{field}: {first['msg']}" if field else first["msg"]
         raise BadData(place, reason, _REMEDY) from error
+    except ValueError as error:
+        raise BadData(place, str(error), _REMEDY) from error

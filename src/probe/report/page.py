@@ -49,6 +49,7 @@ class Report:
             folder of pictures.
         candidates: Of the suite's building, by type; empty if its log isn't known.
         files: Names of the tables that lie beside the page.
+        audits: Name of each folder reported on, and how far it was audited, in words.
     """
 
     suite: Suite
@@ -56,6 +57,7 @@ class Report:
     played: tuple[Played, ...]
     candidates: tuple[Candidates, ...] = ()
     files: tuple[str, ...] = ()
+    audits: tuple[tuple[str, str], ...] = ()
 
 
 def write_report(path: Path, report: Report, *, single: bool = False) -> None:
@@ -134,6 +136,7 @@ def _values(report: Report) -> dict[str, object]:
         "facts": suite_facts(report.suite.tasks),
         "candidates": report.candidates,
         "files": report.files,
+        "audits": report.audits,
         "played": played,
         "index": script_json(index_of(played, entrants, gaps)),
     }

@@ -43,7 +43,7 @@ def jitter(scene: Scene, shift: float, library: Library) -> Scene | None:
         rng = generator(scene.seed, "jitter", draw)
         moved = jittered(scene, rng, PoseRange(reach, reach / _LEVER))
         settled = _settled(moved, stage)
-        if settled is not None and _is_same(scene, settled, reach):
+        if settled is not None and is_same(scene, settled, reach):
             return settled
     return None
 
@@ -56,7 +56,7 @@ def _settled(scene: Scene, stage: Stage) -> Scene | None:
         return None
 
 
-def _is_same(before: Scene, after: Scene, reach: float) -> bool:
+def is_same(before: Scene, after: Scene, reach: float) -> bool:
     """Whether nothing went further than it was moved and may settle."""
     for one, other in zip(before.objects, after.objects, strict=True):
         apart = np.linalg.norm(np.subtract(other.pose.position, one.pose.position))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from probe.episodes.files import read_records, write_records
+from probe.episodes.files import write_records
 from probe.episodes.folder import (
     RECORDS,
     SUITE,
@@ -18,6 +18,7 @@ from probe.episodes.ordered import joined, write_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.remarks import read_remarks, write_remarks
 from probe.errors import BadData
+from probe.runs.checks.folder import read_checked
 from probe.runs.variation import read_variation, write_variation
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
@@ -31,7 +32,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
     Raises:
         BadData: They are about different suites, were run under different conditions, were to have
             different numbers of runs, only some are people's, an episode is in two of them, one
-            can't be read, or the new folder isn't new.
+            can't be read or can't be of a run of the suite, or the new folder isn't new.
         OutputFailed: It can't be written.
     """
     if (out / SUITE).exists() or (out / RECORDS).exists():
@@ -42,7 +43,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
     kept = list[EpisodeRecord]()
     for part in parts:
         _check_suite(part, suite)
-        records = standing(in_order(read_records(part / RECORDS), suite))
+        records = standing(in_order(read_checked(part, suite), suite))
         for record in records:
             first = first or record
             _check(part, record, first, found)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from probe.files import read_document, write_text
 from probe.runs.vary import Varied
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of, read_suite, write_suite
+from probe.tasks.task import Task
 
 VARIATION = "variation.json"
 
@@ -64,7 +65,7 @@ def earlier(out: Path, base: Suite, conditions: Conditions) -> Suite | None:
         raise BadData(out, "was run under other conditions", "Choose another folder")
     if known is None or not (out / SUITE).exists():
         return None
-    if (known.base, known.conditions) != (_digest(base), conditions.label):
+    if (known.base, known.conditions) != (digest_of_tasks(base.tasks), conditions.label):
         reason = f"is about another suite or other conditions ({known.conditions})"
         raise BadData(out, reason, "Choose another folder")
     return read_suite(out / SUITE)
@@ -78,13 +79,14 @@ def keep_varied(out: Path, base: Suite, conditions: Conditions, made: Sequence[V
     """
     suite = replace(base, tasks=tuple(each.task for each in made))
     notes = {each.task.id: each.note for each in made if each.note}
-    known = Variation(base=_digest(base), conditions=conditions.label, notes=notes)
+    known = Variation(base=digest_of_tasks(base.tasks), conditions=conditions.label, notes=notes)
     # A folder with a suite is a begun one: what says where that is from has to be there first.
     write_variation(out, known)
     write_suite(out / SUITE, suite)
     return suite
 
 
-def _digest(suite: Suite) -> str:
-    lines = [f"{task.id} {digest_of(task)}" for task in suite.tasks]
+def digest_of_tasks(tasks: Iterable[Task]) -> str:
+    """What a variation says of the tasks that it was made from."""
+    lines = [f"{task.id} {digest_of(task)}" for task in tasks]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()

@@ -75,13 +75,13 @@ def _seen_anew(
         labels = labels_of(renderer, task.scene, camera)
         try:
             marks = tuple(replace(it, point=widest(labels == it.instance)) for it in task.marks)
-            task = replace(task, marks=marks, question=_with_places(task.question, marks))
+            task = replace(task, marks=marks, question=with_places(task.question, marks))
         except Rejected as failure:
             notes.append(str(failure))
     return Varied(task, "; ".join(note for note in notes if note) or None)
 
 
-def _with_places(question: str, marks: Sequence[Mark]) -> str:
+def with_places(question: str, marks: Sequence[Mark]) -> str:
     """The question with the marks' new pixels."""
     for mark in marks:
         place = f"{mark.letter} at ({mark.point[0]}, {mark.point[1]})"

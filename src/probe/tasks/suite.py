@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 from probe.assets.fingerprint import Fingerprint, same
 from probe.assets.library import Library
 from probe.errors import BadData, UnknownName
 from probe.tasks.task import Task
+
+_Item = TypeVar("_Item")
 
 
 @dataclass(frozen=True)
@@ -45,8 +48,8 @@ def selection(suite: Suite, tasks: tuple[Task, ...], name: str) -> Suite:
     return Suite(name, tasks, {id: suite.objects[id] for id in ids}, suite.commitment)
 
 
-def spaced(tasks: Sequence[Task], count: int) -> tuple[Task, ...]:
-    """So many tasks, evenly spaced, so that all types are among them; all if there are fewer."""
+def spaced(tasks: Sequence[_Item], count: int) -> tuple[_Item, ...]:
+    """So many tasks, or records in order of tasks, evenly spaced; all if there are fewer."""
     count = min(count, len(tasks))
     return tuple(tasks[number * len(tasks) // count] for number in range(count))
 

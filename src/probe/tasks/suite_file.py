@@ -9,10 +9,12 @@ from typing import Literal
 
 import pydantic
 
-from probe.errors import UnknownName
-from probe.files import read_document, write_text
+from probe.checksum import with_sum
+from probe.errors import BadData, UnknownName
+from probe.files import read_document, write_bytes
 from probe.scene.document import SceneDocument
 from probe.scene.visibility import Visibility
+from probe.tasks.reserved import Difference, difference, unlike
 from probe.tasks.suite import Suite
 from probe.tasks.task import LETTERS, Certificate, Form, Letter, Mark, Option, QuestionKind, Task
 
@@ -178,7 +180,7 @@ def digest_of(task: Task) -> str:
 
 
 def write_suite(path: Path, suite: Suite) -> None:
-    """Write a suite as JSON; floats keep every bit.
+    """Write a suite as JSON that ends with a checksum; floats keep every bit.
 
     Raises:
         OutputFailed: It can't be written; nothing half-written is left.
@@ -192,7 +194,8 @@ def write_suite(path: Path, suite: Suite) -> None:
         tasks=tasks,
     )
     left_out = {"commitment"} if suite.commitment is None else None
-    write_text(path, document.model_dump_json(indent=1, exclude=left_out) + "\n")
+    text = document.model_dump_json(indent=1, exclude=left_out)
+    write_bytes(path, with_sum(text.encode()))
 
 
 def read_suite(path: Path) -> Suite:
@@ -217,11 +220,39 @@ def packaged_suite(name: str) -> Suite:
 
     Raises:
         UnknownName: There is none of this name.
+        BadData: Its file isn't the one that was packaged.
     """
     if name not in packaged_suites():
         raise UnknownName("suite", name, packaged_suites())
     with resources.as_file(resources.files("probe.tasks") / f"data/{name}.json") as path:
+        if hashlib.sha256(path.read_bytes()).hexdigest() != _packaged_hash(path.name):
+            raise BadData(path, "isn't the file that was packaged", "Install PROBE again")
         return read_suite(path)
+
+
+def _packaged_hash(file: str) -> str | None:
+    """What `data/SHA256SUMS` says of a suite's file."""
+    text = (resources.files("probe.tasks") / "data/SHA256SUMS").read_text("utf-8")
+    return next((line[:64] for line in text.splitlines() if line[66:] == file), None)
+
+
+def check_name(suite: Suite, path: Path, differs: Difference = difference) -> None:
+    """Refuse a suite that bears the name of a packaged one and is neither that nor a part of it.
+
+    Args:
+        suite: Of any name.
+        path: Its file, for the message.
+        differs: Compares its tasks with the packaged ones.
+
+    Raises:
+        BadData: It isn't what it says it is.
+    """
+    if suite.name not in packaged_suites():
+        return
+    reason = unlike(suite, packaged_suite(suite.name), differs)
+    if reason:
+        words = f"is called {suite.name} but isn't the packaged {suite.name}: {reason}"
+        raise BadData(path, words, "Take the packaged one, or give this one a name of its own")
 
 
 def demo_suite() -> Suite:
@@ -234,8 +265,10 @@ def find_suite(name: str) -> Suite:
 
     Raises:
         UnknownName: It is neither.
-        BadData: The file isn't a whole suite.
+        BadData: The file isn't a whole suite, or bears the name of a packaged one that it isn't.
     """
     if name.endswith(".json") or Path(name).exists():
-        return read_suite(Path(name))
+        suite = read_suite(Path(name))
+        check_name(suite, Path(name))
+        return suite
     return packaged_suite(name)

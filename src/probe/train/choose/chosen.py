@@ -17,6 +17,7 @@ from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.files import check_new, read_document, whole_folder, write_text
+from probe.runs.checks.folder import check_records
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import Task
@@ -125,7 +126,8 @@ def read_selection(folder: Path) -> Chosen:
     """Read a selection.
 
     Raises:
-        BadData: It isn't whole, or something in it has changed since; the file is named.
+        BadData: It isn't whole, something in it has changed since, or a record can't be of a run of
+            its suite; the file is named.
     """
     document = read_document(folder / SELECTION, SelectionDocument, _REMEDY, _REMEDY)
     for name, known in document.files.items():
@@ -134,6 +136,7 @@ def read_selection(folder: Path) -> Chosen:
     suite = read_suite(folder / SUITE)
     tasks = {task.id: task for task in suite.tasks}
     records = read_records(folder / RECORDS)
+    check_records(records, suite, folder / RECORDS)
     empty = [kind for kind, arms in document.examples.items() if not sum(arms.values())]
     if empty or not records:
         what = empty[0] if empty else "any type"

@@ -16,7 +16,7 @@ from probe.train.choose.candidates import Candidate
 from probe.train.collect.batches import Batch, Grade, batches
 from probe.train.collect.settings import read_settings
 
-_ARMS: tuple[Arm, ...] = "direct", "agentic"
+ARMS: tuple[Arm, ...] = "direct", "agentic"
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def candidates_of(
 
 def _of_batch(batch: Batch, known: _Known) -> Iterator[Candidate]:
     grades = {(it.task, it.arm, it.run): it for it in batch.grades()}
-    for arm in _ARMS:
+    for arm in ARMS:
         if (batch.arm(arm) / SUITE).exists():
             yield from _of_arm(batch, arm, grades, known)
     if lost := [task for (task, _, _), grade in grades.items() if grade.correct is not None]:

@@ -21,6 +21,7 @@ from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE, in_order
 from probe.episodes.record import EpisodeRecord
 from probe.files import read_document, write_text
+from probe.runs.checks.folder import check_records
 from probe.tasks.suite import Suite
 from probe.tasks.task import QuestionKind
 from probe.types import Shard
@@ -73,10 +74,11 @@ class Batch:
         """What an arm's records hold of each task and run: no faults that were made good since.
 
         Raises:
-            BadData: One can't be read.
+            BadData: One can't be read, or can't be of a run of the suite.
         """
         path = self.arm(arm) / RECORDS
         records = read_records(path) if path.exists() else []
+        check_records(records, suite, path)
         # Faults of ours may tell no arm; they come before what made them good.
         return {(it.task, it.run): it for it in in_order(records, suite)}
 

@@ -1,0 +1,1 @@
+"""What a folder of records claims: done again and compared, hashed, signed. Grades nothing."""

@@ -1,0 +1,106 @@
+"""What a worker process does in an audit: sets a record's table, does its calls again, compares."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from probe.assets.library import Library
+from probe.audit.kept import Verdict
+from probe.episodes.play import set_table
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.replay import differences, replay
+from probe.render.renderer import Renderer
+from probe.runs.vary import vary
+from probe.tasks.suite import Suite, check_objects, part
+from probe.tasks.task import Task
+
+_SHOWN = 4
+"""Differences that a verdict names."""
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One record to be replayed.
+
+    Attributes:
+        line: SHA-256 of its line.
+        record: What it says.
+        task: What it is about, as in the folder's suite.
+        base: The packaged task that this was made from, if it was run under other conditions.
+    """
+
+    line: str
+    record: EpisodeRecord
+    task: Task
+    base: Task | None = None
+
+
+@dataclass(frozen=True)
+class Replayer:
+    """All that a worker is told; see probe.runs.worker.Opening.
+
+    Attributes:
+        suite: The folder's.
+        library: Opens the objects; a value that can be sent to another process.
+        cache: Folder for prepared light.
+    """
+
+    suite: Suite
+    library: Callable[[], Library]
+    cache: Path | None = None
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[Claim], bytes]]:
+        """Open the library and start a renderer; gives what replays a claim."""
+        things = self.library()
+        with Renderer(self.cache) as renderer:
+            yield partial(self._verdict, things, renderer)
+
+    def _verdict(self, things: Library, renderer: Renderer, claim: Claim) -> bytes:
+        """The verdict as JSON."""
+        try:
+            check_objects(part(self.suite, claim.task), things)
+            reason = _difference(claim, things, renderer)
+            verdict = Verdict(outcome="differs" if reason else "equal", reason=reason)
+        except Exception as error:
+            # Whatever a record does to the tools is told of this record alone.
+            reason = f"{type(error).__name__}: {error}"
+            verdict = Verdict(outcome="not replayable", reason=reason)
+        return verdict.model_dump_json().encode()
+
+
+def unable(record: EpisodeRecord) -> str | None:
+    """Why doing a record's calls again can't come out as before; None if it can."""
+    if record.seat is None:
+        return None
+    arm, _, more = record.seat.arm.partition(", ")
+    if more:
+        return f"perception asked a model ({more})"
+    return None if arm == "agentic" else f"a model answered in words (arm {arm})"
+
+
+def _difference(claim: Claim, things: Library, renderer: Renderer) -> str:
+    """Where a replay comes out otherwise; empty if it doesn't."""
+    record, task = claim.record, claim.task
+    if claim.base is not None:
+        (made,) = vary((claim.base,), record.conditions, things, renderer)
+        if made.task != task:
+            return "its table isn't what its conditions make of the packaged task"
+    tools, station = set_table(
+        task,
+        things,
+        things.table(task.scene.table),
+        renderer,
+        pictures=False,
+        noise=record.noise,
+        conditions=record.conditions,
+        sight=record.sight,
+        run=record.run,
+    )
+    found = differences(record, replay(record, tools, station))
+    more = f", and {len(found) - _SHOWN} more" if len(found) > _SHOWN else ""
+    return ", ".join(found[:_SHOWN]) + more

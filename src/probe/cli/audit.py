@@ -1,0 +1,153 @@
+"""`probe audit`: whether records are what they say: checks, replays, hashes, a signature."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from contextlib import closing
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+from rich.console import Console
+
+from probe.audit.auditing import Audit, begin, replay_claims, whose
+from probe.audit.kept import Verdict, counted, tally_of
+from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_manifest
+from probe.audit.replaying import Claim, Replayer
+from probe.audit.signing import sign as sign_manifest
+from probe.audit.signing import verify as verify_manifest
+from probe.cli.bars import bar
+from probe.cli.fitting import check_counts, refuse_stray
+from probe.cli.surroundings import cache_folder, opener
+from probe.cli.unsummed import tell_unsummed
+from probe.episodes.folder import SUITE
+from probe.errors import BadData, ProbeError
+from probe.runs.variation import read_variation
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import packaged_suite, packaged_suites, read_suite
+
+_SHOWN = 10
+
+
+class NotAsRecorded(ProbeError):
+    """A replay came out otherwise."""
+
+    def __init__(self, out: Path, differ: int, replayed: int) -> None:
+        super().__init__(
+            f"{out}: {differ} of {replayed} replays differ from what is recorded. Audit it with "
+            "the release, the assets and the kind of machine that it was run with: what is honest "
+            "comes out equal there."
+        )
+
+
+def audit(
+    out: Annotated[Path, tyro.conf.Positional],
+    replay: str | None = None,
+    workers: int = 1,
+    sign: Path | None = None,
+    verify: Path | None = None,
+) -> None:
+    """Check a run's records; replay them, sign the folder, or verify who signed it, on request.
+
+    What replays came to is kept in audit.json; the same command goes on where it stopped.
+
+    Args:
+        out: Folder that `probe run` wrote to.
+        replay: How many episodes to do again, evenly spaced, or "all".
+        workers: Processes that replay.
+        sign: SSH key to sign the hashes of all files with, last of all.
+        verify: File of SSH public keys, one of which must have signed the folder as it is.
+    """
+    check_counts({"--workers": workers})
+    if verify is not None:
+        refuse_stray("with --verify", {"--sign": sign, "--replay": replay})
+        _verify(out, verify)
+    suite, count = read_suite(out / SUITE), _count(replay)
+    found = begin(out, suite)
+    tell_unsummed(out)
+    _tell(out, suite, found)
+    if verify is None and (replay is not None or sign is None):
+        _replay(found, suite, found.lacking(count), workers)
+    if sign is not None:
+        files = write_manifest(out)
+        sign_manifest(out, sign)
+        print(f"{out / MANIFEST} has the hashes of {files} files; its signature is {SIGNATURE}.")
+
+
+def _count(replay: str | None) -> int | None:
+    """How many episodes to replay; None for all."""
+    if replay is None or replay == "all":
+        return 0 if replay is None else None
+    if not replay.isascii() or not replay.isdigit() or int(replay) < 1:
+        raise BadData("--replay", f"{replay} is no number of episodes", 'Say 1 or more, or "all"')
+    return int(replay)
+
+
+def _verify(out: Path, keys: Path) -> None:
+    words = verify_manifest(out, keys)
+    files = check_manifest(out)
+    print(f"{words}\n{files} files are as they were signed.")
+
+
+def _tell(out: Path, suite: Suite, audit: Audit) -> None:
+    """What the checks found; they would have raised what doesn't agree."""
+    console = Console(markup=False, highlight=False, soft_wrap=True)
+    console.print(
+        f"{out}: {len(audit.claims)} results on {_kind_of(out, suite)}. All agree with themselves, "
+        "their tasks and the folder's notes."
+    )
+
+
+def _kind_of(out: Path, suite: Suite) -> str:
+    if suite.name not in packaged_suites():
+        return f"{suite.name}, which isn't a suite of the package"
+    tasks = len(packaged_suite(suite.name).tasks)
+    part = "" if len(suite.tasks) == tasks else f"{len(suite.tasks)} of {tasks} tasks of "
+    variation = read_variation(out)
+    under = f", under {variation.conditions}" if variation else ", as packaged"
+    return f"{part}{suite.name}{under}"
+
+
+def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -> None:
+    """Replay what has no verdict yet, and say what is known then.
+
+    Raises:
+        NotAsRecorded: Something differs.
+    """
+    place = Replayer(suite, opener(), cache_folder() / "light")
+    audit.keep()
+    if claims:
+        with bar() as progress, closing(replay_claims(audit, claims, place, workers)) as results:
+            line = progress.add_task("Replaying", total=len(claims))
+            for _ in results:
+                progress.update(line, advance=1)
+    _print(audit)
+    print(f"{audit.out}: {tally_of(audit.out).words}.")
+    tally = counted(audit.verdicts, len(audit.claims))
+    if tally.differ:
+        raise NotAsRecorded(audit.out, tally.differ, tally.equal + tally.differ)
+
+
+def _print(audit: Audit) -> None:
+    """Each record that differs, and how many can't be replayed for which reason."""
+    console = Console(markup=False, highlight=False, soft_wrap=True)
+    known = [(it, audit.verdicts[it.line]) for it in audit.claims if it.line in audit.verdicts]
+    differing = [(it, verdict) for it, verdict in known if verdict.outcome == "differs"]
+    for claim, verdict in differing[:_SHOWN]:
+        console.print(f"{_ascii(whose(claim.record))} differs: {verdict.reason}")
+    if len(differing) > _SHOWN:
+        console.print(f"... and {len(differing) - _SHOWN} more, in audit.json.")
+    unable = Counter(_reason(verdict) for _, verdict in known)
+    for reason, count in unable.items():
+        if reason:
+            console.print(f"{count} can't be replayed: {_ascii(reason)}")
+
+
+def _reason(verdict: Verdict) -> str:
+    return verdict.reason if verdict.outcome == "not replayable" else ""
+
+
+def _ascii(text: str) -> str:
+    """Without what a terminal may take for a command."""
+    return "".join(each if each.isprintable() else "?" for each in text)

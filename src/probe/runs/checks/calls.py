@@ -1,0 +1,75 @@
+"""Whether a record's calls went as calls can go, and its tables follow from one another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from probe.episodes.record import EpisodeRecord, Step, Table
+from probe.scene.scene import Scene
+from probe.toolshed.parse import parse
+from probe.toolshed.refusals import Refusal
+from probe.toolshed.result import Status
+from probe.toolshed.tools import AnswerQuestion, GraspAndRemove, Push, Request
+from probe.toolshed.toolshed import MANIPULATIONS, TURNS
+
+
+def amiss_in_calls(record: EpisodeRecord) -> Iterator[str]:
+    """What can't be: more calls than there are turns, a status, a table that nothing moved."""
+    if len(record.steps) > TURNS:
+        yield f"it has {len(record.steps)} calls, and the rules allow {TURNS}"
+    if record.manipulations > MANIPULATIONS:
+        yield f"it has {record.manipulations} manipulations, and the rules allow {MANIPULATIONS}"
+    before, used = record.start, 0
+    for number, step in enumerate(record.steps, start=1):
+        request = request_of(step)
+        moves = isinstance(request, GraspAndRemove | Push)
+        for reason in (_of_status(step, request, used), _of_table(step, before, moves=moves)):
+            if reason:
+                yield f"step {number} ({step.call.name[:20]}): {reason}"
+        used += moves and step.status in ("done", "failed")
+        before = step.after
+
+
+def request_of(step: Step) -> Request | None:
+    """What a call asks for; None if no tool takes it."""
+    try:
+        return parse(step.call.name, step.call.values)
+    except Refusal:
+        return None
+
+
+def things_of(scene: Scene) -> list[tuple[int, str]]:
+    """Which objects are there, whatever their poses."""
+    return [(placed.instance, placed.object_id) for placed in scene.objects]
+
+
+def _of_status(step: Step, request: Request | None, used: int) -> str | None:
+    possible = _possible(request, used)
+    if step.status in possible:
+        return None
+    return f'it is "{step.status}", and such a call can only be {" or ".join(possible)}'
+
+
+def _possible(request: Request | None, used: int) -> tuple[Status, ...]:
+    """How a call may have gone after so many manipulations."""
+    if request is None:
+        return ("malformed",)
+    if isinstance(request, AnswerQuestion):
+        return ("done",)
+    if isinstance(request, GraspAndRemove | Push):
+        # An id that was never given out, or is out of date, is malformed.
+        return ("refused",) if used >= MANIPULATIONS else ("done", "failed", "malformed")
+    return ("done", "failed")
+
+
+def _of_table(step: Step, before: Table, *, moves: bool) -> str | None:
+    if step.after == before:
+        return None
+    if not moves or step.status not in ("done", "failed"):
+        return "the table is another one afterwards, though it moves nothing"
+    one, other = before.scene, step.after.scene
+    if (one.seed, one.table, things_of(one)) != (other.seed, other.table, things_of(other)):
+        return "other objects are on the table afterwards"
+    if len(step.after.joints) != len(before.joints):
+        return "the arm has another number of joints afterwards"
+    return None

@@ -1,0 +1,90 @@
+"""Whether what a record states of its question and of how it came about can be so."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from probe.chat.prompts import arm_named
+from probe.episodes.grading import question_of
+from probe.episodes.record import EpisodeRecord
+from probe.errors import UnknownName
+from probe.runs.checks.calls import things_of
+from probe.runs.sights import camera_of
+from probe.scene.lighting import AMBIENT
+from probe.scene.scene import Scene
+from probe.tasks.task import Task
+from probe.types import Pose
+
+_SAME = 1e-9
+"""Metres, and parts of a quaternion: physics normalises quaternions, which may change a bit."""
+
+
+def amiss_beside_task(record: EpisodeRecord, task: Task) -> Iterator[str]:
+    """In what a record isn't about its task: the question, its options, the table at the start."""
+    asked = question_of(task)
+    if record.question.text != asked.text:
+        yield "its question isn't that of the suite"
+    if record.question.options != asked.options:
+        yield "its options aren't those of the suite"
+    if not _same_scene(record.start.scene, task.scene):
+        yield "its table at the start isn't that of the suite"
+    camera = camera_of(task, record.conditions.camera)
+    # What came to nothing may say nothing of how it would have been seen.
+    if record.end != "fault" and not _same_pose(
+        record.sight.camera.world_from_camera, camera.world_from_camera
+    ):
+        yield "its camera isn't where its conditions put it"
+
+
+def amiss_as_stated(record: EpisodeRecord) -> Iterator[str]:
+    """What no agent, run, luck, light, times or model's part can be like."""
+    if not record.agent.strip():
+        yield "its agent has no name"
+    if record.run < 0:
+        yield f"its run is {record.run}"
+    if min(record.noise.grasp, record.noise.push) < 0:
+        yield "its noise is below 0"
+    if record.conditions.lighting == "ambient" and record.sight.lighting != AMBIENT:
+        yield "its light isn't that of its conditions"
+    yield from _of_times(record)
+    yield from _of_seat(record)
+
+
+def _of_times(record: EpisodeRecord) -> Iterator[str]:
+    for name, seconds in (("agent", record.seconds.agent), ("tools", record.seconds.tools)):
+        if seconds and len(seconds) != len(record.steps):
+            yield f"it has {len(seconds)} times of its {name} for {len(record.steps)} calls"
+        if not all(math.isfinite(time) and time >= 0 for time in seconds):
+            yield f"a time of its {name} is below 0"
+    if bool(record.seconds.agent) != bool(record.seconds.tools):
+        yield "it has times of one side alone"
+
+
+def _of_seat(record: EpisodeRecord) -> Iterator[str]:
+    seat = record.seat
+    if seat is None:
+        return
+    try:
+        arm_named(seat.arm)
+    except UnknownName as error:
+        yield str(error).rstrip(".")
+    counted = (seat.tokens_in, seat.tokens_out, seat.cost)
+    if any(number is not None and number < 0 for number in counted):
+        yield "its tokens or their cost are below 0"
+
+
+def _same_scene(scene: Scene, other: Scene) -> bool:
+    if (scene.seed, scene.table) != (other.seed, other.table):
+        return False
+    if things_of(scene) != things_of(other):
+        return False
+    pairs = zip(scene.objects, other.objects, strict=True)
+    return all(_same_pose(one.pose, two.pose) for one, two in pairs)
+
+
+def _same_pose(one: Pose, other: Pose) -> bool:
+    first, second = (*one.position, *one.wxyz), (*other.position, *other.wxyz)
+    return bool(np.allclose(first, second, rtol=0, atol=_SAME))
