@@ -74,7 +74,7 @@ def test_nothing_else_waits_for_fastmcp(cache):
 def test_objects_that_have_changed_are_refused(cache, tmp_path):
     suite = demo_suite()
     others = {id: (*numbers[:-1], 0.9) for id, numbers in suite.objects.items()}
-    write_suite(tmp_path / "s.json", replace(suite, objects=others))
+    write_suite(tmp_path / "s.json", replace(suite, name="mine", objects=others))
     told = ("serve", "--suite", tmp_path / "s.json", "--out", tmp_path / "out")
     result = python("-m", "probe", *told, cache=cache)
     assert result.returncode == 1 and result.stdout == ""
