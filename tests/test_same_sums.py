@@ -28,3 +28,27 @@ def test_neither_numpy_nor_its_blas_uses_avx512():
     child = [sys.executable, "-W", "error", "-c", SAY]
     said = subprocess.run(child, env=bare, check=True, capture_output=True, text=True).stdout
     assert json.loads(said) == {"numpy": ["X86_V3"], "blas": ["Haswell"]}
+
+
+KEY = "from probe.assets.cache import content_key; print(content_key('a mug'))"
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="about x86-64's instructions")
+def test_what_other_sums_gave_is_kept_under_another_name():
+    own = {"OPENBLAS_CORETYPE", "NPY_DISABLE_CPU_FEATURES"}
+    bare = {name: value for name, value in os.environ.items() if name not in own}
+
+    def key(code: str, **more: str) -> str:
+        child = [sys.executable, "-c", code]
+        return subprocess.run(
+            child, env={**bare, **more}, check=True, capture_output=True, text=True
+        ).stdout
+
+    first, late = key(KEY), key(f"import numpy; {KEY}")
+    assert first != late
+    # A process that is started by one of ours has the same sums, whatever it imports first.
+    features = "X86_V4 AVX512_ICL AVX512_SPR"
+    bound = key(
+        f"import numpy; {KEY}", OPENBLAS_CORETYPE="Haswell", NPY_DISABLE_CPU_FEATURES=features
+    )
+    assert bound == first

@@ -1,12 +1,24 @@
 """PROBE: questions about a cluttered table that only moving things can answer."""
 
 import os as _os
+import sys as _sys
 from platform import machine as _machine
 
-if _machine() in {"x86_64", "AMD64"}:
+_binding = {
     # With AVX-512, OpenBLAS and NumPy (2.4's names) round otherwise than without it, and piles fall
     # another way. Both look when NumPy is first imported: whoever needs the same, imports us first.
-    _os.environ.setdefault("OPENBLAS_CORETYPE", "Haswell")
-    _os.environ.setdefault("NPY_DISABLE_CPU_FEATURES", "X86_V4 AVX512_ICL AVX512_SPR")
+    "OPENBLAS_CORETYPE": "Haswell",
+    "NPY_DISABLE_CPU_FEATURES": "X86_V4 AVX512_ICL AVX512_SPR",
+}
+SUMS_BOUND = (
+    _machine() not in {"x86_64", "AMD64"}
+    or "numpy" not in _sys.modules
+    or _binding.items() <= _os.environ.items()
+)
+"""Whether this process's sums come out as on other machines: not if NumPy was there before us."""
+
+if _machine() in {"x86_64", "AMD64"}:
+    for _name, _value in _binding.items():
+        _os.environ.setdefault(_name, _value)
 
 __version__ = "0.1.0"

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from probe import SUMS_BOUND
 from probe.files import write_bytes
 from probe.types import Array
 
@@ -22,9 +23,12 @@ DAMAGED = (OSError, ValueError, EOFError, KeyError, zipfile.BadZipFile, zlib.err
 
 
 def content_key(*parts: str | bytes) -> str:
-    """A name for what is computed from these parts; 32 hex digits."""
+    """A name for what this process computes from these parts; 32 hex digits.
+
+    Where NumPy was imported before us the last bits differ, and so does the name.
+    """
     content = hashlib.blake2b(digest_size=16)
-    for part in parts:
+    for part in parts if SUMS_BOUND else (*parts, "sums unbound"):
         raw = part.encode() if isinstance(part, str) else part
         content.update(len(raw).to_bytes(8, "big"))
         content.update(raw)
