@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from probe.agents.outside.protocol import Confined, Ready
 from probe.agents.outside.sandbox import Sandbox
 from probe.cli.agents import make_agent
 from probe.cli.grading import graded
@@ -52,6 +53,31 @@ def test_an_agent_of_a_file_goes_by_its_class(tmp_path, file, capsys):
     assert name == "Mine" and isinstance(made, Invited)
     assert who_acts(file() + ":Mine", "me-2", Sandbox(), "demo", tmp_path)[0] == "me-2"
     assert "in a process of its own, kept from" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("confined", "sandbox", "words"),
+    [
+        (
+            Confined(files=False, network=True, processes=False),
+            Sandbox(),
+            "kept from the network.\nThis machine can't keep it from other files, other processes:",
+        ),
+        (
+            Confined(files=True, network=False, processes=True),
+            Sandbox(network=True),
+            "kept from other files, other processes.\nWhat it prints",
+        ),
+        (Confined(files=False, network=False, processes=False), Sandbox(), "kept from nothing."),
+    ],
+)
+def test_what_a_machine_cannot_keep_it_from_is_said(
+    tmp_path, file, capsys, monkeypatch, confined, sandbox, words
+):
+    met = confined, Ready(name="Mine")
+    monkeypatch.setattr("probe.cli.invited.introduced", lambda invitation: met)
+    who_acts(file(), None, sandbox, "demo", tmp_path)
+    assert words in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
