@@ -7,7 +7,8 @@ from collections.abc import Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from probe.agents.outside.outsider import Invitation, Outsider, introduced
+from probe.agents.outside.invitation import Invitation, introduced
+from probe.agents.outside.outsider import Outsider
 from probe.agents.outside.protocol import Confined
 from probe.agents.outside.sandbox import AgentFile, Sandbox
 from probe.assets.library import Library

@@ -6,7 +6,8 @@ import textwrap
 
 import pytest
 
-from probe.agents.outside.outsider import Invitation, Outsider
+from probe.agents.outside.invitation import Invitation
+from probe.agents.outside.outsider import Outsider
 from probe.agents.outside.sandbox import AgentFile, Sandbox
 
 HEAD = "from probe.episodes.turns import Call\n"

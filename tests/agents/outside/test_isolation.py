@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from probe.agents.outside import landlock
-from probe.agents.outside.outsider import introduced
+from probe.agents.outside.invitation import introduced
 from probe.agents.outside.readable import ANSWERS, reach
 from probe.agents.outside.sandbox import Sandbox
 from probe.episodes.grading import question_of

@@ -139,7 +139,8 @@ def test_its_process_ends_when_ours_is_killed(write):
     code = f"""
 import threading
 from pathlib import Path
-from probe.agents.outside.outsider import Invitation, Outsider
+from probe.agents.outside.invitation import Invitation
+from probe.agents.outside.outsider import Outsider
 from probe.agents.outside.sandbox import AgentFile
 from probe.episodes.turns import Question
 agent = Outsider(Invitation(AgentFile(Path({str(path)!r}))), "t", 0)

@@ -5,7 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from probe.agents.outside.outsider import introduced, seed_of
+from probe.agents.outside.invitation import introduced
+from probe.agents.outside.outsider import seed_of
 from probe.agents.outside.sandbox import AgentFile, Sandbox
 from probe.episodes.turns import Call, Question, Turn
 from probe.errors import BadData

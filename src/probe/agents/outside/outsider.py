@@ -1,31 +1,17 @@
-"""An agent that acts in a process of its own, and what makes one for each episode."""
+"""An agent that acts in a process of its own."""
 
 from __future__ import annotations
 
 import hashlib
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
+from probe.agents.outside.invitation import WORDS, Invitation, printable
 from probe.agents.outside.process import AgentFailed, AgentProcess
-from probe.agents.outside.protocol import (
-    AskedDocument,
-    Confined,
-    Opening,
-    Ready,
-    Reply,
-    Step,
-    ToldDocument,
-)
-from probe.agents.outside.readable import reach
-from probe.agents.outside.sandbox import AgentFile, Sandbox
+from probe.agents.outside.protocol import AskedDocument, Reply, Step, ToldDocument
 from probe.episodes.turns import Call, Question, Turn
-from probe.errors import BadData, OutputFailed
-
-_GB = 10**9
-_WORDS = 1000
-"""Characters of somebody else's words that are kept of what went wrong."""
+from probe.errors import OutputFailed
 
 
 class Outsider:
@@ -82,7 +68,7 @@ class Outsider:
             add_prints(self._invitation.log, f"{self._task}, run {self._run}", words)
 
     def _failed(self, words: str) -> None:
-        self.fault = printable(words)[:_WORDS]
+        self.fault = printable(words)[:WORDS]
 
     def _asked(self, question: Question, history: Sequence[Turn]) -> Reply:
         asked = None
@@ -96,60 +82,10 @@ class Outsider:
         )
 
 
-@dataclass(frozen=True)
-class Invitation:
-    """What makes an agent of a file for each episode; a value that workers can be sent.
-
-    Attributes:
-        file: Where it comes from.
-        sandbox: What it is allowed.
-        hidden: Files and folders that it must not read.
-        pictures: Whether it looks at pictures.
-        log: Where what it prints goes; None for nowhere.
-    """
-
-    file: AgentFile
-    sandbox: Sandbox = Sandbox()
-    hidden: tuple[Path, ...] = ()
-    pictures: bool = False
-    log: Path | None = None
-
-    def opening(self, seed: int = 0) -> Opening:
-        """What its process is told first."""
-        files = self.sandbox.files
-        found = reach(self.file.path, files, self.hidden)
-        return Opening(
-            file=str(self.file.path),
-            name=self.file.name,
-            seed=seed,
-            memory=round(self.sandbox.memory_gb * _GB),
-            network=self.sandbox.network,
-            readable=found.whole,
-            listable=found.names,
-            modules=tuple(str(path.resolve()) for path in files if path.is_dir()),
-        )
-
-
 def seed_of(question: Question, run: int) -> int:
     """A seed for an agent: of what it is told anyway, so that it tells nothing of the task's."""
     asked = json.dumps([question.text, question.options, run])
     return int.from_bytes(hashlib.sha256(asked.encode("utf-8", "replace")).digest()[:8], "big")
-
-
-def introduced(invitation: Invitation) -> tuple[Confined, Ready]:
-    """Make the agent once: what its process is kept from, its name, and whether it sees.
-
-    Raises:
-        BadData: There is no agent in the file.
-        WorkerDied: A process for it couldn't be set up.
-    """
-    try:
-        process = AgentProcess(invitation.opening())
-    except AgentFailed as failure:
-        remedy = "See docs/agents.md"
-        raise BadData(invitation.file.path, printable(str(failure))[:_WORDS], remedy) from failure
-    process.close()
-    return process.confined, process.ready
 
 
 def add_prints(log: Path, heading: str, words: str) -> None:
@@ -164,8 +100,3 @@ def add_prints(log: Path, heading: str, words: str) -> None:
             file.write(text.encode())
     except OSError as error:
         raise OutputFailed(log, error.strerror or str(error)) from error
-
-
-def printable(text: str) -> str:
-    """Somebody else's text without what a terminal would obey."""
-    return "".join(sign if sign.isprintable() or sign in "\n\t" else "\ufffd" for sign in text)
