@@ -50,13 +50,13 @@ format: .venv/.ready
 .venv/.ready: requirements.lock pyproject.toml
 	@PYTHON="$(PYTHON)" scripts/make-venv
 
-.venv/.blender: .venv/.ready
-	@scripts/add-blender
+.venv/.blender: .venv/.ready requirements-blender.lock
+	@PYTHON="$(PYTHON)" scripts/add-blender
 
-.venv/.torch: .venv/.ready
+.venv/.torch: .venv/.ready requirements-torch.lock requirements-torch-cpu.lock requirements-cuda.lock
 	@PYTHON="$(PYTHON)" scripts/add-torch
 
-.venv/.mutmut: .venv/.ready
+.venv/.mutmut: .venv/.ready requirements-mutants.lock
 	@PYTHON="$(PYTHON)" scripts/add-mutmut
 
 driver: .venv/.ready

@@ -1,21 +1,11 @@
-"""Write an agent and let it be scored on a task: `python examples/agent.py --help`."""
+"""An agent in a file: `probe run demo --agent examples/agent.py:LiftWhatIsNamed`."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from importlib import resources
-from pathlib import Path
-
-import tyro
 
 from probe.agents.reading import read_graph, read_handle
-from probe.assets.tables import load_table
-from probe.cli.surroundings import library
-from probe.episodes.files import write_records
-from probe.episodes.play import play, score
 from probe.episodes.turns import Call, Question, Turn
-from probe.render.renderer import Renderer
-from probe.tasks.suite_file import read_suite, write_suite
 
 
 class LiftWhatIsNamed:
@@ -36,24 +26,3 @@ class LiftWhatIsNamed:
         shown = [letter for letter, text in question.options if text in new]
         # Where nothing came to light, "None of the above" would be a guess.
         return Call.of("answer_question", {"choice": (*shown, "E")[0]}) if new else None
-
-
-def main(out: Path = Path("outputs/examples/agent")) -> None:
-    """Run the agent on the demo suite's first task, grade it and keep the record."""
-    with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
-        suite = read_suite(path)
-    task, things = suite.tasks[0], library("procedural")
-    with Renderer() as renderer:
-        table = load_table(task.scene.table, None)
-        record = play(task, LiftWhatIsNamed(), "lift-what-is-named", things, table, renderer)
-        result = score(task, record, renderer)
-    # With both files in one folder, `probe report FOLDER` draws the episode.
-    write_suite(out / "suite.json", suite)
-    write_records(out / "records.jsonl", [record])
-    for step in record.steps:
-        print(f"{step.call.name} {step.call.arguments}: {step.text.splitlines()[0]}")
-    print(f"{result.outcome}, {record.manipulations} manipulation(s); see `probe report {out}`")
-
-
-if __name__ == "__main__":
-    tyro.cli(main)

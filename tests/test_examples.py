@@ -19,9 +19,9 @@ EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 def example(tmp_path, cache):
     """Runs an example in an empty folder; gives its output."""
 
-    def run(name, *arguments):
+    def run(name, *arguments, module=()):
         result = subprocess.run(
-            [sys.executable, str(EXAMPLES / name), *map(str, arguments)],
+            [sys.executable, *module, str(EXAMPLES / name), *map(str, arguments)],
             env={**os.environ, "XDG_CACHE_HOME": str(cache.parent)},
             cwd=tmp_path,
             capture_output=True,
@@ -59,11 +59,16 @@ def test_play_uncovers_the_answer(example, tmp_path):
 
 @pytest.mark.slow
 def test_an_agent_is_scored_and_its_record_replays(example, tmp_path):
-    told = example("agent.py", "--out", tmp_path / "run")
-    (record,) = read_records(tmp_path / "run" / "records.jsonl")
-    task = read_suite(tmp_path / "run" / "suite.json").tasks[0]
-    assert record.task == task.id and record.answer and record.answer.choice == task.answer
-    assert record.manipulations == 1 and "right, 1 manipulation(s)" in told
+    run = ("-m", "probe", "run", "demo", "--out", tmp_path / "run", "--agent")
+    told = example("agent.py:LiftWhatIsNamed", module=map(str, run))
+    assert "in a process of its own" in told
+    records = read_records(tmp_path / "run" / "records.jsonl")
+    tasks = read_suite(tmp_path / "run" / "suite.json").tasks
+    assert [record.task for record in records] == [task.id for task in tasks]
+    assert all(record.agent == "LiftWhatIsNamed" and record.seat is None for record in records)
+    record, task = records[0], tasks[0]
+    assert record.answer and record.answer.choice == task.answer
+    assert record.manipulations == 1
     again = example("replay.py", "--folder", tmp_path / "run")
     assert "Replayed byte for byte.\nGraded: right. The replay: right.\n" in again
 

@@ -87,3 +87,12 @@ def test_a_folder_without_a_suite_is_refused(tmp_path):
     with pytest.raises(BadData, match="suite.json"):
         rescore(tmp_path)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_both_floors_are_shown(folder, capsys):
+    rescore(folder)
+    told = " ".join(capsys.readouterr().out.split())
+    assert "chance ┃ naive ┃ beyond" in told
+    # Find, Count and Beneath, two of each: a fifth, and a third for Count.
+    assert "│ 20% │ 24% │" in told and "│ 20% │ 33% │" in told
+    assert "Chance is a blind guess; naive is what needs no moving" in told

@@ -98,7 +98,10 @@ def test_a_complete_run_has_a_headline_with_all_that_belongs_to_it(tmp_path):
     page = Page(write_page(tmp_path, episodes))
     (row,) = [e.text for e in page.all("tr") if e.text.startswith("anna agentic 100.0 %")]
     # All six right: Wilson's lower limits for 2 of 2, 34.2 %, in each of three types.
-    assert row == "anna agentic 100.0 % 62 to 100 % 20 % 100.0 % 6 12 unknown unknown"
+    # Of three types Count has a naive ceiling of a third: (0.2 + 0.2 + 1 / 3) / 3 in all.
+    beyond = "100.0 % beyond guessing 100.0 %"
+    assert row == f"anna agentic 100.0 % 62 to 100 % 20 % 24 % {beyond} 6 12 unknown unknown"
+    assert "naive ceiling 20 % 33 % 20 %" in page.section("scores")
     assert "n = 2" in page.section("scores")
     assert "find, letter alone" in page.section("scores")
     assert page.section("missing") == "Missing Nothing. Every run of every task has a result."

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from probe.scores.estimates import corrected, macro, macro_chance
-from probe.scores.roster import Listed, chance_by_kind, roster_of
+from probe.scores.roster import Listed, chance_by_kind, naive_by_kind, roster_of
 from score_rows import roster, row
 
 
@@ -28,6 +28,19 @@ def test_chance_of_the_paper_suite_is_thirty_percent():
         "size": 0.5,
     }
     assert macro_chance(chance) == pytest.approx(0.30)
+
+
+def test_counting_what_shows_is_the_naive_ceiling_of_count():
+    six = {
+        **roster("find-1", "count-1", "reduce-1", "beneath-1"),
+        **roster("compare-1", "size-1", options=2),
+    }
+    naive = naive_by_kind(six)
+    assert naive == chance_by_kind(six) | {"count": pytest.approx(1 / 3)}
+    # 0.2, 0.5, 1/3, 0.2, 0.2, 0.5 over six types.
+    assert macro_chance(naive) == pytest.approx(1.6 / 6 + 1 / 18)
+    # With two numbers to choose from a guess is better than that.
+    assert naive_by_kind(roster("count-1", options=2)) == {"count": 0.5}
 
 
 def test_chance_is_a_mean_over_tasks():

@@ -53,6 +53,20 @@ def test_figures_of_a_whole_run():
     assert card.effort.episodes == 5
 
 
+def test_beyond_chance_is_reckoned_from_the_naive_ceiling():
+    some = [row("count-1", True), row("count-2", False), row("beneath-1", True)]
+    card = scorecard(some, roster("count-1", "count-2", "beneath-1"), seed=0)
+    beneath, count = card.kinds
+    assert (count.headline.value, count.chance, count.naive) == (0.5, 0.2, pytest.approx(1 / 3))
+    # (1/2 - 1/5) / (4/5), and (1/2 - 1/3) / (2/3).
+    assert count.beyond_guessing == pytest.approx(3 / 8)
+    assert count.corrected == pytest.approx(1 / 4)
+    assert (beneath.naive, beneath.corrected, beneath.beyond_guessing) == (0.2, 1, 1)
+    # Macro 3/4; guessing 1/5, naive (1/5 + 1/3) / 2 = 4/15.
+    assert card.macro.beyond_guessing == pytest.approx(11 / 16)
+    assert card.macro.corrected == pytest.approx(29 / 44)
+
+
 def test_intervals_of_single_runs():
     find = scorecard(rows(), ROSTER, seed=0).kinds[0]
     low, high = proportion_confint(1, 3, method="wilson")
@@ -97,7 +111,7 @@ def test_an_incomplete_run_shows_bounds_and_no_number():
     assert card.macro.headline == Headline(None, pytest.approx(5 / 12), pytest.approx(2 / 3), 5, 1)
     refused = (card.macro, card.kinds[1])
     for it in refused:
-        assert it.corrected is it.student is it.bootstrap is it.wilson is None
+        assert it.corrected is it.beyond_guessing is it.student is it.bootstrap is it.wilson is None
     assert card.kinds[0].headline.value == pytest.approx(1 / 3)  # Find lacks nothing
     assert card.detectable is None
     assert card.gaps == (Gap("size-2", "size", 0, "RenderFailed: gone"),)

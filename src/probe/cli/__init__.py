@@ -32,6 +32,7 @@ COMMANDS: dict[str, _Command] = {
     "rescore": _Command("rescore", "Grade a run's records again and write rows and scores."),
     "audit": _Command("audit", "Check records, do their episodes again, sign a folder."),
     "robustness": _Command("robustness", "Compare runs of the same tasks under other conditions."),
+    "published": _Command("published", "Add up the paper's own table again."),
     "serve": _Command("serve", "Let another program use the tools on one task, over MCP."),
     "export": _Command("export", "Write a suite as a data set for other programs."),
     "collect": _Command("collect", "Let a teacher answer training tasks, and keep the episodes."),

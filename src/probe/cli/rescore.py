@@ -22,6 +22,11 @@ from probe.scores.scorecard import Figure, Scorecard
 from probe.scores.summary import AGENTIC, DIRECT, Scores, summarise, write_scores
 from probe.tasks.suite_file import read_suite
 
+_FLOORS = (
+    "Chance is a blind guess; naive is what needs no moving (Count: what shows, and 0, 1 or 2 "
+    "more); beyond is accuracy beyond chance, reckoned from naive: 0 % for it, 100 % for all right."
+)
+
 ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
 
 
@@ -40,6 +45,8 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
     console = Console(markup=False)
     for card in scores.cards:
         console.print(_table(card))
+    if scores.cards:
+        console.print(_FLOORS, highlight=False)
     for line in _lines(scores):
         console.print(line, highlight=False)
     console.print(f"{out}: {tally_of(out).words}.", highlight=False, soft_wrap=True)
@@ -85,14 +92,14 @@ def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
 
 def headline_line(card: Scorecard) -> str:
     """One entrant's headline in a line."""
-    _, tasks, runs, right, interval, chance = _cells(card.macro)
+    _, tasks, runs, right, interval, chance, naive, _ = _cells(card.macro)
     sizes = f"n = {tasks} tasks, {runs} of {card.macro.headline.rows} runs"
-    return f"{_name(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}"
+    return f"{_name(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}, naive {naive}"
 
 
 def _table(card: Scorecard) -> Table:
     table = Table(title=_name(card.entrant), title_justify="left")
-    for column in ("", "tasks", "runs", "right", "95 % interval", "chance"):
+    for column in ("", "tasks", "runs", "right", "95 % interval", "chance", "naive", "beyond"):
         table.add_column(column)
     for figure in (card.macro, *card.kinds, *card.parts):
         table.add_row(*_cells(figure))
@@ -133,4 +140,6 @@ def _cells(figure: Figure) -> tuple[str, ...]:
     right, range_ = "incomplete", f"in any case {top.worst:.0%} to {top.best:.0%}"
     if top.value is not None and interval is not None:
         right, range_ = f"{top.value:.1%}", f"{interval.low:.0%} to {interval.high:.0%}"
-    return (figure.name, str(figure.tasks), str(figure.runs), right, range_, f"{figure.chance:.0%}")
+    beyond = "" if figure.corrected is None else f"{figure.corrected:.0%}"
+    floors = f"{figure.chance:.0%}", f"{figure.naive:.0%}", beyond
+    return (figure.name, str(figure.tasks), str(figure.runs), right, range_, *floors)

@@ -7,10 +7,12 @@ from typing import Annotated
 
 import tyro
 
+from probe.agents.outside.sandbox import Sandbox
 from probe.chat.prompts import Arm
-from probe.cli.agents import AgentName, make_agent
+from probe.cli.agents import AgentName
 from probe.cli.dry_run import would_ask
 from probe.cli.fitting import check_counts, check_pointer, refuse_stray
+from probe.cli.invited import who_acts
 from probe.cli.running import run_order
 from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
@@ -28,7 +30,9 @@ _TABLES = 4
 
 def run(
     suite: Annotated[str, tyro.conf.Positional],
-    agent: AgentName | None = None,
+    agent: AgentName | str | None = None,
+    agent_name: str | None = None,
+    sandbox: Sandbox = Sandbox(),  # noqa: B008 - a value
     out: Path = Path("outputs/run"),
     runs: int | None = None,
     noise: NoiseName = "none",
@@ -48,7 +52,10 @@ def run(
 
     Args:
         suite: "v1", "demo" or a file that `probe suite build` wrote.
-        agent: Who acts, without a model; by default "scripted".
+        agent: Who acts, without a model; by default "scripted". "FILE.py:ClassName" for an agent of
+            your own, which runs in a process of its own: see docs/agents.md.
+        agent_name: What records call an agent of a file; by default as its class.
+        sandbox: What an agent of a file is allowed.
         out: Folder for the records.
         runs: Episodes of each task, for agents without a model; by default 1.
         noise: How far the hand errs; "paper" fails as often as the paper's.
@@ -72,10 +79,15 @@ def run(
             "--arm": arm, "--epochs": epochs, "--points": points, "--pointer": pointer,
             "--endpoint": endpoint, "--prices": prices, "--dry-run": dry_run or None,
         })  # fmt: skip
-        order = Order(agent or "scripted", runs or 1, NOISES[noise], conditions, part)
-        run_order(find_suite(suite), order, make_agent, everything(), out, workers or 1)
+        tasks, things = find_suite(suite), everything()
+        name, agent_of = who_acts(agent or "scripted", agent_name, sandbox, suite, out)
+        order = Order(name, runs or 1, NOISES[noise], conditions, part)
+        run_order(tasks, order, agent_of, things, out, workers or 1)
     else:
-        refuse_stray("with --model", {"--agent": agent, "--runs": runs})
+        refuse_stray("with --model", {
+            "--agent": agent, "--agent-name": agent_name, "--runs": runs,
+            "--sandbox": None if sandbox == Sandbox() else sandbox,
+        })  # fmt: skip
         check_pointer(pointer or "oracle", arm or "agentic", conditions)
         seats = Seats(
             library=opener(),

@@ -93,8 +93,10 @@ def play(
     noise: Noise = NO_NOISE,
     conditions: Conditions = AS_FROZEN,
     sight: Sight | None = None,
+    *,
+    pictures: bool = False,
 ) -> EpisodeRecord:
-    """Let an agent that needs no pictures work on a task.
+    """Let an agent work on a task.
 
     Args:
         task: What is asked, and of which table.
@@ -107,6 +109,7 @@ def play(
         noise: How far the hand errs.
         conditions: As for set_table.
         sight: As for set_table.
+        pictures: Whether the agent looks at any; what the tools say doesn't depend on it.
     """
     sight = sight or Sight()
     tools, station = set_table(
@@ -114,13 +117,13 @@ def play(
         library,
         table,
         renderer,
-        pictures=False,
+        pictures=pictures,
         noise=noise,
         conditions=conditions,
         sight=sight,
         run=run,
     )
-    asked = question_of(task)
+    asked = question_of(task, tools.first_picture() if pictures else None)
     record = run_episode(task.id, asked, agent, tools, station, agent_name=agent_name, run=run)
     return replace(record, noise=noise, conditions=conditions, sight=sight)
 

@@ -69,7 +69,7 @@ class EpisodeRecord:
         noise: How far the hand erred; with the task's seed and the run it gives the same luck.
         conditions: In what the run differed from its tasks.
         sight: From where and in which light the table was seen.
-        seat: How a model took part; None if none did.
+        seat: How a model took part, or how an agent's own process failed; else None.
     """
 
     task: str

@@ -1,4 +1,7 @@
-"""How a model took part in an episode: what it may do, said and cost. Knows no model."""
+"""How a model took part in an episode: what it may do, said and cost. Knows no model.
+
+An agent in a process of its own has one if it failed there: with no arm, and what went wrong.
+"""
 
 from __future__ import annotations
 

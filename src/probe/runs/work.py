@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from probe.agents.outside.outsider import Outsider
 from probe.assets.library import Library
 from probe.episodes.files import line_of
 from probe.episodes.grading import question_of
 from probe.episodes.play import play
 from probe.episodes.record import EpisodeRecord, Table
+from probe.episodes.seat import Seat
 from probe.episodes.turns import Agent
 from probe.render.renderer import Renderer
 from probe.runs.crew import TRIES
@@ -62,10 +64,28 @@ class Workplace:
 
     def played(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
         """One episode; whatever it raises is our fault."""
+        agent = self.agent_of(self.order.agent, job.task, job.run, things, renderer)
+        if not isinstance(agent, Outsider):
+            return self._play(job, agent, things, renderer)
+        try:
+            record = self._play(job, agent, things, renderer, pictures=agent.pictures)
+        finally:
+            agent.close()
+        return replace(record, seat=Seat("", faults=(agent.fault,))) if agent.fault else record
+
+    def _play(
+        self,
+        job: Job,
+        agent: Agent,
+        things: Library,
+        renderer: Renderer,
+        *,
+        pictures: bool = False,
+    ) -> EpisodeRecord:
         order, task = self.order, job.task
         return play(
             task,
-            self.agent_of(order.agent, task, job.run, things, renderer),
+            agent,
             order.agent,
             things,
             things.table(task.scene.table),
@@ -74,6 +94,7 @@ class Workplace:
             order.noise,
             order.conditions,
             sight_of(task, order.conditions, things.assets),
+            pictures=pictures,
         )
 
     def _attempt(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:

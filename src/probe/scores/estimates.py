@@ -15,12 +15,12 @@ def macro(strata: Strata) -> float:
 
 
 def macro_chance(chance: Mapping[str, float]) -> float:
-    """Mean over types; 30 % for four types of five options and two of two."""
+    """Mean over types; of blind guesses 30 % for four types of five options and two of two."""
     return float(np.mean(list(chance.values())))
 
 
 def corrected(value: float, chance: float) -> float:
-    """Accuracy beyond chance: 0 for guessing, 1 for all right; below 0 for worse than guessing.
+    """Accuracy beyond a floor: 0 for what it gives, 1 for all right; below 0 for worse than it.
 
     (value - chance) / (1 - chance), the scale of Cohen's kappa (Educ. Psychol. Meas. 20(1), 1960).
     """

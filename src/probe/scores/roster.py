@@ -27,6 +27,10 @@ class Listed(NamedTuple):
 Roster = Mapping[str, Listed]
 """Tasks by id."""
 
+NAIVE: Mapping[str, float] = {"count": 1 / 3}
+"""By type, what a look gives that moves nothing, where that is more than a guess: in Count 0, 1 or
+2 are hidden, equally often; who counts what shows and adds one of these is right in a third."""
+
 
 def roster_of(rows: Iterable[Row]) -> dict[str, Listed]:
     """All tasks that somebody was given; what nobody was given can't be known of from rows."""
@@ -43,3 +47,9 @@ def chance_by_kind(roster: Roster) -> dict[str, float]:
         kind: float(np.mean([1 / it.options for it in roster.values() if it.kind == kind]))
         for kind in kinds
     }
+
+
+def naive_by_kind(roster: Roster) -> dict[str, float]:
+    """What is right by type without moving anything: a blind guess, or more by a look (NAIVE)."""
+    chance = chance_by_kind(roster)
+    return {kind: max(guessed, NAIVE.get(kind, 0.0)) for kind, guessed in chance.items()}

@@ -12,7 +12,7 @@ from probe.scores.icc import icc
 from probe.scores.intervals import Interval, bootstrap, standard_error, student, wilson
 from probe.scores.missing import Gap, Headline, gaps_of, headline, present, runs_of
 from probe.scores.power import detectable_gap
-from probe.scores.roster import Listed, Roster, chance_by_kind
+from probe.scores.roster import Listed, Roster, chance_by_kind, naive_by_kind
 from probe.scores.row import Entrant, Row
 from probe.scores.units import Worth, is_correct, strata_of, units_of
 
@@ -26,8 +26,10 @@ class Figure:
         headline: The number, or why there is none.
         tasks: n, on which intervals rest.
         runs: Rows that aren't missing.
-        chance: What a guess gives.
-        corrected: Accuracy beyond chance; None while rows are missing.
+        chance: What a blind guess gives.
+        naive: What is right without moving anything: the same, but a third in Count.
+        beyond_guessing: Accuracy beyond `chance`; None while rows are missing.
+        corrected: Accuracy beyond chance, that is, beyond `naive`; None while rows are missing.
         student, bootstrap: 95 % intervals of the number, by the t distribution and by drawing
             tasks; None while rows are missing.
         wilson: The same for a single type whose tasks were run once each, else None.
@@ -38,6 +40,8 @@ class Figure:
     tasks: int
     runs: int
     chance: float
+    naive: float
+    beyond_guessing: float | None
     corrected: float | None
     student: Interval | None
     bootstrap: Interval | None
@@ -141,7 +145,7 @@ def _figure(
     runs: Collection[int] = (),
 ) -> Figure:
     top = headline(rows, roster, worth, runs)
-    chance = macro_chance(chance_by_kind(roster))
+    chance, naive = macro_chance(chance_by_kind(roster)), macro_chance(naive_by_kind(roster))
     known = top.value is not None
     units = units_of(rows, worth) if known else []
     strata = strata_of(units)
@@ -152,7 +156,9 @@ def _figure(
         tasks=len(roster),
         runs=len(present(rows)),
         chance=chance,
-        corrected=None if top.value is None else corrected(top.value, chance),
+        naive=naive,
+        beyond_guessing=None if top.value is None else corrected(top.value, chance),
+        corrected=None if top.value is None else corrected(top.value, naive),
         student=student(strata) if known else None,
         bootstrap=bootstrap(strata, seed) if known else None,
         wilson=wilson(units) if single else None,

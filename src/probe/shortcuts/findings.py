@@ -10,6 +10,7 @@ from typing import Literal
 from scipy import stats
 
 from probe.scores.holm import holm
+from probe.scores.roster import NAIVE
 
 Verdict = Literal["below", "within noise", "above"]
 
@@ -18,7 +19,7 @@ LEVEL = 0.05
 
 POWER = 0.80
 
-CEILING, PAIRED_CEILING, COUNT_CEILING = 0.20, 0.50, 1 / 3
+CEILING, PAIRED_CEILING, COUNT_CEILING = 0.20, 0.50, NAIVE["count"]
 ALLOWANCE, PAIRED_ALLOWANCE = 0.03, 0.04
 
 
