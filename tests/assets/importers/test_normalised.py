@@ -80,8 +80,8 @@ def test_what_the_data_set_says_is_kept_and_the_rest_is_marked_as_a_guess(tmp_pa
     bare = _only(tmp_path / "bare", Order("obj"))[1]
     assert bare.licence == NO_LICENCE
     assert bare.provenance["mass"] == "estimated"
-    # 250 kg by cubic metre of hull.
-    assert bare.mass == pytest.approx(250 * 0.1 * 0.06 * 0.04, abs=0.001)
+    # No word tells what it is: 400 kg by cubic metre of hull.
+    assert bare.mass == pytest.approx(400 * 0.1 * 0.06 * 0.04, abs=0.001)
     told = _only(tmp_path / "bare", Order("obj", licence="MIT", source="me"))[1]
     assert (told.licence, told.source) == ("MIT", "me")
 
