@@ -62,7 +62,7 @@ def _rows(path: Path) -> list[list[str]]:
 
 
 def _names_it(row: Sequence[str], keys: Sequence[int], path: Path, mesh: Path, home: Path) -> bool:
-    places = [mesh, home] if home != path.parent else [mesh]
+    places = (mesh, home)
     known = {_plain(place.name) for place in places} | {_plain(place.stem) for place in places}
     known |= {
         _plain(str(place.relative_to(path.parent))) for place in places if _below(place, path)

@@ -51,12 +51,12 @@ def sift(found: Sequence[Found]) -> tuple[list[Found], list[Passed]]:
     for source, _ in loose:
         if _is_collision(source):
             passed[source.label] = Passed(source.label, "a collision mesh, by its name")
-    objects = [one for one in loose if one[0].label not in passed]
-    _pass_over(passed, objects, _object_key, lambda kept: f"the same object as {kept}")
-    left = [one for one in objects if one[0].label not in passed]
+    left = [one for one in loose if one[0].label not in passed]
     sizes = _groups(left, lambda one: _size(one[0].mesh))
     alike = [one for group in sizes if len(group) > 1 for one in group]
     _pass_over(passed, alike, _content, lambda kept: f"the same files as {kept}")
+    left = [one for one in left if one[0].label not in passed]
+    _pass_over(passed, left, _object_key, lambda kept: f"the same object as {kept}")
     return [one for one in found if one[0].label not in passed], list(passed.values())
 
 

@@ -39,11 +39,14 @@ def likely_up(points: Array, fallback: Axis) -> Reading:
     """
     longest = float(np.ptp(points, axis=0).max())
     read = {axis: points @ Frame(1.0, axis).our_from_file.T for axis in AXES}
-    grounded = [axis for axis in AXES if abs(read[axis][:, 2].min()) <= GROUND * longest]
+    grounded: list[Axis] = [
+        axis for axis in AXES if abs(read[axis][:, 2].min()) <= GROUND * longest
+    ]
     if len(grounded) == 1:
         return Reading(grounded[0], True)
     turned = {axis: _turned(rest_of(read[axis])) for axis in AXES}
-    likely, other = ("y", "z") if turned["y"] <= turned["z"] else ("z", "y")
+    order: tuple[Axis, Axis] = ("y", "z") if turned["y"] <= turned["z"] else ("z", "y")
+    likely, other = order
     if turned[likely] <= STANDS_DEG and turned[other] >= FALLS_DEG:
         return Reading(likely, True)
     return Reading(fallback, False)

@@ -13,11 +13,7 @@ from trimesh.resolvers import Resolver
 
 from probe.assets.confined import MissingFile, confined
 from probe.assets.gltf_tree import MAX_TRIANGLES, MAX_VERTICES
-from probe.assets.importers.masses import stated_mass
 from probe.assets.importers.skins import sole_picture
-from probe.assets.importers.source import Facts, Frame, Importer, Source, sources_at
-from probe.assets.importers.upright import speaks_of_z
-from probe.assets.importers.wording import place_of
 from probe.assets.pictures import check_picture
 from probe.assets.shaping import joined
 from probe.errors import BadMesh
@@ -183,36 +179,3 @@ def _check_counts(path: Path, text: bytes) -> None:
 
 def _words(raw: bytes) -> str:
     return raw.decode("utf-8", "replace")
-
-
-def _find(path: Path) -> list[Source]:
-    return sources_at(path, ".obj")
-
-
-def _facts(source: Source) -> Facts:
-    name, home = place_of(source.mesh, source.root)
-    mass, remarks = stated_mass(source.mesh, home, source.root)
-    remark = _parts(source).remark
-    return Facts(
-        name,
-        mass=mass,
-        up="z" if speaks_of_z(home) else None,
-        remarks=((remark,) if remark else ()) + remarks,
-    )
-
-
-def _parts(source: Source) -> Parts:
-    home = place_of(source.mesh, source.root)[1]
-    return obj_parts(source.mesh, home, (home / "materials" / "textures",))
-
-
-def _files(source: Source) -> tuple[Path, ...]:
-    parts = _parts(source)
-    return (source.mesh, *((parts.library,) if parts.library else ()), *parts.textures.values())
-
-
-def _read(source: Source) -> trimesh.Trimesh:
-    return read_obj(source.mesh, _parts(source))
-
-
-OBJ = Importer(_find, _facts, _files, _read, Frame(1.0, "y"), tells_up=False)
