@@ -76,6 +76,7 @@ def read_scan(folder: Path, object_id: str, name: str, number: int, mass: float)
     uv = np.asarray(part.visual.uv)  # pyright: ignore
     material = part.visual.material  # pyright: ignore
     picture = getattr(material, "baseColorTexture", None) or material.image
+    assert picture is not None, object_id
     texture = picture.convert("RGB")
     return Scan(object_id, name, number, mass, vertices, uv, np.asarray(part.faces), texture)
 

@@ -104,6 +104,13 @@ def test_the_symmetries_of_a_model_come_along(tmp_path):
     assert axis.offset[:2] == pytest.approx([0, 0], abs=1e-6)
 
 
+def test_a_long_name_is_cut_so_that_it_still_says_what_the_thing_is(tmp_path):
+    name = "BIA_Cordon_Bleu_White_Porcelain_Utensil_Holder_900028"
+    entry = _only(gso_folder(tmp_path / name), Order("gso"))[1]
+    assert entry.name == "bleu white porcelain utensil holder"
+    assert len(entry.id) <= 44 and entry.id.startswith("own_bia_cordon")
+
+
 def test_content_tells_files_and_orders_apart(tmp_path):
     order = Order("obj")
     (source,) = find_sources(obj_folder(tmp_path / "set").parent, order)

@@ -12,7 +12,7 @@ from probe.assets.importers.order import Order
 from probe.assets.importers.source import NO_LICENCE, Facts, Source, Symmetries
 from probe.assets.importers.typical import category_in
 from probe.assets.importers.upright import Reading, up_doubt
-from probe.assets.importers.wording import draft_name, id_words, shortened
+from probe.assets.importers.wording import LONGEST_NAME, all_words, draft_name, id_words, shortened
 from probe.assets.mesh import TexturedMesh
 from probe.assets.said_colours import said_colours
 from probe.assets.sampling import colours_at, spots
@@ -28,14 +28,22 @@ def object_id(name: str) -> str:
 
 
 def words_of(facts: Facts) -> str:
-    """The draft of a short name for people."""
-    return facts.words or draft_name(facts.name)
+    """The draft of a short name for people; if it is cut, what the thing is stays in."""
+    if facts.words:
+        return facts.words
+    name, words = draft_name(facts.name), all_words(facts.name).split()
+    noun = category_in(" ".join(words))
+    if noun is None or category_in(name) == noun:
+        return name
+    while len(" ".join(words)) > LONGEST_NAME and len(words) > 1:
+        words.pop(0)
+    return shortened(" ".join(words), " ")
 
 
 def category_of(facts: Facts) -> str:
     """What the data set says, or the noun in the name; without numbers."""
-    stated = facts.category or category_in(words_of(facts)) or words_of(facts)
-    letters = re.sub(r"[^a-z' -]+", " ", stated.lower())
+    name = words_of(facts)
+    letters = re.sub(r"[^a-z' -]+", " ", (facts.category or category_in(name) or name).lower())
     return shortened(" ".join(letters.split()), " ") or "object"
 
 

@@ -100,6 +100,11 @@ def draft_name(raw: str) -> str:
     return name if len(name) > 1 and not name.isdigit() else f"object {name}".strip()
 
 
+def all_words(raw: str) -> str:
+    """A name in lower-case words, however long."""
+    return " ".join(_words(raw))
+
+
 def id_words(raw: str) -> str:
     """The part of an id after its prefix: as `draft_name`, but a number at the end stays."""
     return shortened("_".join(_words(raw)), "_") or "object"
