@@ -1,5 +1,7 @@
 """The 165 scans in other people's layouts: let in, named, coloured, weighed and set upright?
 
+About 5 s an object on an idle core, nearly all of it for collision pieces.
+
 `python benchmarks/importing.py [--shard 0 --shards 4]`; needs PROBE_ASSETS. Every scan is written
 anew in one of nine public layouts, with the quirks they have, below a temporary folder, and added
 to a library there as `probe assets add` adds it. What comes out is held against the catalogue,
@@ -38,8 +40,6 @@ SAID: dict[str, set[str]] = {
     "light brown": {"brown", "beige"},
 }
 """Which of our thirteen colour words are right for an annotated one of several words."""
-
-UPRIGHT_DEG = 8.0
 
 
 @dataclass(frozen=True)
@@ -145,8 +145,10 @@ def _print(found: Sequence[Added], passed: Counter[str], seconds: float, show: b
         low, high = (ratios.min(), ratios.max()) if len(ratios) else (np.nan, np.nan)
         print(f"mass {title}, n {len(ratios)}: {low:.2f} to {high:.2f} times; {within}")
     sure = [(one, entry) for one, entry in done if entry.up_sure]
-    upright = sum(_stands(one, entry) for one, entry in sure)
-    print(f"upward axis: sure of {len(sure)}, {upright} of these stand as annotated")
+    other = [one.row.id for one, entry in sure if not _stands(one, entry)]
+    print(
+        f"upward axis: sure of {len(sure)}; of these not as annotated: {', '.join(other) or 'none'}"
+    )
     remarks = Counter(text.split(":")[0].split(" (")[0] for _, e in done for text in e.remarks)
     print(f"remarks: {dict(remarks)}")
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 import trimesh
 
 from data_sets import bop_set, box, gso_folder, obj_folder
 from glb_files import FILE_FROM_Z_UP, textured, write_glb
+from probe.assets.entry import Entry
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import content_of, normalised
 from probe.assets.importers.order import Order
@@ -140,3 +143,16 @@ def test_the_true_layouts_are_read_whole(assets, kind, folder, count):
         assert max(entry.size) < 0.3
         assert mesh.vertices[:, 2].min() == pytest.approx(0, abs=1e-6)
         assert len(mesh.surface.texture) >= 256
+
+
+def test_entries_of_before_are_read_and_their_files_known_again(tmp_path):
+    """An entry as it was written before axes and remarks were kept, and its content's hash."""
+    obj_folder(tmp_path / "set")
+    (source,) = find_sources(tmp_path / "set", Order("obj"))
+    entry = normalised(source, Order("obj"))[1]
+    old = entry.model_dump(mode="json", exclude={"up", "up_sure", "remarks"})
+    back = Entry.model_validate_json(json.dumps(old | {"id": "own_model_ed1743"}))
+    assert back.content == content_of(source, Order("obj"))
+    assert (back.up, back.up_sure, back.remarks) == (None, True, ())
+    # What the order was, in words, is part of the hash: its form must not change.
+    assert str(Order("obj")) == "Order(format='obj', unit=None, up=None, licence=None, source=None)"
