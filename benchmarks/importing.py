@@ -70,6 +70,8 @@ def main(shard: int = 0, shards: int = 1, workers: int = 1, show: bool = False) 
     start = time.perf_counter()
     for number, (title, layout) in enumerate(LAYOUTS.items()):
         mine = [row for at, row in enumerate(rows) if at % len(LAYOUTS) == number]
+        if not mine:
+            continue
         with tempfile.TemporaryDirectory() as home:
             for at, row in enumerate(mine):
                 scan = read_scan(folder, row.id, names[row.id], 100 + at, row.mass)
