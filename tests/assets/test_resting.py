@@ -7,7 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from probe.assets.resting import rest_of
+from probe.assets.glb import load_glb
+from probe.assets.resting import STEADY_DEG, rest_of
 
 EDGE = st.floats(0.02, 0.3)
 ANGLE = st.floats(-180, 180)
@@ -63,6 +64,28 @@ def test_a_ball_is_as_steady_as_the_dent_it_stands_on(radius):
     assert ball is not None and np.radians(ball.tilt_deg) < np.sqrt(2 * 2e-4 / radius)
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_a_ball_of_few_facets_finds_a_face_to_lie_on_however_it_is_held(seed):
+    generator = np.random.default_rng(seed)
+    ball = np.asarray(trimesh.creation.icosphere(3, 0.036).vertices)
+    ball = ball * generator.uniform(0.995, 1.005, (len(ball), 1))
+    turn = Rotation.random(random_state=seed).as_matrix()
+    rest = rest_of(ball @ turn.T)
+    assert rest is not None and rest.tilt_deg >= STEADY_DEG
+    lying = ball @ turn.T @ rest.turn.T
+    # Its centre stands over what touches the table.
+    low = lying[lying[:, 2] < lying[:, 2].min() + 2e-4]
+    assert (np.abs(low[:, :2].mean(axis=0)) < 0.01).all()
+
+
+def test_scanned_balls_stay_on_the_table_with_either_axis_up(assets):
+    for name in ("ycb_054_softball", "ycb_015_peach", "ycb_017_orange", "ycb_056_tennis_ball"):
+        vertices = load_glb(assets / "scans" / f"{name}.glb").vertices
+        for axes in ((0, 1, 2), (0, 2, 1), (1, 2, 0)):
+            rest = rest_of(vertices[:, axes])
+            assert rest is not None and rest.tilt_deg >= STEADY_DEG, (name, axes)
+
+
 def test_a_flat_sheet_has_no_rest():
     sheet = np.array([[0, 0, 0], [0.1, 0, 0], [0.1, 0.1, 0], [0, 0.1, 0]], float)
     assert rest_of(sheet) is None
@@ -70,7 +93,6 @@ def test_a_flat_sheet_has_no_rest():
 
 
 def test_all_catalogued_scans_stand_as_people_judged(assets):
-    from probe.assets.glb import load_glb
     from probe.assets.scans import scan_rows
 
     rows = [row for row in scan_rows() if row.confirmed][::12]

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import subprocess
 import sys
 
 import pytest
+import trimesh
 
 from data_sets import box, obj_folder
 from glb_files import textured, write_glb
+
+
+def sphere():
+    return trimesh.creation.icosphere(4, 0.03).apply_translation((0, 0, 0.03))
 
 
 def probe(*arguments, home, status=0):
@@ -66,3 +72,41 @@ def test_what_cant_be_done_is_told_in_a_line(tmp_path):
     assert "holds no objects of the format gso" in told
     assert "probe assets add" in probe("check", home=tmp_path, status=1)
     assert "gso/..." in probe("fetch", "nowhere/x", home=tmp_path, status=1)
+
+
+@pytest.mark.slow
+def test_a_folder_of_scans_is_added_and_reviewed_without_a_model(tmp_path):
+    set_ = tmp_path / "ycb"
+    for name, mesh in (("003_red_tin", box()), ("014_lemon", sphere())):
+        home = set_ / name / "google_16k"
+        obj_folder(home, mesh)
+        (home / "model.obj").rename(home / "textured.obj")
+        (home / "model.mtl").unlink()
+        (home / "textured_coll.obj").write_text("v 0 0 0\n")
+    told = probe("check", set_, "--up", "z", home=tmp_path)
+    assert "2 objects: 2 OK, 0 refused" in told and "2 meshes are passed over" in told
+    assert "about files" in probe("check", "own", "--up", "z", home=tmp_path, status=1)
+    told = probe("add", "obj", set_, "--workers", 1, home=tmp_path)
+    assert "2 added, 0 skipped, 0 refused" in told
+    assert "the only picture beside it" in " ".join(told.replace("│", " ").split())
+    out = tmp_path / "review"
+    assert "2 objects" in probe("review", out, home=tmp_path)
+    with (out / "review.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [(row["id"], row["name"], row["category"]) for row in rows] == [
+        ("own_lemon", "lemon", "lemon"),
+        ("own_red_tin", "red tin", "tin"),
+    ]
+    assert {picture.name for picture in (out / "pictures").glob("*.jpg")} >= {
+        "own_lemon.jpg",
+        "own_red_tin.jpg",
+    }
+    rows[1] |= {"name": "tea tin", "mass_kg": "0.2"}
+    with (out / "review.csv").open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    assert "1 objects corrected" in probe("review", out, home=tmp_path)
+    entry = json.loads((tmp_path / "library" / "own_red_tin" / "entry.json").read_text())
+    assert (entry["name"], entry["mass"]) == ("tea tin", 0.2)
+    assert "tea tin" in (out / "review.html").read_text()

@@ -14,7 +14,7 @@ Colour = Literal[
 ]  # fmt: skip
 
 # sRGB of plain things in soft light, lit and shaded; chosen by eye.
-_EXAMPLES: dict[Colour, tuple[tuple[int, int, int], ...]] = {
+EXAMPLES: dict[Colour, tuple[tuple[int, int, int], ...]] = {
     "white": ((245, 245, 242), (215, 214, 210)),
     "gray": ((165, 165, 165), (125, 125, 125), (85, 85, 86)),
     "black": ((45, 45, 47), (20, 20, 22)),
@@ -62,14 +62,14 @@ def main_colours(pixels: Array) -> tuple[Colour, ...]:
     Each pixel gets the name of the nearest example in CIELAB.
     """
     found = nearest_colours(pixels[:: max(1, len(pixels) // _MOST_PIXELS)])
-    shares = {name: float((found == name).mean()) for name in _EXAMPLES}
-    first, second = sorted(_EXAMPLES, key=lambda name: -shares[name])[:2]
+    shares = {name: float((found == name).mean()) for name in EXAMPLES}
+    first, second = sorted(EXAMPLES, key=lambda name: -shares[name])[:2]
     return (first, second) if shares[second] >= _SECOND_SHARE else (first,)
 
 
 def nearest_colours(pixels: Array) -> Array:
     """Name of the nearest example in CIELAB of each pixel, sRGB uint8, shape (n, 3)."""
-    names = np.array([name for name, examples in _EXAMPLES.items() for _ in examples])
-    examples = lab(np.array([rgb for group in _EXAMPLES.values() for rgb in group]))
+    names = np.array([name for name, examples in EXAMPLES.items() for _ in examples])
+    examples = lab(np.array([rgb for group in EXAMPLES.values() for rgb in group]))
     apart = np.linalg.norm(lab(pixels)[:, None] - examples[None], axis=2)
     return names[apart.argmin(axis=1)]

@@ -9,6 +9,14 @@ from probe.errors import BadMesh
 MAX_BYTES = 2**30
 
 
+class MissingFile(BadMesh):
+    """A file names one that isn't there, or none where it should; the reason alone is kept."""
+
+    def __init__(self, path: object, reason: str, remedy: str) -> None:
+        super().__init__(path, reason, remedy)
+        self.reason = reason
+
+
 def confined(path: Path, name: str, *folders: Path, root: Path | None = None) -> Path:
     """The file that `path` calls by a name relative to one of some folders, the first that has it.
 
@@ -19,7 +27,8 @@ def confined(path: Path, name: str, *folders: Path, root: Path | None = None) ->
         root: What must not be left, links followed; the first of the folders by default.
 
     Raises:
-        BadMesh: The name leads outside, to nothing, or to something too large.
+        MissingFile: The name leads to nothing.
+        BadMesh: It leads outside, or to something too large.
     """
     home = (root or folders[0]).resolve()
     if not name or "://" in name or "\x00" in name or _absolute(name):
@@ -36,7 +45,7 @@ def confined(path: Path, name: str, *folders: Path, root: Path | None = None) ->
         raise BadMesh(path, f"refers to {name[:80]!r} ({error})", "Correct the path.") from error
     if not there:
         reason = f"refers to {name[:80]!r}, which isn't there"
-        raise BadMesh(path, reason, "Copy it along, or correct the name.")
+        raise MissingFile(path, reason, "Copy it along, or correct the name.")
     return chosen
 
 

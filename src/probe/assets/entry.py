@@ -67,6 +67,14 @@ class Entry(BaseModel):
 
     symmetries_continuous: tuple[TurningSymmetry, ...] = ()
     symmetries_discrete: tuple[Matrix, ...] = ()
+    up: Literal["y", "z"] | None = None
+    """The file's axis that was taken to point up; None in entries that don't say."""
+
+    up_sure: bool = True
+    """Whether the order, the format or the shape left no doubt of it."""
+
+    remarks: tuple[str, ...] = ()
+    """What the user should know of how it was read."""
 
     @property
     def spec(self) -> ObjectSpec:

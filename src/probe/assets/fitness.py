@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from probe.assets.resting import Rest
+from probe.assets.resting import STEADY_DEG, Rest
 from probe.assets.sampling import places, spots
 from probe.types import Array
 
@@ -14,9 +14,6 @@ LONGEST = 0.45
 
 SHORTEST = 0.015
 """Metres; a longest side below this is under 30 pixels long in the picture."""
-
-STEADY_DEG = 1.0
-"""What topples at less rolls away; the least steady of 165 scans stands 1.1 degrees."""
 
 OPENING = 0.128
 """Metres; the pads of our open 2F-140 are 128.5 mm apart."""

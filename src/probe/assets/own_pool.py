@@ -14,7 +14,7 @@ from probe.assets.mesh import Body
 from probe.assets.packing import LAYOUT, pack_body, unpack_body
 from probe.assets.pieces import PIECES_VERSION, convex_pieces
 from probe.assets.spec import ObjectSpec
-from probe.errors import BadData, BadMesh, UnknownName
+from probe.errors import BadData, BadMesh, OutputFailed, UnknownName
 from probe.files import whole_folder, write_bytes, write_text
 
 MESH, ENTRY = "object.glb", "entry.json"
@@ -76,6 +76,28 @@ def store_object(folder: Path, entry: Entry, glb: bytes) -> None:
     with whole_folder(folder / entry.id) as building:
         write_bytes(building / MESH, glb)
         write_text(building / ENTRY, entry.model_dump_json(indent=2) + "\n")
+
+
+def replace_object(folder: Path, entry: Entry, glb: bytes) -> None:
+    """Put an object in the place of the one with its id; if that fails, the old one stays.
+
+    Raises:
+        OutputFailed: The disk is full, or the folder can't be written.
+    """
+    leaving = folder / f".leaving-{entry.id}"
+    with contextlib.suppress(OSError):
+        shutil.rmtree(leaving)
+    try:
+        os.rename(folder / entry.id, leaving)
+    except OSError as error:
+        raise OutputFailed(folder / entry.id, error.strerror or str(error)) from error
+    try:
+        store_object(folder, entry, glb)
+    except BaseException:
+        os.rename(leaving, folder / entry.id)
+        raise
+    with contextlib.suppress(OSError):
+        shutil.rmtree(leaving)
 
 
 def remove_object(folder: Path, object_id: str) -> None:

@@ -49,7 +49,7 @@ def placed(path: Path, part: trimesh.Trimesh, our_from_file: Array) -> tuple[Arr
         BadMesh: The geometry can't be used.
     """
     vertices, faces = np.asarray(part.vertices, np.float64), np.asarray(part.faces, np.int64)
-    _check_geometry(path, vertices, faces)
+    check_geometry(path, vertices, faces)
     vertices = vertices @ our_from_file.T
     faces = _solid_faces(path, vertices, faces)
     vertices = centred(vertices, faces)
@@ -117,7 +117,12 @@ def _surface(path: Path, material: Any) -> Surface:
     )
 
 
-def _check_geometry(path: Path, vertices: Array, faces: Array) -> None:
+def check_geometry(path: Path, vertices: Array, faces: Array) -> None:
+    """Refuse vertices that are no numbers, and faces that name missing ones.
+
+    Raises:
+        BadMesh: There are such.
+    """
     if not np.isfinite(vertices).all():
         raise BadMesh(path, "has vertices that are NaN or infinite", "Clean it in a mesh editor.")
     if faces.min() < 0 or faces.max() >= len(vertices):

@@ -4,32 +4,36 @@ from __future__ import annotations
 
 import statistics
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated, Literal
 
 import tyro
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import track
 from rich.table import Column, Table
 
-from probe.assets.importers.adding import Outcome, Target, add, find_sources
+from probe.assets.importers.adding import Outcome, Target, add, objects_at
 from probe.assets.importers.checking import (
     Candidate,
     Verdict,
-    candidates_at,
     check,
     own_candidates,
     scan_candidates,
+    sifted_at,
 )
 from probe.assets.importers.order import Order
+from probe.assets.importers.sifting import Passed
 from probe.assets.importers.source import Axis, Format
 from probe.assets.library import own_folder, scans_folder
 from probe.cli.assets_split import near_duplicates, show_pairs
 from probe.cli.surroundings import assets_folder, cache_folder, library, library_folder
+from probe.errors import BadData
 
 Unit = Literal["m", "cm", "mm"]
 _METRES: dict[Unit, float] = {"m": 1.0, "cm": 0.01, "mm": 0.001}
+_SHOWN = 3
 
 
 def add_objects(
@@ -49,13 +53,14 @@ def add_objects(
         format: gltf (GLB too), obj, gso (Google Scanned Objects) or bop (BOP models).
         path: A folder of objects, or one file.
         unit: m, cm or mm; if left out, the format's own (obj: m).
-        up: The files' upward axis; if left out, the format's own (obj: y).
+        up: The files' upward axis; if left out, the format's own, or for obj what the shape says.
         licence: SPDX identifier, for objects whose files state no licence.
         source: Who made them, for objects whose files don't say.
         workers: Processes.
     """
     order = Order(format, _METRES[unit] if unit else None, up, licence, source)
-    sources = find_sources(path, order)
+    sources, passed = objects_at(path, order)
+    _tell_passed(passed)
     target = Target(library_folder(), cache_folder())
     running = add(sources, order, target, workers)
     outcomes = list(track(running, "Adding objects", total=len(sources)))
@@ -63,34 +68,59 @@ def add_objects(
     fresh = {outcome.detail for outcome in outcomes if outcome.status == "added"}
     if fresh:
         _tell_near(fresh, workers)
+        print("`probe assets review outputs/review` shows them, beside a table to correct.")
 
 
 def check_objects(
     what: Annotated[str, tyro.conf.Positional] = "own",
+    unit: Unit | None = None,
+    up: Axis | None = None,
     workers: int = 1,
 ) -> None:
     """Say of each object whether it can be used, and if not why; nothing is written.
 
     Args:
         what: scans or own (pools), or a folder or file of objects.
+        unit: m, cm or mm; if left out, each format's own.
+        up: The files' upward axis; if left out, each format's own, or for obj what the shape says.
         workers: Processes; with 1, the time of collision pieces is that of one core.
     """
-    candidates = _candidates(what)
+    candidates, passed = _candidates(what, unit, up)
     verdicts = list(track(check(candidates, workers), "Checking", total=len(candidates)))
-    table = Table(Column("object", overflow="fold"), "verdict", "pieces", "s")
+    _tell_passed(passed)
+    table = Table(Column("object", overflow="fold"), "verdict", "remarks", "pieces", "s")
     for verdict in sorted(verdicts, key=lambda verdict: verdict.label):
         cost = (str(verdict.pieces), f"{verdict.seconds:.1f}") if verdict.pieces else ("", "")
-        table.add_row(verdict.label, verdict.refusal or "OK", *cost)
+        told = (verdict.label, verdict.refusal or "OK", "; ".join(verdict.remarks))
+        table.add_row(*map(escape, told), *cost)
     Console().print(table)
     _sum_up(verdicts)
 
 
-def _candidates(what: str) -> list[Candidate]:
+def _candidates(
+    what: str, unit: Unit | None, up: Axis | None
+) -> tuple[list[Candidate], list[Passed]]:
+    if what not in ("scans", "own"):
+        return sifted_at(Path(what), _METRES[unit] if unit else None, up)
+    if unit or up:
+        remedy = "Leave them out, or name a folder or file of objects."
+        raise BadData(what, "--unit and --up are about files", remedy)
     if what == "scans":
-        return scan_candidates(scans_folder(assets_folder()))
-    if what == "own":
-        return own_candidates(own_folder(library_folder()))
-    return candidates_at(Path(what))
+        return scan_candidates(scans_folder(assets_folder())), []
+    return own_candidates(own_folder(library_folder())), []
+
+
+def _tell_passed(passed: Sequence[Passed]) -> None:
+    """Say which meshes are no objects of their own; many of one reason, once with their number."""
+    counts = Counter(one.reason.partition(" as ")[0] for one in passed)
+    for reason, count in counts.most_common():
+        these = [one for one in passed if one.reason.startswith(reason)]
+        shown = "; ".join(
+            one.label + one.reason.removeprefix(reason).replace(" as ", " -> ")
+            for one in these[:_SHOWN]
+        )
+        more = "; ..." if count > _SHOWN else ""
+        print(f"{count} meshes are passed over, {reason}: {shown}{more}")
 
 
 def _sum_up(verdicts: Iterable[Verdict]) -> None:
@@ -111,9 +141,11 @@ def _tell_near(fresh: set[str], workers: int) -> None:
 
 
 def _tell(outcomes: list[Outcome], library: Path) -> None:
-    table = Table(Column("object", overflow="fold"), "", Column("id, or reason", overflow="fold"))
+    reason = Column("id, or reason", overflow="fold")
+    table = Table(Column("object", overflow="fold"), "", reason, Column("remarks", overflow="fold"))
     for outcome in sorted(outcomes, key=lambda outcome: (outcome.status, outcome.label)):
-        table.add_row(outcome.label, outcome.status, outcome.detail)
+        told = (outcome.label, outcome.status, outcome.detail, "; ".join(outcome.remarks))
+        table.add_row(*map(escape, told))
     Console().print(table)
     counts = Counter(outcome.status for outcome in outcomes)
     told = ", ".join(f"{counts[status]} {status}" for status in ("added", "skipped", "refused"))

@@ -7,9 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
-import numpy as np
 import tyro
-from PIL import Image
 from rich.progress import track
 
 from probe.assets.annotation.applying import apply_notes
@@ -26,17 +24,16 @@ from probe.assets.annotation.table import TABLE, corrected, write_table
 from probe.assets.annotation.words import describe
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
+from probe.cli.assets_review import draw_own, kept_views, with_own, with_twins
 from probe.cli.models import model_behind
 from probe.cli.surroundings import Pool, library, library_folder
-from probe.errors import BadData, ModelFailed
-from probe.files import encode, write_bytes
-from probe.render.portraits import AROUND, GROUND, portrait
+from probe.errors import ModelFailed
+from probe.render.portraits import GROUND
 from probe.render.renderer import Renderer
 from probe.report.review import write_review
 from probe.types import Array, Ask
 
 PAGE = "review.html"
-_SIDE_PX = 448
 _LOADED = 12
 
 
@@ -69,40 +66,47 @@ def annotate(
             some = waiting[start : start + _LOADED]
             renderer.load({spec.id: objects.body(spec.id).mesh for spec in some}, GROUND)
             for spec in track(some, f"Objects {start + 1} to {start + len(some)}"):
-                write_note(out, _noted(out, spec, _views(out, spec, renderer), ask))
+                write_note(
+                    out, _noted(out, spec, kept_views(out, spec.id, spec.size, renderer), ask)
+                )
     _tell(out, objects, limit)
     _carry_over(read_notes(out))
 
 
 def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
-    """Take in corrections of the table, and write it and its page of pictures anew.
+    """Show what is said of your objects, take in corrections, and write table and page anew.
 
-    Edit review.csv beside review.html with any program, then run this again: what you changed
-    counts as said by a person, and no model overrules it.
+    Needs no model: the first time it writes down what the files of your own objects say, and draws
+    them. Edit review.csv beside review.html with any program, then run this again: what you
+    changed counts as said by a person, and no model overrules it.
 
     Args:
-        out: Folder that `probe assets annotate` wrote to.
+        out: Folder for table, page and pictures; `probe assets annotate` may have written to it.
     """
     notes = read_notes(out)
-    if not notes:
-        raise BadData(out, "holds no notes", "Run `probe assets annotate` first.")
     table = out / TABLE
     if table.exists():
         before, notes = notes, corrected(table, notes)
         changed = [new for new, old in zip(notes, before, strict=True) if new != old]
+        _carry_over(notes)
         for note in changed:
             write_note(out, note)
         print(f"{len(changed)} objects corrected.")
+    else:
+        _carry_over(notes)
+    own = not notes or any(note.id.startswith("own_") for note in notes)
+    notes = with_twins(with_own(out, notes) if own else notes)
     write_table(table, notes)
     write_review(out / PAGE, notes)
-    _carry_over(notes)
+    if own and draw_own(out):
+        write_review(out / PAGE, notes)
     print(f"{len(notes)} objects: correct {table} beside {out / PAGE}, then run this again.")
 
 
 def _carry_over(notes: Sequence[Note]) -> None:
     """Objects of one's own are called so from now on."""
     if changed := apply_notes(library_folder(), notes):
-        print(f"{changed} objects of {library_folder()} go by their new words now.")
+        print(f"{changed} objects of {library_folder()} are as you said now.")
 
 
 def _is_done(out: Path, spec: ObjectSpec) -> bool:
@@ -117,15 +121,6 @@ def _noted(out: Path, spec: ObjectSpec, views: list[Array], ask: Ask) -> Note:
         return said(note, describe(views, ask), "model")
     except ModelFailed as failure:
         return note.model_copy(update={"problem": str(failure)[:500]})
-
-
-def _views(out: Path, spec: ObjectSpec, renderer: Renderer) -> list[Array]:
-    """The six pictures of a loaded object; one strip of them is kept for the page."""
-    views = [portrait(renderer, spec.id, spec.size, side, _SIDE_PX) for side in AROUND]
-    strip = Image.fromarray(np.concatenate(views, axis=1))
-    small = strip.resize((strip.width // 2, strip.height // 2), Image.Resampling.LANCZOS)
-    write_bytes(out / "pictures" / f"{spec.id}.jpg", encode(small, "JPEG"))
-    return views
 
 
 def _tell(out: Path, objects: Library, limit: int | None) -> None:

@@ -11,4 +11,5 @@ from probe.report.rendering import write_page
 
 def write_review(path: Path, notes: Sequence[Note]) -> None:
     """Write the page; pictures lie in a folder beside it, nothing is loaded from elsewhere."""
-    write_page(path, "review.html", {"notes": notes, "fields": FIELDS})
+    drawn = {file.stem for file in (path.parent / "pictures").glob("*.jpg")}
+    write_page(path, "review.html", {"notes": notes, "fields": FIELDS, "drawn": drawn})

@@ -95,3 +95,54 @@ def test_a_truncated_note_is_refused_with_its_file(tmp_path, notes):
     path.write_bytes(path.read_bytes()[:40])
     with pytest.raises(BadData, match="own_a.json"):
         read_note(path)
+
+
+def test_masses_and_axes_are_corrected_by_hand(tmp_path, notes):
+    first = notes[0].model_copy(update={"up": "y", "other_up": "z"})
+    write_table(tmp_path / "t.csv", (first, notes[1]))
+    edit(tmp_path / "t.csv", 0, "mass_kg", "0.25")
+    edit(tmp_path / "t.csv", 0, "up", "z")
+    after, second = corrected(tmp_path / "t.csv", (first, notes[1]))
+    assert (after.mass, after.up, after.other_up) == (0.25, "z", None)
+    assert (after.origins["mass"], after.origins["up"]) == ("human", "human")
+    assert after.name == first.name and second == notes[1]
+
+
+@pytest.mark.parametrize(
+    ("column", "value", "words"),
+    [
+        ("mass_kg", "heavy", "t.csv:2: mass"),
+        ("mass_kg", "-1", "t.csv:2: mass"),
+        ("mass_kg", "12", "t.csv:2: mass"),
+        ("up", "x", "t.csv:2: .*up"),
+    ],
+)
+def test_masses_and_axes_that_make_no_sense_are_named(tmp_path, notes, column, value, words):
+    first = notes[0].model_copy(update={"up": "y"})
+    write_table(tmp_path / "t.csv", (first, notes[1]))
+    edit(tmp_path / "t.csv", 0, column, value)
+    with pytest.raises(BadData, match=words):
+        corrected(tmp_path / "t.csv", (first, notes[1]))
+
+
+def test_only_what_was_changed_has_to_keep_the_rules(tmp_path, notes):
+    long = notes[0].model_copy(
+        update={"name": "a name from a file that is longer than allowed here"}
+    )
+    write_table(tmp_path / "t.csv", (long, notes[1]))
+    edit(tmp_path / "t.csv", 0, "colours", "blue")
+    (after, _) = corrected(tmp_path / "t.csv", (long, notes[1]))
+    assert after.colours == ("blue",) and after.name == long.name
+
+
+def test_tables_and_notes_of_before_are_read(tmp_path, notes):
+    old = notes[0].model_dump(include={"id", "name", "category", "colours", "description",
+                                       "origins", "problem"})  # fmt: skip
+    note = type(notes[0]).model_validate(old)
+    assert note.mass is None
+    (tmp_path / "t.csv").write_text(
+        "id,name,category,colours,description,said by,problem\n"
+        'own_a,crimson mug,mug,red,"A red mug, round.",model;model;model;model,\n'
+    )
+    (after, _) = corrected(tmp_path / "t.csv", (note, notes[1]))
+    assert after.name == "crimson mug" and after.up is None

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 import trimesh
 
 from data_sets import bop_set, box, gso_folder, obj_folder
 from glb_files import FILE_FROM_Z_UP, textured, write_glb
+from probe.assets.entry import Entry
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import content_of, normalised
 from probe.assets.importers.order import Order
@@ -80,8 +83,8 @@ def test_what_the_data_set_says_is_kept_and_the_rest_is_marked_as_a_guess(tmp_pa
     bare = _only(tmp_path / "bare", Order("obj"))[1]
     assert bare.licence == NO_LICENCE
     assert bare.provenance["mass"] == "estimated"
-    # 250 kg by cubic metre of hull.
-    assert bare.mass == pytest.approx(250 * 0.1 * 0.06 * 0.04, abs=0.001)
+    # No word tells what it is: 400 kg by cubic metre of hull.
+    assert bare.mass == pytest.approx(400 * 0.1 * 0.06 * 0.04, abs=0.001)
     told = _only(tmp_path / "bare", Order("obj", licence="MIT", source="me"))[1]
     assert (told.licence, told.source) == ("MIT", "me")
 
@@ -102,6 +105,13 @@ def test_the_symmetries_of_a_model_come_along(tmp_path):
     (axis,) = entry.symmetries_continuous
     assert axis.axis == pytest.approx([0, 0, 1], abs=1e-6)
     assert axis.offset[:2] == pytest.approx([0, 0], abs=1e-6)
+
+
+def test_a_long_name_is_cut_so_that_it_still_says_what_the_thing_is(tmp_path):
+    name = "BIA_Cordon_Bleu_White_Porcelain_Utensil_Holder_900028"
+    entry = _only(gso_folder(tmp_path / name), Order("gso"))[1]
+    assert entry.name == "bleu white porcelain utensil holder"
+    assert len(entry.id) <= 44 and entry.id.startswith("own_bia_cordon")
 
 
 def test_content_tells_files_and_orders_apart(tmp_path):
@@ -133,3 +143,16 @@ def test_the_true_layouts_are_read_whole(assets, kind, folder, count):
         assert max(entry.size) < 0.3
         assert mesh.vertices[:, 2].min() == pytest.approx(0, abs=1e-6)
         assert len(mesh.surface.texture) >= 256
+
+
+def test_entries_of_before_are_read_and_their_files_known_again(tmp_path):
+    """An entry as it was written before axes and remarks were kept, and its content's hash."""
+    obj_folder(tmp_path / "set")
+    (source,) = find_sources(tmp_path / "set", Order("obj"))
+    entry = normalised(source, Order("obj"))[1]
+    old = entry.model_dump(mode="json", exclude={"up", "up_sure", "remarks"})
+    back = Entry.model_validate_json(json.dumps(old | {"id": "own_model_ed1743"}))
+    assert back.content == content_of(source, Order("obj"))
+    assert (back.up, back.up_sure, back.remarks) == (None, True, ())
+    # What the order was, in words, is part of the hash: its form must not change.
+    assert str(Order("obj")) == "Order(format='obj', unit=None, up=None, licence=None, source=None)"

@@ -182,6 +182,16 @@ def _obj(text: str | None = None, mtl: str = MTL):
     return write
 
 
+def _bare(text: str | None = None, mtl: str = MTL):
+    """As `_obj`, with no picture beside it that might stand in."""
+
+    def write(folder):
+        _obj(text, mtl)(folder)
+        (folder / "texture.png").unlink()
+
+    return write
+
+
 def _lines(change) -> str:
     return change(obj_text(box()))
 
@@ -196,10 +206,10 @@ OBJ = {
     "no such vertex": (_obj(obj_text(box()) + "f 1/1 2/2 900/3\n"), "missing vertices|parsed"),
     "no uv": (_obj(re.sub(r"/\d", "", obj_text(box()))), "no texture coordinates|no base"),
     "no library": (
-        _obj(_lines(lambda t: t.replace("mtllib model.mtl\n", ""))),
+        _bare(_lines(lambda t: t.replace("mtllib model.mtl\n", ""))),
         "names no material",
     ),
-    "missing library": (_obj(obj_text(box(), "none.mtl")), "'none.mtl', which isn't there"),
+    "missing library": (_bare(obj_text(box(), "none.mtl")), "'none.mtl', which isn't there"),
     "library outside": (_obj(obj_text(box(), "../../model.mtl")), "outside its own folder"),
     "wrong material": (
         _obj(obj_text(box(), material="hide")),
@@ -208,7 +218,7 @@ OBJ = {
     "texture outside": (_obj(mtl=MTL.replace("texture", "../../x")), "outside its own folder"),
     "texture elsewhere": (_obj(mtl=MTL.replace("texture", "/etc/x")), "outside its own folder"),
     "windows path": (_obj(mtl=MTL.replace("texture", "C:\\x")), "outside its own folder"),
-    "missing texture": (_obj(mtl=MTL.replace("texture", "none")), "'none.png', which isn't there"),
+    "missing texture": (_bare(mtl=MTL.replace("texture", "none")), "'none.png', which isn't there"),
     "no texture": (_obj(mtl="newmtl skin\nKd 1 0 0\n"), "no base colour texture"),
     "millimetres": (_obj(obj_text(box().apply_scale(1000))), "100 m.*millimetres"),
 }

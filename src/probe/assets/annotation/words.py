@@ -39,15 +39,21 @@ def _lower(value: object) -> object:
 Words = Annotated[str, BeforeValidator(_lower), Field(min_length=2, max_length=40)]
 
 
+Name = Annotated[Words, Field(pattern=r"^[a-z0-9][a-z0-9' -]*$")]
+Category = Annotated[Words, Field(pattern=r"^[a-z][a-z' -]*$")]
+Colours = Annotated[tuple[Colour, ...], Field(min_length=1, max_length=3)]
+Description = Annotated[str, BeforeValidator(_plain), Field(min_length=5, max_length=200)]
+
+
 class Described(BaseModel):
     """What is said of an object; the schema of a model's reply."""
 
     model_config = ConfigDict(frozen=True, extra="ignore")
 
-    name: Annotated[Words, Field(pattern=r"^[a-z0-9][a-z0-9' -]*$")]
-    category: Annotated[Words, Field(pattern=r"^[a-z][a-z' -]*$")]
-    colours: Annotated[tuple[Colour, ...], Field(min_length=1, max_length=3)]
-    description: Annotated[str, BeforeValidator(_plain), Field(min_length=5, max_length=200)]
+    name: Name
+    category: Category
+    colours: Colours
+    description: Description
 
 
 def describe(views: Sequence[Array], ask: Ask) -> Described:

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain, count
 from pathlib import Path
 from typing import Literal
 
 from probe.assets.cache import Cache
 from probe.assets.glb_writer import glb_bytes
 from probe.assets.importers import IMPORTERS
-from probe.assets.importers.entries import slug
+from probe.assets.importers.entries import object_id, remarks_on
 from probe.assets.importers.limits import limited
 from probe.assets.importers.normalised import content_of, normalised
 from probe.assets.importers.order import Order
 from probe.assets.importers.parallel import spread
+from probe.assets.importers.sifting import Passed, sift
 from probe.assets.importers.source import Source
 from probe.assets.own_pool import own_body, own_entries, remove_object, store_object
 from probe.errors import BadData, BadMesh
@@ -30,11 +32,13 @@ class Outcome:
         label: Its place in the folder that was added.
         status: Added, there already, or refused.
         detail: Its id in the library, or why it was refused.
+        remarks: What its user should know of it.
     """
 
     label: str
     status: Status
     detail: str
+    remarks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -68,11 +72,21 @@ def find_sources(path: Path, order: Order) -> list[Source]:
     return found
 
 
+def objects_at(path: Path, order: Order) -> tuple[list[Source], list[Passed]]:
+    """What there is to add below a folder, and what is passed over and why.
+
+    Raises:
+        BadData: There is nothing of this format.
+    """
+    kept, passed = sift([(source, order) for source in find_sources(path, order)])
+    return [source for source, _ in kept], passed
+
+
 def add(sources: Sequence[Source], order: Order, target: Target, workers: int) -> Iterator[Outcome]:
     """Add objects, each wholly or not at all; yields what became of each as it is known.
 
     What is there already, by the content of its files, is skipped: an interrupted run goes on
-    where it stopped.
+    where it stopped. Ids are given in the order of the labels.
 
     Raises:
         OutputFailed: The library or the cache can't be written.
@@ -81,7 +95,7 @@ def add(sources: Sequence[Source], order: Order, target: Target, workers: int) -
     there = {entry.content: entry.id for entry in own_entries(target.library)}
     taken = set(there.values())
     jobs: list[_Job] = []
-    for source in sources:
+    for source in sorted(sources, key=lambda source: source.label):
         try:
             content, name = content_of(source, order), IMPORTERS[order.format].facts(source).name
         except (BadMesh, BadData) as refusal:
@@ -90,12 +104,18 @@ def add(sources: Sequence[Source], order: Order, target: Target, workers: int) -
         if content in there:
             yield Outcome(source.label, "skipped", there[content])
             continue
-        object_id = slug(name) if slug(name) not in taken else f"{slug(name)}_{content[:6]}"
-        taken.add(object_id)
-        there[content] = object_id
-        jobs.append(_Job(source, object_id, order, target))
+        own_id = _free_id(object_id(name), taken)
+        taken.add(own_id)
+        there[content] = own_id
+        jobs.append(_Job(source, own_id, order, target))
     for job, outcome in spread(_add, jobs, workers):
         yield outcome or _lost(job)
+
+
+def _free_id(wanted: str, taken: Collection[str]) -> str:
+    """The id itself, or with the first number from 2 on that isn't taken."""
+    numbered = (f"{wanted}_{number}" for number in count(2))
+    return next(own_id for own_id in chain([wanted], numbered) if own_id not in taken)
 
 
 def _add(job: _Job) -> Outcome:
@@ -113,7 +133,7 @@ def _add(job: _Job) -> Outcome:
                 raise
     except (BadMesh, BadData) as refusal:
         return Outcome(job.source.label, "refused", str(refusal))
-    return Outcome(job.source.label, "added", job.object_id)
+    return Outcome(job.source.label, "added", job.object_id, remarks_on(entry))
 
 
 def _lost(job: _Job) -> Outcome:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import re
+from functools import cache
+from importlib.resources import files
 from pathlib import Path
 from typing import Annotated
 
@@ -16,6 +19,7 @@ from probe.errors import BadData, BadMesh
 from probe.files import fault
 
 INFO = "models_info.json"
+NAMES = "bop_names.csv"
 MAX_INFO_BYTES = 16 * 2**20
 MILLIMETRE = 0.001
 _NUMBER = re.compile(r"obj_(\d{1,9})$")
@@ -78,7 +82,22 @@ def _facts(source: Source) -> Facts:
     model = models[int(number.group(1))]
     name = f"{_set_name(source.root)} {int(number.group(1))}"
     x, y, z = (MILLIMETRE * edge for edge in (model.size_x, model.size_y, model.size_z))
-    return Facts(name, source=f"BOP, {name}", size=(x, y, z), symmetries=_symmetries(model))
+    words = _known_names().get(name)
+    return Facts(
+        words or name,
+        source=f"BOP, {name}",
+        size=(x, y, z),
+        symmetries=_symmetries(model),
+        words=words or name,
+    )
+
+
+@cache
+def _known_names() -> dict[str, str]:
+    """What the models of well-known sets are, which their files don't say, by set and number."""
+    text = (files("probe.assets") / "data" / NAMES).read_text("utf-8")
+    rows = csv.DictReader(text.splitlines())
+    return {f"{row['set']} {row['number']}": row["name"] for row in rows}
 
 
 def _set_name(folder: Path) -> str:
@@ -97,7 +116,7 @@ def _symmetries(model: Model) -> Symmetries:
     return Symmetries(axes, tuple(poses))
 
 
-def _files(source: Source) -> tuple[Path, ...]:
+def _files_of(source: Source) -> tuple[Path, ...]:
     return (source.mesh, ply_texture(source.mesh, source.root), source.root / INFO)
 
 
@@ -105,4 +124,4 @@ def _read(source: Source) -> trimesh.Trimesh:
     return read_ply(source.mesh, source.root)
 
 
-BOP = Importer(_find, _facts, _files, _read, Frame(MILLIMETRE, "z"))
+BOP = Importer(_find, _facts, _files_of, _read, Frame(MILLIMETRE, "z"))

@@ -10,11 +10,13 @@ from pathlib import Path
 from probe.assets.fitness import unfit
 from probe.assets.glb import load_glb
 from probe.assets.importers import IMPORTERS
+from probe.assets.importers.entries import remarks_on
 from probe.assets.importers.limits import limited
 from probe.assets.importers.normalised import normalised
 from probe.assets.importers.order import Order
 from probe.assets.importers.parallel import spread
-from probe.assets.importers.source import Format, Source
+from probe.assets.importers.sifting import Passed, sift
+from probe.assets.importers.source import Axis, Format, Source
 from probe.assets.mesh import TexturedMesh
 from probe.assets.own_pool import MESH, own_entries
 from probe.assets.pieces import convex_pieces
@@ -69,32 +71,47 @@ class Verdict:
         refusal: Why it can't be used; None if it can.
         pieces: How many collision pieces it has.
         seconds: CPU time that they took.
+        remarks: What a user should know of it.
     """
 
     label: str
     refusal: str | None
     pieces: int = 0
     seconds: float = 0.0
+    remarks: tuple[str, ...] = ()
 
 
-def candidates_at(path: Path) -> list[Candidate]:
+def candidates_at(path: Path, unit: float | None = None, up: Axis | None = None) -> list[Candidate]:
     """Everything below a folder that an importer reads; models of a set are only taken as such.
+
+    Args:
+        path: The folder, or one file.
+        unit: Metres per unit; None for each format's own.
+        up: The axis that points up; None for each format's own.
 
     Raises:
         BadData: There is nothing.
     """
-    found: list[Candidate] = []
+    return sifted_at(path, unit, up)[0]
+
+
+def sifted_at(
+    path: Path, unit: float | None = None, up: Axis | None = None
+) -> tuple[list[Candidate], list[Passed]]:
+    """As `candidates_at`, and the meshes that are no objects of their own, with reasons."""
+    found: list[tuple[Source, Order]] = []
     claimed: set[Path] = set()
     formats: tuple[Format, ...] = ("bop", "gso", "gltf", "obj")
     for format in formats if path.exists() else ():
         sources = IMPORTERS[format].find(path)
         free = [one for one in sources if not claimed & {one.mesh, *one.mesh.parents}]
-        found += [Imported(source, Order(format)) for source in free]
+        found += [(source, Order(format, unit, up)) for source in free]
         if format in ("bop", "gso"):
             claimed |= {source.root for source in free}
     if not found:
         raise BadData(path, "holds no objects in a format that we read", "See docs/extend/import.")
-    return found
+    kept, passed = sift(found)
+    return [Imported(source, order) for source, order in kept], passed
 
 
 def scan_candidates(folder: Path) -> list[Candidate]:
@@ -131,20 +148,20 @@ def verdict_of(candidate: Candidate) -> Verdict:
     path = candidate.source.mesh if isinstance(candidate, Imported) else candidate.path
     try:
         with limited(path):
-            mesh, hollow, refusal = _read(candidate)
+            mesh, hollow, refusal, remarks = _read(candidate)
             start = time.process_time()
             pieces = convex_pieces(mesh, hollow)
             seconds = time.process_time() - start
     except (BadMesh, BadData) as reason:
         return Verdict(candidate.label, str(reason))
-    return Verdict(candidate.label, refusal, len(pieces), seconds)
+    return Verdict(candidate.label, refusal, len(pieces), seconds, remarks)
 
 
-def _read(candidate: Candidate) -> tuple[TexturedMesh, bool, str | None]:
-    """Mesh, whether it is hollow, and why it can't be used."""
+def _read(candidate: Candidate) -> tuple[TexturedMesh, bool, str | None, tuple[str, ...]]:
+    """Mesh, whether it is hollow, why it can't be used, and remarks."""
     if isinstance(candidate, Imported):
         mesh, entry = normalised(candidate.source, candidate.order)
-        return mesh, entry.hollow, None
+        return mesh, entry.hollow, None, remarks_on(entry)
     mesh = load_glb(candidate.path, candidate.up_euler_deg)
     refusal = unfit(mesh.vertices, mesh.faces, rest_of(mesh.vertices), candidate.mass)
-    return mesh, candidate.hollow, refusal or candidate.set_aside or None
+    return mesh, candidate.hollow, refusal or candidate.set_aside or None, ()

@@ -6,37 +6,51 @@ import re
 
 import numpy as np
 
-from probe.assets.colours import main_colours
 from probe.assets.entry import Entry, Provenance, TurningSymmetry
 from probe.assets.hollow import is_hollow
-from probe.assets.hulls import hull_volume
 from probe.assets.importers.order import Order
 from probe.assets.importers.source import NO_LICENCE, Facts, Source, Symmetries
+from probe.assets.importers.typical import category_in
+from probe.assets.importers.upright import Reading, up_doubt
+from probe.assets.importers.wording import LONGEST_NAME, all_words, draft_name, id_words, shortened
 from probe.assets.mesh import TexturedMesh
+from probe.assets.said_colours import said_colours
 from probe.assets.sampling import colours_at, spots
 from probe.types import Array, Vector3, quaternion_of
 
 FRICTION = 0.5
-DENSITY = 250.0
-"""Kilograms by cubic metre of hull: household things are mostly hollow or packed loosely."""
-
-LIGHTEST, HEAVIEST_GUESS = 0.01, 5.0
 COLOUR_SPOTS = 4000
-LONGEST_SLUG = 40
 
 
-def guessed_mass(mesh: TexturedMesh) -> float:
-    """Kilograms, from the hull's volume at 250 kg by cubic metre."""
-    guess = DENSITY * hull_volume(mesh.vertices.astype(np.float64))
-    return round(min(max(guess, LIGHTEST), HEAVIEST_GUESS), 3)
-
-
-def slug(name: str) -> str:
+def object_id(name: str) -> str:
     """An id for the library from a data set's name for an object."""
-    words = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
-    if len(words) > LONGEST_SLUG:
-        words = words[: LONGEST_SLUG + 1].rpartition("_")[0] or words[:LONGEST_SLUG]
-    return "own_" + (words or "object")
+    return f"own_{id_words(name)}"
+
+
+def words_of(facts: Facts) -> str:
+    """The draft of a short name for people; if it is cut, what the thing is stays in."""
+    if facts.words:
+        return facts.words
+    name, words = draft_name(facts.name), all_words(facts.name).split()
+    noun = category_in(" ".join(words))
+    if noun is None or category_in(name) == noun:
+        return name
+    while len(" ".join(words)) > LONGEST_NAME and len(words) > 1:
+        words.pop(0)
+    return shortened(" ".join(words), " ")
+
+
+def category_of(facts: Facts) -> str:
+    """What the data set says, or the noun in the name; without numbers."""
+    name = words_of(facts)
+    letters = re.sub(r"[^a-z' -]+", " ", (facts.category or category_in(name) or name).lower())
+    return shortened(" ".join(letters.split()), " ") or "object"
+
+
+def remarks_on(entry: Entry) -> tuple[str, ...]:
+    """What a user should know of an object, a doubt about its upward axis first."""
+    doubt = () if entry.up_sure or entry.up is None else (up_doubt(entry.up),)
+    return (*doubt, *entry.remarks)
 
 
 def entry_of(
@@ -47,6 +61,7 @@ def entry_of(
     mass: float,
     our_from_metres: Array,
     content: str,
+    reading: Reading,
 ) -> Entry:
     """The entry of an object, its id without a suffix yet.
 
@@ -58,17 +73,18 @@ def entry_of(
         mass: Kilograms.
         our_from_metres: From the file's axes, in metres, to ours, shape (4, 4).
         content: Hash of its files.
+        reading: Which axis of the file was taken to point up.
     """
-    name = re.sub(r"[^a-z0-9]+", " ", facts.name.lower()).strip() or "object"
+    name = words_of(facts)
     x, y, z = (round(float(edge), 4) for edge in mesh.extent)
     w, a, b, c = (float(v) for v in quaternion_of(our_from_metres[:3, :3]))
-    axes, poses = _moved(facts.symmetries, our_from_metres)
+    axes, poses = moved_symmetries(facts.symmetries, our_from_metres)
     return Entry(
-        id=slug(facts.name),
+        id=object_id(facts.name),
         name=name,
-        category=facts.category or name,
-        colours=main_colours(colours_at(mesh, *spots(mesh.vertices, mesh.faces, COLOUR_SPOTS))),
-        description=f"A {name}.",
+        category=category_of(facts),
+        colours=said_colours(colours_at(mesh, *spots(mesh.vertices, mesh.faces, COLOUR_SPOTS))),
+        description=f"{'An' if name[0] in 'aeiou' else 'A'} {name}.",
         mass=round(mass, 4),
         friction=FRICTION,
         size=(x, y, z),
@@ -81,9 +97,12 @@ def entry_of(
         content=content,
         unit=order.frame.unit,
         turn_wxyz=(w, a, b, c),
-        shift=_three(our_from_metres[:3, 3]),
+        shift=three(our_from_metres[:3, 3]),
         symmetries_continuous=axes,
         symmetries_discrete=poses,
+        up=reading.up,
+        up_sure=reading.sure,
+        remarks=facts.remarks,
     )
 
 
@@ -100,13 +119,13 @@ def _provenance(facts: Facts) -> dict[str, Provenance]:
     }
 
 
-def _moved(
+def moved_symmetries(
     symmetries: Symmetries, our_from_metres: Array
 ) -> tuple[tuple[TurningSymmetry, ...], tuple[tuple[float, ...], ...]]:
     """Symmetries of the file's frame as those of ours."""
     rotation, shift = our_from_metres[:3, :3], our_from_metres[:3, 3]
     axes = tuple(
-        TurningSymmetry(axis=_three(rotation @ axis), offset=_three(rotation @ point + shift))
+        TurningSymmetry(axis=three(rotation @ axis), offset=three(rotation @ point + shift))
         for axis, point in symmetries.axes
     )
     back = np.linalg.inv(our_from_metres)
@@ -114,6 +133,7 @@ def _moved(
     return axes, tuple(tuple(float(v) for v in pose.reshape(-1)) for pose in poses)
 
 
-def _three(vector: Array) -> Vector3:
+def three(vector: Array) -> Vector3:
+    """A vector, shape (3,), as plain numbers."""
     x, y, z = (float(v) for v in vector)
     return (x, y, z)

@@ -11,7 +11,9 @@ from probe.assets.glb import read_gltf
 from probe.assets.gltf_header import read_tree
 from probe.assets.gltf_uris import outside_files
 from probe.assets.importers.licences import spdx
+from probe.assets.importers.masses import stated_mass
 from probe.assets.importers.source import Facts, Frame, Importer, Source, sources_at
+from probe.assets.importers.wording import place_of
 
 
 def _find(path: Path) -> list[Source]:
@@ -22,7 +24,9 @@ def _facts(source: Source) -> Facts:
     asset: object = read_tree(source.mesh)[0].get("asset")
     stated = cast(dict[str, object], asset).get("copyright") if isinstance(asset, dict) else None
     words = stated.strip() if isinstance(stated, str) else ""
-    return Facts(source.mesh.stem, licence=spdx(words), source=words or None)
+    name, home = place_of(source.mesh, source.root)
+    mass, remarks = stated_mass(source.mesh, home, source.root)
+    return Facts(name, mass=mass, licence=spdx(words), source=words or None, remarks=remarks)
 
 
 def _files(source: Source) -> tuple[Path, ...]:

@@ -6,17 +6,23 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
+import trimesh
 
 from probe.assets.cache import content_key
 from probe.assets.entry import Entry
 from probe.assets.fitness import unfit
 from probe.assets.importers import IMPORTERS
-from probe.assets.importers.entries import entry_of, guessed_mass
+from probe.assets.importers.entries import entry_of, words_of
 from probe.assets.importers.order import Order
 from probe.assets.importers.source import Facts, Frame, Source
+from probe.assets.importers.typical import typical_mass
+from probe.assets.importers.units import check_unit
+from probe.assets.importers.upright import Reading, likely_up, other_axis
 from probe.assets.mesh import TexturedMesh
-from probe.assets.resting import rest_of
-from probe.assets.shaping import placed, textured
+from probe.assets.resting import Rest, rest_of
+from probe.assets.shaping import check_geometry, placed, textured
+from probe.assets.squared import squaring_turn
+from probe.assets.wholeness import broken_parts
 from probe.errors import BadMesh
 from probe.types import Array
 
@@ -55,22 +61,60 @@ def normalised(source: Source, order: Order) -> tuple[TexturedMesh, Entry]:
         facts, licence=facts.licence or order.licence, source=facts.source or order.source
     )
     part = importer.read(source)
-    frame = order.frame
+    used = _used(source, part)
+    check_unit(source.mesh, float(np.ptp(used, axis=0).max()), order.frame.unit)
+    reading = _reading(used, order, facts)
+    frame = Frame(order.frame.unit, reading.up)
     vertices, faces = placed(source.mesh, part, frame.our_from_file)
     _check_stated_size(source, facts, vertices[np.unique(faces)], frame)
     rest = rest_of(vertices[np.unique(faces)])
-    turn = np.eye(3) if rest is None else rest.turn
-    mesh = textured(source.mesh, part, turn @ frame.our_from_file)
-    mass = facts.mass or guessed_mass(mesh)
+    our_from_file = _lying(rest, vertices) @ frame.our_from_file
+    mesh = textured(source.mesh, part, our_from_file)
+    mass = facts.mass or typical_mass(mesh.vertices.astype(np.float64), _words(facts))
     reason = unfit(mesh.vertices, mesh.faces, rest, mass)
     if reason is not None:
-        raise BadMesh(source.mesh, reason, "Leave it out.")
-    our_from_file = turn @ frame.our_from_file
+        raise BadMesh(source.mesh, reason, _remedy(reading))
+    broken = broken_parts(mesh)
+    facts = replace(facts, remarks=(*facts.remarks, *((broken,) if broken else ())))
     moved = placed(source.mesh, part, our_from_file)[0][0] - our_from_file @ part.vertices[0]
     our_from_metres = np.eye(4)
     our_from_metres[:3, :3], our_from_metres[:3, 3] = our_from_file / frame.unit, moved
     content = content_of(source, order)
-    return mesh, entry_of(source, order, facts, mesh, mass, our_from_metres, content)
+    entry = entry_of(source, order, facts, mesh, mass, our_from_metres, content, reading)
+    return mesh, entry
+
+
+def _reading(points: Array, order: Order, facts: Facts) -> Reading:
+    """Which axis points up: as ordered, as the format or the folder says, or as the shape does."""
+    if order.up is not None or IMPORTERS[order.format].tells_up:
+        return Reading(order.frame.up, True)
+    if facts.up is not None:
+        return Reading(facts.up, True)
+    return likely_up(points * order.frame.unit, order.frame.up)
+
+
+def _lying(rest: Rest | None, vertices: Array) -> Array:
+    """The turn, shape (3, 3), that lays an object down with its box along the axes."""
+    turn = np.eye(3) if rest is None else rest.turn
+    return squaring_turn(vertices @ turn.T) @ turn
+
+
+def _used(source: Source, part: trimesh.Trimesh) -> Array:
+    """The vertices that faces use, checked, as they stand in the file, shape (n, 3)."""
+    vertices, faces = np.asarray(part.vertices, np.float64), np.asarray(part.faces, np.int64)
+    check_geometry(source.mesh, vertices, faces)
+    return vertices[np.unique(faces)]
+
+
+def _words(facts: Facts) -> str:
+    """What says most of what it is made of: the name, and the category where it is known."""
+    return " ".join(filter(None, (words_of(facts), facts.category)))
+
+
+def _remedy(reading: Reading) -> str:
+    if reading.sure:
+        return "Leave it out."
+    return f"Say --up {other_axis(reading.up)} if that axis points up in the file; or leave it out."
 
 
 def _check_stated_size(source: Source, facts: Facts, vertices: Array, frame: Frame) -> None:

@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 import trimesh
 
+from probe.assets.importers.wording import speaking_root
 from probe.types import Array
 
 Format = Literal["gltf", "obj", "gso", "bop"]
@@ -63,6 +64,9 @@ class Facts:
         source: Who made it, or which data set.
         size: Extent along the file's axes, in metres.
         symmetries: In the file's frame, lengths in metres.
+        words: A short name for people, where one is known; else it is drafted from `name`.
+        up: The upward axis that the object's folder speaks for.
+        remarks: What a user should know of how it was read.
     """
 
     name: str
@@ -72,6 +76,9 @@ class Facts:
     source: str | None = None
     size: tuple[float, float, float] | None = None
     symmetries: Symmetries = field(default_factory=Symmetries)
+    words: str | None = None
+    up: Axis | None = None
+    remarks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -81,7 +88,7 @@ class Source:
     Attributes:
         label: Its place below what was asked for; for tables and messages.
         mesh: The file with its triangles.
-        root: Nothing outside this folder is read.
+        root: Nothing outside this folder is read, nor does a folder above it name the object.
     """
 
     label: str
@@ -99,6 +106,7 @@ class Importer:
         files: All files that decide what it is, the mesh first. Raises BadMesh.
         read: Its triangles with texture, in the file's frame. Raises BadMesh.
         frame: Unit and axes, unless one says otherwise.
+        tells_up: Whether the format states which axis points up; if not, the shape is asked.
     """
 
     find: Callable[[Path], list[Source]]
@@ -106,16 +114,18 @@ class Importer:
     files: Callable[[Source], tuple[Path, ...]]
     read: Callable[[Source], trimesh.Trimesh]
     frame: Frame
+    tells_up: bool = True
 
 
 def sources_at(path: Path, *suffixes: str) -> list[Source]:
     """Files of these suffixes below a folder, sorted; or the one file itself."""
+    root = speaking_root(path)
     if path.is_file():
-        return [Source(path.name, path, path.parent)]
+        return [Source(path.name, path, root)]
     found = sorted(
         file
         for file in path.rglob("*")
         if file.suffix.lower() in suffixes
         and not any(part.startswith(".") for part in file.relative_to(path).parts)
     )
-    return [Source(str(file.relative_to(path)), file, path) for file in found]
+    return [Source(str(file.relative_to(path)), file, root) for file in found]

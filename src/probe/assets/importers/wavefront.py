@@ -11,9 +11,9 @@ from pathlib import Path
 import trimesh
 from trimesh.resolvers import Resolver
 
-from probe.assets.confined import confined
+from probe.assets.confined import MissingFile, confined
 from probe.assets.gltf_tree import MAX_TRIANGLES, MAX_VERTICES
-from probe.assets.importers.source import Facts, Frame, Importer, Source, sources_at
+from probe.assets.importers.skins import sole_picture
 from probe.assets.pictures import check_picture
 from probe.assets.shaping import joined
 from probe.errors import BadMesh
@@ -25,16 +25,30 @@ _MAP = re.compile(rb"^[ \t]*map_Kd[ \t]+(.+?)[ \t\r]*$", re.M)
 _LIBRARY = re.compile(rb"^mtllib[ \t]+(.+?)[ \t\r]*$", re.M)
 _USED = re.compile(rb"^usemtl[ \t]+(.+?)[ \t\r]*$", re.M)
 _MADE = re.compile(rb"^[ \t]*newmtl[ \t]+(.+?)[ \t\r]*$", re.M)
+_SPOKEN = re.compile(rb"^(?:mtllib|usemtl)\b.*$", re.M)
+_STAND_IN, _SKIN = "stand-in.mtl", "skin"
+_HEADING = b"mtllib stand-in.mtl\nusemtl skin\n"
+_MATERIAL = b"newmtl skin\nmap_Kd skin\n"
+"""What takes the place of materials where one picture lies beside an OBJ."""
+
 _STATED = re.compile(rb"^# (Vertices|Faces): (\d+)[ \t\r]*$", re.M)
 
 
 @dataclass(frozen=True)
 class Parts:
-    """The files of an OBJ, by the names it uses for them."""
+    """The files of an OBJ, by the names it uses for them.
+
+    Attributes:
+        text: The OBJ.
+        library: Its material file; None where a picture stands in for it.
+        textures: By their names.
+        remark: Which picture stands in for what the OBJ doesn't name, or names in vain.
+    """
 
     text: bytes
-    library: Path
+    library: Path | None
     textures: dict[str, Path]
+    remark: str = ""
 
 
 def obj_parts(path: Path, root: Path, texture_folders: Sequence[Path] = ()) -> Parts:
@@ -50,9 +64,27 @@ def obj_parts(path: Path, root: Path, texture_folders: Sequence[Path] = ()) -> P
     """
     text = _text(path, MAX_BYTES)
     _check_counts(path, text)
+    try:
+        return _named_parts(path, text, root, texture_folders)
+    except MissingFile as missing:
+        skin = sole_picture(path, root, missing)
+        check_picture(path, skin)
+        text = _SPOKEN.sub(b"", text)
+        remark = f"{missing.reason}: {skin.name}, the only picture beside it, is used"
+        return Parts(_HEADING + text, None, {_SKIN: skin}, remark)
+
+
+def _named_parts(path: Path, text: bytes, root: Path, texture_folders: Sequence[Path]) -> Parts:
+    """What an OBJ names, all of it there.
+
+    Raises:
+        BadMesh: A material isn't defined, or a file lies outside.
+        MissingFile: A file isn't there, or no material file is named.
+    """
     named = _LIBRARY.findall(text)
     if not named:
-        raise BadMesh(path, "names no material file (mtllib)", "Export it with its materials.")
+        reason = "names no material file (mtllib)"
+        raise MissingFile(path, reason, "Export it with its materials.")
     library = confined(path, _words(named[0]), path.parent, root=root)
     materials = _text(library, MAX_MTL_BYTES)
     made = set(_MADE.findall(materials))
@@ -90,11 +122,13 @@ class _Known(Resolver):
     """Gives the parser the files that were checked, and no others."""
 
     def __init__(self, parts: Parts) -> None:
-        self._files = {**parts.textures, parts.library.name: parts.library}
+        self._files = dict(parts.textures)
         self._library = parts.library
 
     def get(self, key: str) -> bytes:
-        if Path(key.replace("\\", "/")).name == self._library.name:
+        if self._library is None and key == _STAND_IN:
+            return _MATERIAL
+        if self._library and Path(key.replace("\\", "/")).name == self._library.name:
             return self._library.read_bytes()
         return self._files[key].read_bytes()
 
@@ -105,7 +139,7 @@ class _Known(Resolver):
         return self
 
     def keys(self) -> list[str]:
-        return list(self._files)
+        return [*self._files, self._library.name if self._library else _STAND_IN]
 
 
 def _text(path: Path, limit: int) -> bytes:
@@ -145,23 +179,3 @@ def _check_counts(path: Path, text: bytes) -> None:
 
 def _words(raw: bytes) -> str:
     return raw.decode("utf-8", "replace")
-
-
-def _find(path: Path) -> list[Source]:
-    return sources_at(path, ".obj")
-
-
-def _facts(source: Source) -> Facts:
-    return Facts(source.mesh.stem)
-
-
-def _files(source: Source) -> tuple[Path, ...]:
-    parts = obj_parts(source.mesh, source.mesh.parent)
-    return (source.mesh, parts.library, *parts.textures.values())
-
-
-def _read(source: Source) -> trimesh.Trimesh:
-    return read_obj(source.mesh, obj_parts(source.mesh, source.mesh.parent))
-
-
-OBJ = Importer(_find, _facts, _files, _read, Frame(1.0, "y"))
