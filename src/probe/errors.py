@@ -46,6 +46,20 @@ class WorkerDied(ProbeError):
         super().__init__(f"A worker process died while {doing}. Run it again with --workers 1.")
 
 
+class Unfinished(ProbeError):
+    """Something is missing of what was asked for, though what is there is whole.
+
+    Args:
+        missing: How many.
+        total: Of how many.
+        what: Of what ("episodes").
+        remedy: How to go on.
+    """
+
+    def __init__(self, missing: int, total: int, what: str, remedy: str) -> None:
+        super().__init__(f"{missing} of {total} {what} are missing. {remedy}")
+
+
 class ModelFailed(ProbeError):
     """A model gave no reply, or none that can be used."""
 

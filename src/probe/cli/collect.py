@@ -14,7 +14,7 @@ from probe.cli.seats import price_of
 from probe.cli.shards import parse_shard
 from probe.cli.teachers import hands_of
 from probe.cli.teaching import Site
-from probe.errors import BadData
+from probe.errors import BadData, Unfinished
 from probe.tasks.task import QuestionKind
 from probe.train.collect.aim import PAPER_COUNTS, Aim, Mode, in_proportion
 from probe.train.collect.batches import Harvest
@@ -135,6 +135,7 @@ def _tell(out: Path, aim: Aim, so_far: Harvest) -> None:
     if so_far.unpriced:
         cost += f", without {so_far.unpriced} episodes that have no price"
     print(f"{so_far.episodes} episodes, {so_far.missing} missing by our fault; {cost}.")
-    if reached < aim.total:
-        print(f"The budget of {aim.spent(so_far)} is spent: {reached} of {aim.total} are there.")
     print(f"Tasks and records are in {out}; `probe select {out}` chooses among them.")
+    if reached < aim.total:
+        remedy = f"The budget of {aim.spent(so_far)} is spent: say more, and run it again."
+        raise Unfinished(aim.total - reached, aim.total, "successes", remedy)

@@ -11,7 +11,7 @@ from probe.chat.prompts import Arm
 from probe.cli.agents import AgentName, make_agent
 from probe.cli.dry_run import would_ask
 from probe.cli.fitting import check_counts, check_pointer, refuse_stray
-from probe.cli.running import run_order
+from probe.cli.running import check_whole, run_order
 from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import everything, opener
@@ -73,7 +73,9 @@ def run(
             "--endpoint": endpoint, "--prices": prices, "--dry-run": dry_run or None,
         })  # fmt: skip
         order = Order(agent or "scripted", runs or 1, NOISES[noise], conditions, part)
-        run_order(find_suite(suite), order, make_agent, everything(), out, workers or 1)
+        asked = find_suite(suite)
+        missing = run_order(asked, order, make_agent, everything(), out, workers or 1)
+        total = len(order.jobs(asked.tasks))
     else:
         refuse_stray("with --model", {"--agent": agent, "--runs": runs})
         check_pointer(pointer or "oracle", arm or "agentic", conditions)
@@ -91,9 +93,11 @@ def run(
             shard=part,
             workers=workers or _TABLES,
         )
+        asked = find_suite(suite)
         if dry_run:
-            would_ask(find_suite(suite), seats, out)
+            would_ask(asked, seats, out)
             return
-        if missing := take_seats(find_suite(suite), seats, out):
-            print(f"{missing} episodes are missing; the same command tries them again.")
+        missing = take_seats(asked, seats, out)
+        total = len(seats.tasks_of(asked)) * seats.epochs
     print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
+    check_whole(missing, total)
