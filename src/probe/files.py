@@ -14,6 +14,7 @@ from typing import TypeVar
 from PIL import Image
 from pydantic import BaseModel, ValidationError
 
+from probe import reading
 from probe.errors import BadData, OutputFailed
 from probe.types import Array
 
@@ -114,7 +115,11 @@ def encode(image: Image.Image, layout: str, *, quality: int = 75) -> bytes:
 
 
 def read_document(
-    path: Path, model: type[Document], remedy: str, missing: str = "Check the path"
+    path: Path,
+    model: type[Document],
+    remedy: str,
+    missing: str = "Check the path",
+    most: int = reading.DOCUMENT,
 ) -> Document:
     """Read a JSON file that holds one document.
 
@@ -123,12 +128,13 @@ def read_document(
         model: Its schema.
         remedy: What to do about a file that breaks it.
         missing: What to do about a file that can't be read.
+        most: Bytes that it may have.
 
     Raises:
-        BadData: It can't be read, or it breaks the schema; the first broken field is named.
+        BadData: Unreadable, too large, or it breaks the schema (the first such field is named).
     """
     try:
-        return model.model_validate_json(path.read_bytes())
+        return model.model_validate_json(reading.json_contents(path, most))
     except OSError as error:
         raise BadData(path, error.strerror or str(error), missing) from error
     except ValidationError as error:

@@ -16,6 +16,7 @@ import pydantic
 from probe.assets.library import Library
 from probe.errors import BadData
 from probe.files import claim_folder, write_text
+from probe.reading import words
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionKind, Task
@@ -116,7 +117,7 @@ class Parts:
         """
         file = self.log_path(place)
         try:
-            lines = file.read_text().splitlines() if file.exists() else []
+            lines = words(file).splitlines() if file.exists() else []
             return [Line.parse(line) for line in lines]
         except (OSError, ValueError) as error:
             raise BadData(file, str(error), "Delete it; its place is then made anew") from error

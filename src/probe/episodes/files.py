@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pydantic
 
+from probe import reading
 from probe.episodes.document import EpisodeDocument
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, OutputFailed
@@ -55,7 +56,7 @@ def append_line(path: Path, line: bytes) -> None:
         OutputFailed: The disk is full, or the folder can't be written.
     """
     if cut_off(path):
-        last = path.read_bytes().count(b"\n") + 1
+        last = reading.contents(path, reading.RECORDS).count(b"\n") + 1
         raise BadData(f"{path}, line {last}", "is cut off before its end", _REMEDY)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -66,10 +67,17 @@ def append_line(path: Path, line: bytes) -> None:
 
 
 def cut_off(path: Path) -> bytes:
-    """What follows the last whole line of a file; empty if all are whole or there is no file."""
+    """What follows the last whole line of a file; empty if all are whole or there is no file.
+
+    Raises:
+        BadData: It can't be read.
+    """
     if not path.exists():
         return b""
-    return path.read_bytes().rpartition(b"\n")[2]
+    try:
+        return reading.contents(path, reading.RECORDS).rpartition(b"\n")[2]
+    except OSError as error:
+        raise BadData(path, error.strerror or str(error), "Check the path") from error
 
 
 def set_aside_cut(path: Path) -> Path | None:
@@ -104,7 +112,7 @@ def read_records(path: Path, *, whole: bool = True) -> list[EpisodeRecord]:
         BadData: The file is missing, or a line is cut off or no record of this version.
     """
     try:
-        content = path.read_bytes()
+        content = reading.contents(path, reading.RECORDS)
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Check the path") from error
     lines = (content if whole else content[: content.rfind(b"\n") + 1]).splitlines()

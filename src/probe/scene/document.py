@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import pydantic
 
@@ -27,7 +27,7 @@ class SceneDocument(pydantic.BaseModel, extra="forbid"):
     version: Literal[1] = 1
     seed: int
     table: str
-    objects: list[PlacedObjectDocument]
+    objects: Annotated[list[PlacedObjectDocument], pydantic.FailFast()]
 
     @staticmethod
     def of(scene: Scene) -> SceneDocument:

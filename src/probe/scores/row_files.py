@@ -11,6 +11,7 @@ import pydantic
 
 from probe.errors import BadData
 from probe.files import fault, write_bytes, write_text
+from probe.reading import RECORDS, contents
 from probe.scores.row import Row
 
 _REMEDY = "Write it again with `probe rescore`"
@@ -75,7 +76,7 @@ def _cell(value: object) -> object:
 
 def _text(path: Path) -> str:
     try:
-        return path.read_bytes().decode()
+        return contents(path, RECORDS).decode()
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Check the path") from error
     except UnicodeDecodeError as error:

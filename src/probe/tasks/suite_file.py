@@ -5,10 +5,11 @@ from __future__ import annotations
 import hashlib
 from importlib import resources
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import pydantic
 
+from probe import reading
 from probe.errors import UnknownName
 from probe.files import read_document, write_text
 from probe.scene.document import SceneDocument
@@ -147,7 +148,7 @@ class SuiteDocument(pydantic.BaseModel, extra="forbid"):
     canary: str = CANARY
     objects: dict[str, tuple[float, ...]]
     manifest: dict[str, str]
-    tasks: list[TaskDocument]
+    tasks: Annotated[list[TaskDocument], pydantic.FailFast()]
 
     @pydantic.model_validator(mode="after")
     def _is_whole(self) -> SuiteDocument:
@@ -197,7 +198,7 @@ def read_suite(path: Path) -> Suite:
     Raises:
         BadData: The file is missing, truncated, changed, or not a suite of this version.
     """
-    document = read_document(path, SuiteDocument, _REMEDY)
+    document = read_document(path, SuiteDocument, _REMEDY, most=reading.SUITE)
     return Suite(document.name, tuple(task.task() for task in document.tasks), document.objects)
 
 

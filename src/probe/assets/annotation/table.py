@@ -13,6 +13,7 @@ from probe.assets.annotation.notes import FIELDS, Note, said
 from probe.assets.annotation.words import Described
 from probe.errors import BadData
 from probe.files import fault, write_text
+from probe.reading import words
 
 TABLE = "review.csv"
 _REMEDY = "Correct that line, or delete the file to have it written anew; nothing was changed."
@@ -40,7 +41,7 @@ def corrected(path: Path, notes: Sequence[Note]) -> tuple[Note, ...]:
     """
     known = {note.id: note for note in notes}
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = words(path, encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise BadData(path, f"can't be read as UTF-8 text ({error})", _REMEDY) from error
     lines = csv.DictReader(io.StringIO(text))

@@ -14,6 +14,7 @@ from probe.assets.importers.licences import spdx
 from probe.assets.importers.source import Facts, Frame, Importer, Source
 from probe.assets.importers.wavefront import Parts, obj_parts, read_obj
 from probe.errors import BadMesh
+from probe.reading import opened
 
 MAX_TEXT_BYTES = 2**20
 DATA_SET = "Google Scanned Objects"
@@ -86,7 +87,7 @@ def _tree(path: Path, text: str) -> ElementTree.Element:
 
 def _text(path: Path) -> str:
     try:
-        with path.open("rb") as file:
+        with opened(path) as file:
             return file.read(MAX_TEXT_BYTES).decode("utf-8", "replace").lstrip()
     except OSError as error:
         reason = error.strerror or "can't be read"

@@ -18,6 +18,7 @@ from probe.assets.mesh import TexturedMesh
 from probe.assets.resting import rest_of
 from probe.assets.shaping import placed, textured
 from probe.errors import BadMesh
+from probe.reading import MESH, contents
 from probe.types import Array
 
 IMPORT_VERSION = 1
@@ -35,11 +36,11 @@ def content_of(source: Source, order: Order) -> str:
     """
     files = IMPORTERS[order.format].files(source)
     try:
-        contents = [file.read_bytes() for file in files]
+        parts = [contents(file, MESH) for file in files]
     except OSError as error:
         reason = error.strerror or "can't be read"
         raise BadMesh(source.mesh, reason, "Check the path and its permissions.") from error
-    return content_key(f"{IMPORT_VERSION} {order}", *contents)
+    return content_key(f"{IMPORT_VERSION} {order}", *parts)
 
 
 def normalised(source: Source, order: Order) -> tuple[TexturedMesh, Entry]:
