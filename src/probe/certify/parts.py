@@ -20,6 +20,7 @@ from probe.reading import words
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionKind, Task
+from probe.texts import cell, uncell
 
 KEPT, UNSOLVED, RESTLESS = "kept", "solvable", "at rest"
 """Names of results: a task; a candidate that failed only the scripted agents' check; one whose
@@ -71,8 +72,8 @@ class Line:
         """Separated by tabs."""
         solved = _UNTRIED if self.solved is None else str(self.solved)
         detail = " ".join(self.detail.split())
-        cells = (self.kind, self.seed, self.check, solved, detail, f"{self.seconds:.1f}")
-        return "\t".join(str(cell) for cell in cells)
+        cells = (self.kind, self.seed, self.check, solved, cell(detail), f"{self.seconds:.1f}")
+        return "\t".join(str(each) for each in cells)
 
     @staticmethod
     def parse(text: str) -> Line:
@@ -83,7 +84,7 @@ class Line:
         """
         kind, seed, check, solved, detail, seconds = text.split("\t")
         tried = None if solved == _UNTRIED else solved == "True"
-        return Line(kind, int(seed), check, tried, detail, float(seconds))
+        return Line(kind, int(seed), check, tried, uncell(detail), float(seconds))
 
 
 @dataclass(frozen=True)

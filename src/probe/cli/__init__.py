@@ -6,8 +6,10 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
+from typing import NoReturn
 
 from probe.errors import ProbeError
+from probe.texts import visible
 
 
 @dataclass(frozen=True)
@@ -52,9 +54,14 @@ def main() -> None:
     try:
         _run(sys.argv[1:])
     except ProbeError as failure:
-        sys.exit(f"probe: {failure}")
+        _end(str(failure))
     except KeyboardInterrupt:
-        sys.exit("probe: interrupted")
+        _end("interrupted")
+
+
+def _end(reason: str) -> NoReturn:
+    """End in one line, in which no name from a file can steer a terminal."""
+    sys.exit(f"probe: {visible(' '.join(reason.splitlines()))}")
 
 
 def _run(arguments: list[str]) -> None:

@@ -9,9 +9,6 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import tyro
-from rich.console import Console
-from rich.progress import track
-from rich.table import Column, Table
 
 from probe.assets.importers.adding import Outcome, Target, add, find_sources
 from probe.assets.importers.checking import (
@@ -26,6 +23,7 @@ from probe.assets.importers.order import Order
 from probe.assets.importers.source import Axis, Format
 from probe.assets.library import own_folder, scans_folder
 from probe.cli.assets_split import near_duplicates, show_pairs
+from probe.cli.screen import Column, Table, say, track
 from probe.cli.surroundings import assets_folder, cache_folder, library, library_folder
 
 Unit = Literal["m", "cm", "mm"]
@@ -80,8 +78,8 @@ def check_objects(
     table = Table(Column("object", overflow="fold"), "verdict", "pieces", "s")
     for verdict in sorted(verdicts, key=lambda verdict: verdict.label):
         cost = (str(verdict.pieces), f"{verdict.seconds:.1f}") if verdict.pieces else ("", "")
-        table.add_row(verdict.label, verdict.refusal or "OK", *cost)
-    Console().print(table)
+        table.add(verdict.label, verdict.refusal or "OK", *cost)
+    table.show()
     _sum_up(verdicts)
 
 
@@ -96,11 +94,11 @@ def _candidates(what: str) -> list[Candidate]:
 def _sum_up(verdicts: Iterable[Verdict]) -> None:
     known = list(verdicts)
     refused = sum(verdict.refusal is not None for verdict in known)
-    print(f"{len(known)} objects: {len(known) - refused} OK, {refused} refused.")
+    say(f"{len(known)} objects: {len(known) - refused} OK, {refused} refused.")
     times = [verdict.seconds for verdict in known if verdict.pieces]
     if times:
         middle, most = statistics.median(times), max(times)
-        print(f"Collision pieces: median {middle:.1f} s, at most {most:.1f} s of CPU an object.")
+        say(f"Collision pieces: median {middle:.1f} s, at most {most:.1f} s of CPU an object.")
 
 
 def _tell_near(fresh: set[str], workers: int) -> None:
@@ -113,8 +111,8 @@ def _tell_near(fresh: set[str], workers: int) -> None:
 def _tell(outcomes: list[Outcome], library: Path) -> None:
     table = Table(Column("object", overflow="fold"), "", Column("id, or reason", overflow="fold"))
     for outcome in sorted(outcomes, key=lambda outcome: (outcome.status, outcome.label)):
-        table.add_row(outcome.label, outcome.status, outcome.detail)
-    Console().print(table)
+        table.add(outcome.label, outcome.status, outcome.detail)
+    table.show()
     counts = Counter(outcome.status for outcome in outcomes)
     told = ", ".join(f"{counts[status]} {status}" for status in ("added", "skipped", "refused"))
-    print(f"{told}. Your library is {library}")
+    say(f"{told}. Your library is {library}")

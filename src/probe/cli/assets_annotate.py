@@ -10,7 +10,6 @@ from typing import Annotated
 import numpy as np
 import tyro
 from PIL import Image
-from rich.progress import track
 
 from probe.assets.annotation.applying import apply_notes
 from probe.assets.annotation.notes import (
@@ -27,6 +26,7 @@ from probe.assets.annotation.words import describe
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.cli.models import model_behind
+from probe.cli.screen import say, track
 from probe.cli.surroundings import Pool, library, library_folder
 from probe.errors import BadData, ModelFailed
 from probe.files import encode, write_bytes
@@ -92,17 +92,17 @@ def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
         changed = [new for new, old in zip(notes, before, strict=True) if new != old]
         for note in changed:
             write_note(out, note)
-        print(f"{len(changed)} objects corrected.")
+        say(f"{len(changed)} objects corrected.")
     write_table(table, notes)
     write_review(out / PAGE, notes)
     _carry_over(notes)
-    print(f"{len(notes)} objects: correct {table} beside {out / PAGE}, then run this again.")
+    say(f"{len(notes)} objects: correct {table} beside {out / PAGE}, then run this again.")
 
 
 def _carry_over(notes: Sequence[Note]) -> None:
     """Objects of one's own are called so from now on."""
     if changed := apply_notes(library_folder(), notes):
-        print(f"{changed} objects of {library_folder()} go by their new words now.")
+        say(f"{changed} objects of {library_folder()} go by their new words now.")
 
 
 def _is_done(out: Path, spec: ObjectSpec) -> bool:
@@ -133,10 +133,10 @@ def _tell(out: Path, objects: Library, limit: int | None) -> None:
     notes = [note for note in read_notes(out) if note.id in wanted]
     counts = Counter("described" if note.done else "without a usable reply" for note in notes)
     said_so = ", ".join(f"{count} {what}" for what, count in counts.items()) or "none"
-    print(f"{len(wanted)} objects: {said_so}. Notes are in {out / 'notes'}.")
+    say(f"{len(wanted)} objects: {said_so}. Notes are in {out / 'notes'}.")
     for note in notes:
         if note.problem:
-            print(f"  {note.id}: {note.problem}")
+            say(f"  {note.id}: {note.problem}")
     if counts["without a usable reply"]:
-        print("Run it again to ask about those.")
-    print(f"`probe assets review {out}` makes a table of them to correct.")
+        say("Run it again to ask about those.")
+    say(f"`probe assets review {out}` makes a table of them to correct.")

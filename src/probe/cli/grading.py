@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rich.progress import track
-
+from probe.cli.screen import track
 from probe.cli.surroundings import everything
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE, in_order

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.screen import say
 from probe.train.tune.tiny import make_tiny
 from probe.train.tune.tiny_parts import Shape
 
@@ -28,4 +29,4 @@ def init_tiny(
         shape: How small.
     """
     weights = make_tiny(dataset, out, shape)
-    print(f"A model of {weights / 1e6:.1f} million weights is in {out}; it knows nothing yet.")
+    say(f"A model of {weights / 1e6:.1f} million weights is in {out}; it knows nothing yet.")

@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.cli.agents import ARMS
 from probe.cli.grading import Graded, graded
+from probe.cli.screen import Table, say
 from probe.episodes.folder import SUITE, arm_of_folder
 from probe.episodes.ordered import Ordered, read_ordered
 from probe.scores.marking import roster_of_tasks, row_of
@@ -36,12 +35,11 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
     rows = rows_of(out, suite.name, graded(out), arm)
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(out, rows, scores)
-    console = Console(markup=False)
     for card in scores.cards:
-        console.print(_table(card))
+        _table(card).show()
     for line in _lines(scores):
-        console.print(line, highlight=False)
-    print(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
+        say(line)
+    say(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
 
 
 def arm_of(agent: str) -> str:
@@ -89,11 +87,10 @@ def headline_line(card: Scorecard) -> str:
 
 
 def _table(card: Scorecard) -> Table:
-    table = Table(title=_name(card.entrant), title_justify="left")
-    for column in ("", "tasks", "runs", "right", "95 % interval", "chance"):
-        table.add_column(column)
+    columns = ("", "tasks", "runs", "right", "95 % interval", "chance")
+    table = Table(*columns, title=_name(card.entrant), left=True)
     for figure in (card.macro, *card.kinds, *card.parts):
-        table.add_row(*_cells(figure))
+        table.add(*_cells(figure))
     return table
 
 

@@ -12,6 +12,7 @@ from probe.cli.agents import AgentName, make_agent
 from probe.cli.dry_run import would_ask
 from probe.cli.fitting import check_counts, check_pointer, refuse_stray
 from probe.cli.running import check_whole, run_order
+from probe.cli.screen import say
 from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import everything, opener
@@ -99,5 +100,5 @@ def run(
             return
         missing = take_seats(asked, seats, out)
         total = len(seats.tasks_of(asked)) * seats.epochs
-    print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
+    say(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
     check_whole(missing, total)

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library, open_all
-from probe.cli.bars import bar
+from probe.cli.screen import bar, say, say_above
 from probe.cli.surroundings import cache_folder
 from probe.cli.varying import varied
 from probe.episodes.folder import RECORDS
@@ -55,7 +55,7 @@ def run_order(
             for job, fault in results:
                 if fault is not None:
                     faults += 1
-                    progress.console.print(f"{job.task.id}, run {job.run} is missing: {fault}")
+                    say_above(progress, f"{job.task.id}, run {job.run} is missing: {fault}")
                 more = f", {faults} missing" if faults else ""
                 progress.update(line, advance=1, description=doing + more)
     return faults
@@ -72,8 +72,8 @@ def check_whole(missing: int, total: int) -> None:
 
 
 def _tell(beginning: Beginning, out: Path) -> None:
-    print(f"Records go to {out / RECORDS}; Ctrl-C stops, the same command goes on.")
+    say(f"Records go to {out / RECORDS}; Ctrl-C stops, the same command goes on.")
     if beginning.cut:
-        print(f"Its last record was cut off: moved to {beginning.cut}, and run again.")
+        say(f"Its last record was cut off: moved to {beginning.cut}, and run again.")
     if beginning.done:
-        print(f"{beginning.done} episodes were there already.")
+        say(f"{beginning.done} episodes were there already.")

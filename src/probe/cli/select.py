@@ -7,12 +7,11 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.assets.fingerprint import Fingerprint
 from probe.assets.split import read_split
 from probe.cli.near import near_groups, those_here
+from probe.cli.screen import Table, say
 from probe.cli.surroundings import cache_folder, everything
 from probe.errors import BadData
 from probe.files import check_new
@@ -64,7 +63,7 @@ def select(
     objects: dict[str, Fingerprint] = {}
     candidates, unfinished = candidates_of(collected, objects)
     if unfinished:
-        print(f"{unfinished} batches aren't whole yet and are left out.")
+        say(f"{unfinished} batches aren't whole yet and are left out.")
     packaged = [find_suite(name) for name in packaged_suites()]
     others = [find_suite(name) for name in against]
     suites = [*packaged, *others]
@@ -82,7 +81,7 @@ def select(
     names = [suite.name for suite in suites]
     document = write_selection(out, found, recipe, objects, collected, names)
     _print(document, len(candidates))
-    print(f"They are in {out}; `probe dataset {out} OUT` writes them down for trainers.")
+    say(f"They are in {out}; `probe dataset {out} OUT` writes them down for trainers.")
 
 
 def _alike(
@@ -102,19 +101,19 @@ def _print(document: SelectionDocument, episodes: int) -> None:
     for kind, arms in document.examples.items():
         most = document.limits.get(kind)
         cells = (str(arms["agentic"]), str(arms["direct"]), "" if most is None else str(most))
-        table.add_row(kind, *cells)
-    Console().print(table)
+        table.add(kind, *cells)
+    table.show()
     letters = ", ".join(f"{letter} {count}" for letter, count in document.letters.items())
-    print(f"Right answers: {letters}. From {episodes} episodes.")
+    say(f"Right answers: {letters}. From {episodes} episodes.")
     _print_dropped(document.dropped)
     refused = document.refused
-    print(f"{len(refused)} tasks belong to evaluation and were refused.")
+    say(f"{len(refused)} tasks belong to evaluation and were refused.")
     for it in refused[:_SHOWN]:
-        print(f"  {it.task}: {it.leak}, {it.detail}")
+        say(f"  {it.task}: {it.leak}, {it.detail}")
     if len(refused) > _SHOWN:
-        print(f"  ... and {len(refused) - _SHOWN} more, in selection.json.")
+        say(f"  ... and {len(refused) - _SHOWN} more, in selection.json.")
 
 
 def _print_dropped(dropped: dict[str, int]) -> None:
     for reason, count in sorted(dropped.items(), key=lambda item: -item[1]):
-        print(f"left out, {reason}: {count}")
+        say(f"left out, {reason}: {count}")

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.screen import say
 from probe.train.serve.serving import reserved, serve
 from probe.train.serve.speaking import Speaker
 
@@ -28,5 +29,5 @@ def serve_model(
     called = name or Path(model).name
     with reserved(port) as held:
         speaker = Speaker(model)
-        print(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.", flush=True)
+        say(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.")
         serve(speaker, called, held)

@@ -7,13 +7,11 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.assets.library import Library
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
 from probe.certify.parts import Line, Making, Parts, Place
-from probe.cli.bars import bar
+from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.suite_certify import certify
@@ -70,7 +68,7 @@ def build(
         workshop = Workshop(things, tables_for(pool), renderer, unchecked)
         _fill(part.of(places), parts, workshop)
     if waiting := [place for place in places if not parts.task_path(place).exists()]:
-        print(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
+        say(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
         return
     _finish(out, places, parts, things, unsolved)
 
@@ -85,8 +83,8 @@ def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     table = Table("task", "type", "question", "options", "answer")
     for task in find_suite(suite).tasks:
         options = "\n".join(f"{option.letter} {option.text}" for option in task.options)
-        table.add_row(task.id, task.kind, task.question, options, task.answer)
-    Console().print(table)
+        table.add(task.id, task.kind, task.question, options, task.answer)
+    table.show()
 
 
 def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
@@ -108,15 +106,15 @@ def _finish(
     _print_yield(lines)
     if unsolved:
         found = assemble_unsolved(unsolved, parts, places, things, _UNSOLVED_MOST)
-        print(f"{found} candidates failed the scripted agents' check alone; {unsolved} has some")
-    print(f"{len(places)} tasks are in {out}; every candidate is in {log}")
+        say(f"{found} candidates failed the scripted agents' check alone; {unsolved} has some")
+    say(f"{len(places)} tasks are in {out}; every candidate is in {log}")
 
 
 def _print_yield(lines: Iterable[Line]) -> None:
     """Candidates by type, and by the check that rejected them."""
     table = Table("type", "candidates", "kept", "seconds a kept one", "first attempt", "rejected")
     for it in count_candidates(lines):
-        table.add_row(
+        table.add(
             it.kind,
             str(it.candidates),
             f"{it.kept} ({it.kept / it.candidates:.0%})",
@@ -124,4 +122,4 @@ def _print_yield(lines: Iterable[Line]) -> None:
             f"{it.solved} of {it.tried}" if it.tried else "",
             ", ".join(f"{check} {count}" for check, count in it.rejected),
         )
-    Console().print(table)
+    table.show()

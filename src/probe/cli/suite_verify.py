@@ -8,14 +8,12 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.assets.library import Library
 from probe.certify.verify.balance import balances
 from probe.certify.verify.check import Depth, check, rebuild_problem
 from probe.certify.verify.verdict import CHECKS, Verdict, read_verdict, write_verdict
-from probe.cli.bars import bar
+from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import Pool, everything, library, tables_for
 from probe.errors import ProbeError
@@ -107,16 +105,15 @@ def _rebuilt(
 def _print(
     suite: Suite, verdicts: Sequence[Verdict], changed: dict[str, str], rebuilt: int
 ) -> None:
-    console = Console()
-    console.print(_table(suite.name, verdicts))
+    _table(suite.name, verdicts).show()
     told = (_failures(verdicts), _balance_lines(suite), _history_lines(verdicts))
     for line in (*chain(*told), *_observer_lines(verdicts)):
-        console.print(line, highlight=False)
+        say(line)
     if rebuilt:
         same = rebuilt - len(changed)
-        console.print(f"{same} of {rebuilt} that were rebuilt from their seeds are the same.")
+        say(f"{same} of {rebuilt} that were rebuilt from their seeds are the same.")
     for task, problem in changed.items():
-        console.print(f"{task}: rebuilt: {problem}")
+        say(f"{task}: rebuilt: {problem}")
 
 
 def _table(name: str, verdicts: Sequence[Verdict]) -> Table:
@@ -124,7 +121,7 @@ def _table(name: str, verdicts: Sequence[Verdict]) -> Table:
     for kind in sorted({verdict.kind for verdict in verdicts}):
         mine = [verdict for verdict in verdicts if verdict.kind == kind]
         cells = [_passed(check, mine) for check in CHECKS]
-        table.add_row(kind, str(len(mine)), str(sum(v.holds for v in mine)), *cells)
+        table.add(kind, str(len(mine)), str(sum(v.holds for v in mine)), *cells)
     return table
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -14,6 +14,7 @@ from probe.assets.annotation.words import Described
 from probe.errors import BadData
 from probe.files import fault, write_text
 from probe.reading import words
+from probe.texts import cell, uncell
 
 TABLE = "review.csv"
 _REMEDY = "Correct that line, or delete the file to have it written anew; nothing was changed."
@@ -26,10 +27,8 @@ def write_table(path: Path, notes: Sequence[Note]) -> None:
     table.writerow(["id", *FIELDS, "said by", "problem"])
     for note in notes:
         by = ";".join(note.origins[field] for field in FIELDS)
-        table.writerow(
-            [note.id, note.name, note.category, ";".join(note.colours), note.description, by]
-            + [note.problem]
-        )
+        told = (note.id, note.name, note.category, ";".join(note.colours), note.description)
+        table.writerow(map(cell, (*told, by, note.problem)))
     write_text(path, text.getvalue())
 
 
@@ -44,16 +43,25 @@ def corrected(path: Path, notes: Sequence[Note]) -> tuple[Note, ...]:
         text = words(path, encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise BadData(path, f"can't be read as UTF-8 text ({error})", _REMEDY) from error
-    lines = csv.DictReader(io.StringIO(text))
-    if lines.fieldnames is None or not {"id", *FIELDS} <= set(lines.fieldnames):
-        raise BadData(path, f"lacks one of the columns id, {', '.join(FIELDS)}", _REMEDY)
-    for line in lines:
+    for number, line in _lines(path, text):
         note = known.get(line["id"])
         if note is None:
-            raise BadData(f"{path}:{lines.line_num}", f"no object is called {line['id']}", _REMEDY)
+            raise BadData(f"{path}:{number}", f"no object is called {line['id']}", _REMEDY)
         if _differs(note, line):
-            known[note.id] = said(note, _words(path, lines.line_num, line), "human")
+            known[note.id] = said(note, _words(path, number, line), "human")
     return tuple(known.values())
+
+
+def _lines(path: Path, text: str) -> Iterator[tuple[int, dict[str, str]]]:
+    """The lines of a table with their numbers; what a line lacks is empty."""
+    reader = csv.DictReader(io.StringIO(text), restval="")
+    try:
+        if reader.fieldnames is None or not {"id", *FIELDS} <= set(reader.fieldnames):
+            raise BadData(path, f"lacks one of the columns id, {', '.join(FIELDS)}", _REMEDY)
+        for cells in reader:
+            yield reader.line_num, {name: uncell(str(cells[name])) for name in ("id", *FIELDS)}
+    except csv.Error as error:
+        raise BadData(f"{path}:{reader.line_num}", str(error), _REMEDY) from error
 
 
 def _differs(note: Note, line: Mapping[str, str]) -> bool:
