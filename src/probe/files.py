@@ -39,7 +39,7 @@ def write_bytes(path: Path, content: bytes) -> None:
         if temporary:
             with contextlib.suppress(OSError):
                 os.unlink(temporary)
-        raise OutputFailed(path, error.strerror or str(error)) from error
+        raise OutputFailed(path, error) from error
 
 
 def check_new(out: Path) -> None:
@@ -90,7 +90,7 @@ def whole_folder(folder: Path) -> Generator[Path]:
         building.chmod(0o755)
         building.rename(folder)
     except OSError as error:
-        raise OutputFailed(folder, error.strerror or str(error)) from error
+        raise OutputFailed(folder, error) from error
     finally:
         if building is not None:
             with contextlib.suppress(OSError):

@@ -49,12 +49,25 @@ COMMANDS: dict[str, _Command] = {
 }
 
 
+_MEMORY = (
+    "Raise the limit (ulimit -v), leave other programs, or ask for less (--workers 1); else "
+    "install PROBE again."
+)
+
+
 def main() -> None:
-    """Run the command line; expected failures become one line and exit status 1."""
+    """Run the command line; expected failures become one line and exit status 1.
+
+    So does a lack of memory.
+    """
     try:
         _run(sys.argv[1:])
     except ProbeError as failure:
         _end(str(failure))
+    except (MemoryError, ImportError) as failure:
+        # A library that can't be mapped into memory is said to be missing.
+        reason = " ".join(str(failure).split()) or "there is none left"
+        _end(f"Memory ran out, or the installation is broken: {reason}. {_MEMORY}")
     except KeyboardInterrupt:
         _end("interrupted")
 

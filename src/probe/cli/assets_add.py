@@ -23,6 +23,7 @@ from probe.assets.importers.order import Order
 from probe.assets.importers.source import Axis, Format
 from probe.assets.library import own_folder, scans_folder
 from probe.cli.assets_split import near_duplicates, show_pairs
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import Column, Table, say, track
 from probe.cli.surroundings import assets_folder, cache_folder, library, library_folder
 
@@ -52,6 +53,7 @@ def add_objects(
         source: Who made them, for objects whose files don't say.
         workers: Processes.
     """
+    check_numbers({"--workers": workers})
     order = Order(format, _METRES[unit] if unit else None, up, licence, source)
     sources = find_sources(path, order)
     target = Target(library_folder(), cache_folder())
@@ -73,6 +75,7 @@ def check_objects(
         what: scans or own (pools), or a folder or file of objects.
         workers: Processes; with 1, the time of collision pieces is that of one core.
     """
+    check_numbers({"--workers": workers})
     candidates = _candidates(what)
     verdicts = list(track(check(candidates, workers), "Checking", total=len(candidates)))
     table = Table(Column("object", overflow="fold"), "verdict", "pieces", "s")

@@ -26,6 +26,7 @@ from probe.assets.annotation.words import describe
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.cli.models import model_behind
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import say, track
 from probe.cli.surroundings import Pool, library, library_folder
 from probe.errors import BadData, ModelFailed
@@ -62,6 +63,7 @@ def annotate(
         limit: Only so many of them.
         timeout: Seconds to wait for a reply before trying again.
     """
+    check_numbers({"--limit": limit, "--timeout": timeout})
     objects, ask = library(pool), model_behind(endpoint, model, timeout)
     waiting = [spec for spec in objects.specs[:limit] if not _is_done(out, spec)]
     with Renderer() as renderer:

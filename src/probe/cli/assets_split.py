@@ -9,6 +9,7 @@ from probe.assets.importers.parallel import spread
 from probe.assets.library import Library
 from probe.assets.nearness import Fingerprint, NearPair, fingerprint, near_pairs
 from probe.assets.split import EVALUATION_SHARE, Split, read_split, split_objects, write_split
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import Column, Table, say, track
 from probe.cli.surroundings import Pool, library
 from probe.errors import WorkerDied
@@ -33,6 +34,7 @@ def split(
         share: Of groups that go to evaluation, if the file is new.
         workers: Processes.
     """
+    check_numbers({"--share": share, "--workers": workers})
     objects = library(pool)
     ids = [spec.id for spec in objects.specs]
     pairs = near_duplicates(objects, ids, workers)

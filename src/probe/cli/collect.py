@@ -9,6 +9,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import bar, say
 from probe.cli.seats import price_of
 from probe.cli.shards import parse_shard
@@ -60,8 +61,16 @@ class Extent:
         if self.first < FIRST_EPISODE:
             reason = f"{self.first} isn't for training"
             raise BadData("--first", reason, f"Say {FIRST_EPISODE} or more")
-        if self.batch < 1 or self.direct_runs < 1:
-            raise BadData("--batch, --direct-runs", "leave nothing to do", "Say 1 or more")
+        check_numbers(
+            {
+                "--batch": self.batch,
+                "--direct-runs": self.direct_runs,
+                "--first": self.first,
+                "--most-episodes": self.most_episodes,
+                "--most-cost": self.most_cost,
+                **{f"--counts.{kind}": count for kind, count in counts.items()},
+            }
+        )
         aim = Aim(
             counts=counts,
             first=self.first,
@@ -97,6 +106,7 @@ def collect(
         site: Who teaches, with what.
         extent: How much, and in which arms.
     """
+    check_numbers({"--total": total, "--workers": site.workers})
     aim = extent.aim(counts if total is None else in_proportion(counts, total))
     if extent.most_cost is not None and site.model is not None:
         _check_price(site.prices, site.model)

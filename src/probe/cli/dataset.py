@@ -10,6 +10,7 @@ from typing import Annotated
 import tyro
 
 from probe.assets.cache import Cache
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import say, track
 from probe.cli.surroundings import Pool, opener
 from probe.episodes.seat import Points
@@ -51,6 +52,7 @@ def dataset(
         workers: Processes that draw.
     """
     check_new(out)
+    check_numbers({"--workers": workers})
     if not _SMALLEST_PX <= side <= PICTURE_PX:
         raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {PICTURE_PX}")
     chosen = read_selection(selected)

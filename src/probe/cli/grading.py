@@ -11,6 +11,7 @@ from probe.episodes.folder import RECORDS, SUITE, in_order
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.report.darkroom import Darkroom
+from probe.scene.scene import Scene
 from probe.tasks.grading import Score
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
@@ -44,9 +45,30 @@ def grade_folder(out: Path, suite: Suite, darkroom: Darkroom) -> list[Graded]:
         if record.task not in tasks:
             remedy = "Move one of them elsewhere"
             raise BadData(out / RECORDS, f"{record.task} is not in {SUITE}", remedy)
+        _check_things(out / RECORDS, record, tasks[record.task])
     places = sorted(range(len(records)), key=lambda place: records[place].task)
     scores = {
         place: darkroom.score(tasks[records[place].task], records[place])
         for place in track(places, f"Grading {out.name}")
     }
     return [(tasks[it.task], it, scores[place]) for place, it in enumerate(records)]
+
+
+def _check_things(path: Path, record: EpisodeRecord, task: Task) -> None:
+    """See that a record's scenes hold what its task's does: nobody takes anything off a table.
+
+    Raises:
+        BadData: They don't.
+    """
+    there = _things(task.scene)
+    for number, scene in enumerate(record.scenes):
+        if _things(scene) != there:
+            when = f"after call {number}" if number else "at the start"
+            reason = (
+                f"{record.task}, run {record.run}: {when} there are other objects than in {SUITE}"
+            )
+            raise BadData(path, reason, "Delete this line and run the episode again")
+
+
+def _things(scene: Scene) -> set[tuple[int, str]]:
+    return {(placed.instance, placed.object_id) for placed in scene.objects}

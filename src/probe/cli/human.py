@@ -13,6 +13,7 @@ from typing import Annotated
 import tyro
 
 from probe.assets.library import Library
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import say
 from probe.cli.surroundings import cache_folder, everything
 from probe.episodes.episode import Episode
@@ -49,6 +50,7 @@ def human(
         noise: How far the hand errs, as in `probe run`; the same for all records of a folder.
         seats: Tables that may stand at once; each takes some memory.
     """
+    check_numbers({"--port": port, "--seats": seats})
     try:
         from probe.doors.human.hall import Hall
         from probe.doors.human.server import run

@@ -10,7 +10,8 @@ import tyro
 from probe.chat.prompts import Arm
 from probe.cli.agents import AgentName, make_agent
 from probe.cli.dry_run import would_ask
-from probe.cli.fitting import check_counts, check_pointer, refuse_stray
+from probe.cli.fitting import check_pointer, refuse_stray
+from probe.cli.numbers import check_numbers
 from probe.cli.running import check_whole, run_order
 from probe.cli.screen import say
 from probe.cli.seats import Seats, take_seats
@@ -67,7 +68,8 @@ def run(
         dry_run: Only say how much would be asked of the model.
     """
     part = parse_shard(shard)
-    check_counts({"--runs": runs, "--epochs": epochs, "--workers": workers})
+    check_numbers({"--runs": runs, "--epochs": epochs, "--workers": workers})
+    check_numbers({"--pose-jitter": conditions.pose_jitter})
     if model is None:
         refuse_stray("without --model", {
             "--arm": arm, "--epochs": epochs, "--points": points, "--pointer": pointer,

@@ -10,6 +10,7 @@ import tyro
 
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import say, track
 from probe.cli.surroundings import Pool, assets_folder, cache_folder, library
 from probe.files import encode, write_bytes, write_picture
@@ -59,6 +60,7 @@ def scene(
         camera: From above, or obliquely from the front.
         renderer: What draws colour; blender needs the extra of that name, and more time.
     """
+    check_numbers({"--seed": seed, "--objects": objects, "--buried": buried, "--gallery": gallery})
     things, pile = library(pool), Pile(reach, buried)
     with Renderer(cache_folder() / "light", renderer) as drawing:
         studio = _Studio(drawing, view_camera(camera), light_of(Lighting(lighting), things.assets))

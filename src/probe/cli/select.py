@@ -11,6 +11,7 @@ import tyro
 from probe.assets.fingerprint import Fingerprint
 from probe.assets.split import read_split
 from probe.cli.near import near_groups, those_here
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import Table, say
 from probe.cli.surroundings import cache_folder, everything
 from probe.errors import BadData
@@ -59,6 +60,8 @@ def select(
         raise BadData("probe select", "was given no folder", "Name one that collect wrote")
     if not 0 <= direct_share <= 1:
         raise BadData("--direct-share", f"{direct_share} is no share", "Say a number from 0 to 1")
+    counted = {f"--counts.{kind}": count for kind, count in (counts or {}).items()}
+    check_numbers({**counted, "--slack": slack, "--seed": seed, "--workers": workers})
     check_new(out)
     objects: dict[str, Fingerprint] = {}
     candidates, unfinished = candidates_of(collected, objects)

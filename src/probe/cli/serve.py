@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import warn
 from probe.cli.surroundings import everything
 from probe.doors.session import Session
@@ -44,6 +45,7 @@ def serve(
         from probe.doors.mcp_server import serve as serve_mcp
     except ImportError as error:
         raise MissingExtra("Serving the tools", "serve") from error
+    check_numbers({"--seed": seed})
     tasks = find_suite(suite)
     chosen = _chosen(tasks, task, seed)
     things = everything()

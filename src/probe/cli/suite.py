@@ -11,6 +11,7 @@ import tyro
 from probe.assets.library import Library
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
 from probe.certify.parts import Line, Making, Parts, Place
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
@@ -58,6 +59,7 @@ def build(
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
     """
+    check_numbers({"--first": first, **{f"--counts.{kind}": n for kind, n in counts.items()}})
     parts, things = Parts(out.with_suffix(".parts")), library(pool)
     places = places_of(counts, first)
     if not places:

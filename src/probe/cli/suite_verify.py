@@ -13,6 +13,7 @@ from probe.assets.library import Library
 from probe.certify.verify.balance import balances
 from probe.certify.verify.check import Depth, check, rebuild_problem
 from probe.certify.verify.verdict import CHECKS, Verdict, read_verdict, write_verdict
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import Pool, everything, library, tables_for
@@ -53,6 +54,7 @@ def verify(
         pool: Which objects the suite was made of, for that.
         shard: "0/2" and "1/2" in two processes share the work; then run once more without.
     """
+    check_numbers({"--histories": histories, "--rebuild": rebuild})
     frozen, things = find_suite(suite), everything()
     check_objects(frozen, things)
     folder = out or Path("outputs") / f"verify-{frozen.name}"

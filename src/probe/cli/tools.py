@@ -7,6 +7,7 @@ from pathlib import Path
 import tyro
 
 from probe.assets.library import Library
+from probe.cli.numbers import check_numbers
 from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import Pool, library
@@ -51,6 +52,8 @@ def bench(
         graspgen: Address of a GraspGen server ("tcp://localhost:5556") that proposes the grasps,
             instead of the built-in planner.
     """
+    check_numbers({"--grasps": grasps, "--pushes": pushes})
+    check_numbers({"--first-seed": first_seed, "--sigma": sigma})
     part = parse_shard(shard)
     level = NOISES[noise]
     error = level.grasp if sigma is None else sigma

@@ -63,7 +63,7 @@ def append_line(path: Path, line: bytes) -> None:
         with path.open("ab", buffering=0) as file:
             _write_whole(file, line)
     except OSError as error:
-        raise OutputFailed(path, error.strerror or str(error)) from error
+        raise OutputFailed(path, error) from error
 
 
 def cut_off(path: Path) -> bytes:
@@ -97,7 +97,7 @@ def set_aside_cut(path: Path) -> Path | None:
     try:
         os.truncate(path, path.stat().st_size - len(rest))
     except OSError as error:
-        raise OutputFailed(path, error.strerror or str(error)) from error
+        raise OutputFailed(path, error) from error
     return aside
 
 

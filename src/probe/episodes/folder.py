@@ -160,7 +160,7 @@ def alone(folder: Path) -> Generator[None]:
         folder.mkdir(parents=True, exist_ok=True)
         handle = os.open(folder, os.O_RDONLY)
     except OSError as error:
-        raise OutputFailed(folder, error.strerror or str(error)) from error
+        raise OutputFailed(folder, error) from error
     try:
         fcntl.flock(handle, fcntl.LOCK_EX)
         yield

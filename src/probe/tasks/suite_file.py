@@ -13,6 +13,7 @@ from probe import reading
 from probe.errors import UnknownName
 from probe.files import read_document, write_text
 from probe.scene.document import SceneDocument
+from probe.scene.layout import PICTURE_PX
 from probe.scene.visibility import Visibility
 from probe.tasks.suite import Suite
 from probe.tasks.task import LETTERS, Certificate, Form, Letter, Mark, Option, QuestionKind, Task
@@ -20,7 +21,14 @@ from probe.tasks.task import LETTERS, Certificate, Form, Letter, Mark, Option, Q
 CANARY = "PROBE SUITE; NOT FOR TRAINING; canary 6d0f1c52-6c0e-4e7c-9a53-0b6f2f8f7d41"
 """Anyone who finds this text in training data knows that a suite got there."""
 
+_FEWEST_TARGETS: dict[QuestionKind, int] = {
+    "beneath": 1, "find": 1, "compare": 2, "reduce": 1, "size": 2
+}  # fmt: skip
+
 _REMEDY = "Fetch the suite again, or build it with `probe suite build`"
+
+
+_Pixel = Annotated[int, pydantic.Field(ge=0, lt=PICTURE_PX)]
 
 
 class VisibilityDocument(pydantic.BaseModel, extra="forbid"):
@@ -43,7 +51,7 @@ class MarkDocument(pydantic.BaseModel, extra="forbid"):
 
     letter: Letter
     instance: int
-    point: tuple[int, int]
+    point: tuple[_Pixel, _Pixel]
 
 
 class TaskDocument(pydantic.BaseModel, extra="forbid"):
@@ -52,7 +60,7 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
     id: str = pydantic.Field(pattern=r"^[a-z0-9-]+$")
     kind: QuestionKind
     form: Form
-    seed: int
+    seed: int = pydantic.Field(ge=0)
     version: int
     subject: str
     question: str
@@ -74,6 +82,8 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
             raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
         if self.answer not in LETTERS[: len(self.options)]:
             raise ValueError(f"its answer {self.answer} is none of its options")
+        if len(self.targets) < _FEWEST_TARGETS.get(self.kind, 0):
+            raise ValueError(f"{self.kind} is about {_FEWEST_TARGETS[self.kind]} targets or more")
         return self
 
     @staticmethod
