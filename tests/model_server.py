@@ -15,7 +15,8 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 class Reply:
     """What one request gets: words, a refusal, or an error's status; after a wait in seconds.
 
-    Calls are names and arguments, the latter as they stand on the wire.
+    Calls are names and arguments, the latter as they stand on the wire; in OpenAI's chat their ids
+    may be given, and how many choices there are. The words of an error may be, too.
     """
 
     words: str | None = None
@@ -23,6 +24,9 @@ class Reply:
     status: int = 200
     wait: float = 0.0
     calls: tuple[tuple[str, str], ...] = ()
+    ids: tuple[str, ...] = ()
+    choices: int = 1
+    error: str = ""
 
 
 @dataclass
@@ -53,7 +57,7 @@ def in_chat(number: int, reply: Reply) -> dict[str, object]:
     if reply.calls:
         message["tool_calls"] = [
             {
-                "id": f"r{number}c{n}",
+                "id": reply.ids[n] if reply.ids else f"r{number}c{n}",
                 "type": "function",
                 "function": {"name": name, "arguments": text},
             }
@@ -67,7 +71,7 @@ def in_chat(number: int, reply: Reply) -> dict[str, object]:
     usage = {"prompt_tokens": 100, "completion_tokens": 10, "total_tokens": 110}
     return {
         "id": "x", "object": "chat.completion", "created": 0, "model": "m",
-        "choices": [choice], "usage": usage,
+        "choices": [choice] * reply.choices, "usage": usage,
     }  # fmt: skip
 
 
@@ -150,7 +154,7 @@ def serving(
             time.sleep(reply.wait)
             whole = said(self.path, number, reply)
             if reply.status != 200:
-                whole = {"error": {"message": f"status {reply.status}", "type": "x"}}
+                whole = {"error": {"message": reply.error or f"status {reply.status}", "type": "x"}}
             content = json.dumps(whole).encode()
             try:
                 self.send_response(reply.status)

@@ -1,5 +1,9 @@
 """Everything PROBE raises on purpose; each message says what would have worked."""
 
+from __future__ import annotations
+
+import errno
+
 
 class ProbeError(Exception):
     """Base of all expected failures; the command line prints it without a traceback."""
@@ -46,6 +50,20 @@ class WorkerDied(ProbeError):
         super().__init__(f"A worker process died while {doing}. Run it again with --workers 1.")
 
 
+class Unfinished(ProbeError):
+    """Something is missing of what was asked for, though what is there is whole.
+
+    Args:
+        missing: How many.
+        total: Of how many.
+        what: Of what ("episodes").
+        remedy: How to go on.
+    """
+
+    def __init__(self, missing: int, total: int, what: str, remedy: str) -> None:
+        super().__init__(f"{missing} of {total} {what} are missing. {remedy}")
+
+
 class ModelFailed(ProbeError):
     """A model gave no reply, or none that can be used."""
 
@@ -75,10 +93,35 @@ class DownloadFailed(ProbeError):
 
 
 class OutputFailed(ProbeError):
-    """Results can't be written (a full disk, a folder without permission)."""
+    """Results can't be written (a full disk, a folder without permission).
 
-    def __init__(self, path: object, reason: str) -> None:
-        super().__init__(
-            f"{path}: {reason}. Free some space or choose another folder; "
-            "nothing half-written is left."
-        )
+    Args:
+        path: Where to.
+        reason: What the system said, or words.
+    """
+
+    def __init__(self, path: object, reason: OSError | str) -> None:
+        code = reason.errno if isinstance(reason, OSError) else None
+        remedy = _OUTPUT_REMEDIES.get(code or 0, "Choose another folder")
+        words = (reason.strerror or str(reason)) if isinstance(reason, OSError) else reason
+        super().__init__(f"{path}: {words}. {remedy}; nothing half-written is left.")
+
+
+_FULL = "Free some space or choose another folder"
+_FORBIDDEN = "Choose a folder that you may write to, or have its permissions changed"
+_TAKEN = "Something else of that name is in the way: move it, or choose another folder"
+_LONG = "Choose a shorter name"
+_OUTPUT_REMEDIES = {
+    errno.ENOSPC: _FULL,
+    errno.EDQUOT: _FULL,
+    errno.EFBIG: _FULL,
+    errno.EACCES: _FORBIDDEN,
+    errno.EPERM: _FORBIDDEN,
+    errno.EROFS: _FORBIDDEN,
+    errno.ENOTDIR: _TAKEN,
+    errno.EISDIR: _TAKEN,
+    errno.EEXIST: _TAKEN,
+    errno.ENOTEMPTY: _TAKEN,
+    errno.ENAMETOOLONG: _LONG,
+}
+"""What to do, by why a file can't be written."""

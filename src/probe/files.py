@@ -14,6 +14,7 @@ from typing import TypeVar
 from PIL import Image
 from pydantic import BaseModel, ValidationError
 
+from probe import reading
 from probe.checksum import without_sum
 from probe.errors import BadData, OutputFailed
 from probe.types import Array
@@ -39,7 +40,7 @@ def write_bytes(path: Path, content: bytes) -> None:
         if temporary:
             with contextlib.suppress(OSError):
                 os.unlink(temporary)
-        raise OutputFailed(path, error.strerror or str(error)) from error
+        raise OutputFailed(path, error) from error
 
 
 def write_secret(path: Path, text: str) -> None:
@@ -60,7 +61,7 @@ def write_secret(path: Path, text: str) -> None:
         with contextlib.suppress(FileExistsError):
             os.link(temporary, path)
     except OSError as error:
-        raise OutputFailed(path, error.strerror or str(error)) from error
+        raise OutputFailed(path, error) from error
     finally:
         if temporary:
             with contextlib.suppress(OSError):
@@ -115,7 +116,7 @@ def whole_folder(folder: Path) -> Generator[Path]:
         building.chmod(0o755)
         building.rename(folder)
     except OSError as error:
-        raise OutputFailed(folder, error.strerror or str(error)) from error
+        raise OutputFailed(folder, error) from error
     finally:
         if building is not None:
             with contextlib.suppress(OSError):
@@ -140,7 +141,11 @@ def encode(image: Image.Image, layout: str, *, quality: int = 75) -> bytes:
 
 
 def read_document(
-    path: Path, model: type[Document], remedy: str, missing: str = "Check the path"
+    path: Path,
+    model: type[Document],
+    remedy: str,
+    missing: str = "Check the path",
+    most: int = reading.DOCUMENT,
 ) -> Document:
     """Read a JSON file that holds one document, with a checksum at its end or without.
 
@@ -149,13 +154,14 @@ def read_document(
         model: Its schema.
         remedy: What to do about a file that breaks it.
         missing: What to do about a file that can't be read.
+        most: Bytes that it may have.
 
     Raises:
-        BadData: It can't be read, has changed since its checksum was made, or breaks the schema;
-            the first broken field is named.
+        BadData: It can't be read, is too large, has changed since its checksum was made, or breaks
+            the schema; the first broken field is named.
     """
     try:
-        return model.model_validate_json(without_sum(path.read_bytes()))
+        return model.model_validate_json(without_sum(reading.json_contents(path, most)))
     except OSError as error:
         raise BadData(path, error.strerror or str(error), missing) from error
     except ValidationError as error:

@@ -54,8 +54,11 @@ def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, mis
             *(tmp_path, "--endpoint", server.url, "--arms", "direct", "--workers", "1"),
             *("--most-episodes", "1"),
         )
-    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert ended.returncode == missing, ended.stdout + ended.stderr
     assert f"{missing} missing by our fault" in ended.stdout
+    if missing:
+        told = "1 of 1 successes are missing. The budget of episodes is spent"
+        assert told in ended.stderr
     (grade,) = batches(tmp_path)[0].grades()
     assert grade.correct is (None if missing else True)
     assert len(refused) == (3 if missing else 1)

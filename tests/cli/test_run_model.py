@@ -166,6 +166,25 @@ def test_a_server_that_isnt_there_is_named_and_nothing_is_left(tmp_path):
         capture_output=True, text=True, timeout=PATIENCE,
     )  # fmt: skip
     assert ended.returncode == 1
-    assert "doesn't answer" in ended.stderr and "--endpoint" in ended.stderr
+    assert "http://127.0.0.1:9/v1 can't be reached (" in ended.stderr
+    assert "--endpoint" in ended.stderr and "RetryError" not in ended.stderr
     assert "Traceback" not in ended.stderr
     assert not (tmp_path / "out" / RECORDS).exists()
+
+
+def test_what_is_missing_is_counted_and_a_failure(tmp_path):
+    """A server that dies after its first word: each episode is a fault that names the reason."""
+    suite = suite_file(tmp_path, (COUNT, FIND))
+
+    def dies(number: int, body: dict[str, Any]) -> Reply:
+        return Reply("Hello.") if number == 0 else Reply(status=400)
+
+    with serving(dies) as server:
+        ended = subprocess.run(
+            [sys.executable, "-m", "probe", "run", str(suite), "--model", "mine", "--endpoint",
+             server.url, "--arm", "blind", "--epochs", "1", "--out", str(tmp_path / "out")],
+            capture_output=True, text=True, timeout=PATIENCE,
+        )  # fmt: skip
+    assert ended.returncode == 1
+    told = "probe: 2 of 2 episodes are missing. The same command tries them again.\n"
+    assert ended.stderr.endswith(told)

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from probe.errors import BadData
 from probe.perception.dials import Dialled, Dials, luck
 from probe.perception.oracle import NoLabels, Oracle
 from probe.perception.things import Thing, Words
@@ -132,7 +133,7 @@ def test_luck_is_a_probability(state):
 
 
 def test_rates_out_of_bounds_are_refused():
-    with pytest.raises(ValueError, match="missed is 1.5"):
+    with pytest.raises(BadData, match="--dials.missed: 1.5 is no rate"):
         Dials(missed=1.5)
 
 

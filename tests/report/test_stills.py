@@ -63,7 +63,7 @@ def test_a_picture_that_another_folder_has_is_taken_over(tmp_path):
 
 def test_a_picture_that_cannot_be_read_is_named(tmp_path):
     (tmp_path / "b" / "x.jpg").mkdir(parents=True)
-    with pytest.raises(BadData, match="x.jpg: Is a directory. Delete it; it is drawn again"):
+    with pytest.raises(BadData, match="x.jpg: is a folder, not a file. Delete it; it is"):
         develop(STILL, TASK, tmp_path / "x.jpg", nowhere(), [tmp_path / "b"])
 
 

@@ -11,6 +11,7 @@ from probe.assets.gltf_tree import check_counts, check_nodes
 from probe.assets.gltf_uris import check_images, check_uris
 from probe.assets.shaping import EXPORT_AGAIN
 from probe.errors import BadMesh
+from probe.reading import opened
 
 MAX_JSON_BYTES = 64 * 2**20
 MAX_BYTES = 2**30
@@ -52,7 +53,7 @@ def read_tree(path: Path) -> tuple[dict[str, Any], int]:
         if size > MAX_BYTES:
             remedy = "Reduce its triangles and textures."
             raise BadMesh(path, f"the file has {size / 2**20:,.0f} MB", remedy)
-        with path.open("rb") as file:
+        with opened(path) as file:
             if size == 0:
                 raise BadMesh(path, "the file is empty", "Copy or download it again.")
             start, length = 0, size

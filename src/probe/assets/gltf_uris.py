@@ -13,6 +13,7 @@ from probe.assets.confined import confined
 from probe.assets.pictures import check_picture
 from probe.assets.shaping import EXPORT_AGAIN
 from probe.errors import BadMesh
+from probe.reading import opened
 
 
 def check_uris(path: Path, tree: dict[str, Any]) -> None:
@@ -65,7 +66,7 @@ def _picture(
     source = path if uri is None else _named(path, uri)
     if isinstance(source, io.BytesIO):
         return io.BytesIO(source.getvalue()[start : start + length])
-    with source.open("rb") as file:
+    with opened(source) as file:
         file.seek(start + (data_start if uri is None else 0))
         return io.BytesIO(file.read(max(0, length)))
 

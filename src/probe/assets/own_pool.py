@@ -7,6 +7,7 @@ import os
 import shutil
 from pathlib import Path
 
+from probe import reading
 from probe.assets.cache import Cache, content_key
 from probe.assets.entry import Entry, read_entry
 from probe.assets.glb import GLB_VERSION, load_glb
@@ -16,6 +17,7 @@ from probe.assets.pieces import PIECES_VERSION, convex_pieces
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, OutputFailed, UnknownName
 from probe.files import whole_folder, write_bytes, write_text
+from probe.reading import contents
 
 MESH, ENTRY = "object.glb", "entry.json"
 VERSION = f"{LAYOUT} {GLB_VERSION} {PIECES_VERSION}"
@@ -90,7 +92,7 @@ def replace_object(folder: Path, entry: Entry, glb: bytes) -> None:
     try:
         os.rename(folder / entry.id, leaving)
     except OSError as error:
-        raise OutputFailed(folder / entry.id, error.strerror or str(error)) from error
+        raise OutputFailed(folder / entry.id, error) from error
     try:
         store_object(folder, entry, glb)
     except BaseException:
@@ -118,7 +120,7 @@ def _entry(home: Path) -> Entry:
 
 def _bytes(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return contents(path, reading.MESH)
     except OSError as error:
         remedy = "Remove the object's folder and add it again."
         raise BadMesh(path, error.strerror or "can't be read", remedy) from error

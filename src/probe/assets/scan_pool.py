@@ -13,6 +13,7 @@ from probe.assets.pieces import PIECES_VERSION, convex_pieces
 from probe.assets.scans import ScanRow, SourceRow, scan_rows, scan_sources
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, UnknownName
+from probe.reading import MESH, contents
 
 VERSION = f"{LAYOUT} {GLB_VERSION} {PIECES_VERSION}"
 
@@ -91,7 +92,7 @@ def _path(folder: Path, object_id: str) -> Path:
 def _bytes(folder: Path, object_id: str) -> bytes:
     path = _path(folder, object_id)
     try:
-        return path.read_bytes()
+        return contents(path, MESH)
     except OSError as error:
         remedy = "The folder of scans is incomplete: copy it again."
         raise BadMesh(path, error.strerror or "can't be read", remedy) from error

@@ -11,6 +11,7 @@ from typing import Annotated, Any, TypeVar
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from probe.errors import BadData
+from probe.reading import words
 from probe.types import Vector3
 
 CATALOGUE = "scans.csv"
@@ -82,7 +83,7 @@ def scan_sources(folder: Path) -> dict[str, SourceRow]:
     """
     path = folder / "index.csv"
     try:
-        text = path.read_text("utf-8")
+        text = words(path)
     except (OSError, UnicodeDecodeError) as error:
         remedy = "PROBE_ASSETS has to name a folder with scans/index.csv and scans/*.glb."
         raise BadData(path, f"can't be read ({error})", remedy) from error

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import io
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -16,6 +17,7 @@ from probe.assets.recipes import recipe
 from probe.assets.tabletops import tops
 from probe.assets.tabletops.noise import normals_of
 from probe.errors import BadData, UnknownName
+from probe.reading import MESH, contents
 from probe.types import Array
 
 TILE_SIZES = {
@@ -33,6 +35,7 @@ TILE_SIZES = {
 AmbientCG seldom says; where it does, 1 m is usual.
 """
 USUAL_TILE_SIZE = 1.0
+_LARGEST_PX = 16_384
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,9 +168,12 @@ def _map(folder: Path, kind: str) -> Array | None:
     if not files:
         return None
     try:
-        with Image.open(files[0]) as image:
+        content = io.BytesIO(contents(files[0], MESH))
+        with Image.open(content, formats=("JPEG", "PNG")) as image:
+            if max(image.size) > _LARGEST_PX:
+                raise ValueError(f"it has {image.width} x {image.height} pixels")
             return np.asarray(image.convert("RGB"), dtype=np.uint8)
-    except (OSError, ValueError, SyntaxError) as error:
+    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
         remedy = "Unpack the material again."
         raise BadData(files[0], f"can't be read ({error})", remedy) from error
 

@@ -8,11 +8,22 @@ mend. Knows no tools.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, cast
 
-from inspect_ai.model import ChatMessage, GenerateConfig, Model, ModelAPI, ModelCall, ModelOutput
+from inspect_ai.model import (
+    ChatCompletionChoice,
+    ChatMessage,
+    ChatMessageAssistant,
+    GenerateConfig,
+    Model,
+    ModelAPI,
+    ModelCall,
+    ModelOutput,
+)
 from inspect_ai.tool import ToolCall, ToolChoice, ToolInfo
+
+from probe.bench.writable import unreadable, writable_call, writable_output
 
 _BEFORE, _AFTER = "tool call arguments:\n\n", "\n\nError details:"
 """Around the arguments in what the harness says of a call that it can't read; so do we."""
@@ -20,11 +31,16 @@ _BEFORE, _AFTER = "tool call arguments:\n\n", "\n\nError details:"
 _REPLIES = ("choices", "output", "outputs")
 """Where replies stand in OpenAI's chat, its responses, and xAI's protocol."""
 
+_EMPTY = ChatCompletionChoice(message=ChatMessageAssistant(content=""))
+
 _Generated = ModelOutput | tuple[ModelOutput | Exception, ModelCall]
 
 
 def as_sent(model: Model) -> Model:
-    """A model whose calls aren't mended; what the harness caches of it isn't either."""
+    """A model whose calls aren't mended; what the harness caches of it isn't either.
+
+    What can't be written down, or read, of its replies is put right before anybody sees it.
+    """
     if not isinstance(model.api.generate, _AsSent):
         model.api.generate = _AsSent(model.api)
     return model
@@ -45,7 +61,7 @@ def is_object(text: str) -> bool:
 
 
 class _AsSent:
-    """Stands in for a provider's way to ask; undoes what was mended in its reply."""
+    """Stands in for a provider's way to ask; replies are as the model sent them, and writable."""
 
     def __init__(self, api: ModelAPI) -> None:
         self._generate = api.generate
@@ -57,16 +73,33 @@ class _AsSent:
         tool_choice: ToolChoice,
         config: GenerateConfig,
     ) -> _Generated:
-        generated = await self._generate(input, tools, tool_choice, config)
-        if isinstance(generated, tuple):
-            output, wire = generated
-            if isinstance(output, ModelOutput) and output.choices and wire.response:
-                calls = output.message.tool_calls or []
-                sent = list(_arguments([wire.response.get(place) for place in _REPLIES]))
-                if len(sent) == len(calls):
-                    for call, text in zip(calls, sent, strict=True):
-                        _undo(call, text)
-        return generated
+        try:
+            return _put_right(await self._generate(input, tools, tool_choice, config))
+        except (ValueError, RecursionError) as error:
+            reason = unreadable(error)
+            if reason is None:
+                raise
+            # The model's doing: it is told so, as of any reply without a call.
+            return ModelOutput(choices=[_EMPTY.model_copy(deep=True)], error=reason)
+
+
+def _put_right(generated: _Generated) -> _Generated:
+    if isinstance(generated, ModelOutput):
+        return writable_output(generated)
+    output, wire = generated
+    if not isinstance(output, ModelOutput):
+        return output, writable_call(wire)
+    if output.choices and wire.response:
+        _undo_all(output, wire.response)
+    return writable_output(output), writable_call(wire)
+
+
+def _undo_all(output: ModelOutput, response: Mapping[str, Any]) -> None:
+    calls = output.message.tool_calls or []
+    sent = list(_arguments([response.get(place) for place in _REPLIES]))
+    if len(sent) == len(calls):
+        for call, text in zip(calls, sent, strict=True):
+            _undo(call, text)
 
 
 def _undo(call: ToolCall, sent: str) -> None:

@@ -18,8 +18,8 @@ from inspect_ai.model import GenerateConfig, Model, get_model
 from probe.bench.harness import PATIENCE, harness_task
 from probe.bench.plan import Plan, missing_of
 from probe.bench.prices import Price
+from probe.bench.reasons import said, unreached
 from probe.bench.seating import ROLE, Seating
-from probe.bench.tally import said
 from probe.errors import MissingExtra, ModelFailed
 
 LOGS = "logs"
@@ -94,8 +94,17 @@ def greet(models: Sequence[Model]) -> None:
         try:
             anyio.run(_greet, model)
         except Exception as error:  # whatever a provider's client may raise
-            remedy = "Check --endpoint, the name and the key"
-            raise ModelFailed(f"{model} doesn't answer: {said(error)}. {remedy}.") from error
+            raise ModelFailed(_unanswered(model, error)) from error
+
+
+def _unanswered(model: Model, error: Exception) -> str:
+    reason, address = unreached(error), getattr(model.api, "base_url", None)
+    if reason is None:
+        remedy = "Check --endpoint, the name and the key"
+        return f"{model} doesn't answer: {said(error)}. {remedy}."
+    where = address or "The address of its provider"
+    remedy = "Start the server there, or say where it is with --endpoint"
+    return f"{model} doesn't answer: {where} can't be reached ({reason}). {remedy}."
 
 
 async def _greet(model: Model) -> None:

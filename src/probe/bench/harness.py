@@ -17,6 +17,7 @@ from probe.bench.played import Played
 from probe.bench.scoring import MISSING, RIGHT, STORE, WRONG, accuracy_by_type, graded
 from probe.bench.seating import Seating
 from probe.bench.stopping import Stopped
+from probe.texts import line
 
 _LOGGER = getLogger(__name__)
 
@@ -64,8 +65,9 @@ def _seat(seating: Seating) -> Solver:
             except (Stopped, LimitExceededError):
                 raise
             except Exception as error:  # a fault of ours; it mustn't take other samples with it
-                _LOGGER.warning("An episode came to nothing", exc_info=error)
-                reason = f"{type(error).__name__}: {error}"
+                reason = line(f"{type(error).__name__}: {error}")
+                _LOGGER.warning("An episode came to nothing: %s", reason)
+                _LOGGER.debug("An episode came to nothing", exc_info=error)
                 state.store.set(STORE, {"value": MISSING, "explanation": reason})
                 return state
             _show(state, played)

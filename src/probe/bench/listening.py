@@ -19,9 +19,11 @@ from inspect_ai.util import LimitExceededError
 
 from probe.bench.as_sent import as_sent
 from probe.bench.prices import Price
-from probe.bench.tally import Tally, said
+from probe.bench.reasons import said
+from probe.bench.tally import Tally
 from probe.episodes.seat import Points, Reply, Seat
 from probe.errors import ModelFailed
+from probe.texts import writable
 
 
 class Listener:
@@ -78,6 +80,9 @@ class Listener:
             name = self._model.name
             raise ModelFailed(f"{name} gave no reply {self._asked}: {reason}") from error
         self._tally.note_retries(self._which, seen)
+        if output.empty:
+            self._fault("none, the server sent no choice")
+            raise ModelFailed(f"{self._model.name} gave no reply {self._asked}: no choice in it")
         self._count(output)
         return output.message
 
@@ -111,7 +116,9 @@ class Listener:
             message.content = message.content.rstrip("\n")
         self.messages.append(message)
         self._tally.count(self._which, output, self._price)
-        if not output.message.text.strip() and not output.message.tool_calls:
+        if output.error:
+            self._fault(f"can't be read: {writable(output.error)}")
+        elif not output.message.text.strip() and not output.message.tool_calls:
             self._fault("empty")
         for call in output.message.tool_calls or []:
             if call.parse_error:

@@ -24,8 +24,10 @@ from probe.episodes.luck import NO_NOISE, Noise
 from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.seat import Points
+from probe.errors import BadData
 from probe.files import write_text
 from probe.perception.points import Convention
+from probe.reading import words
 from probe.runs.checks.folder import check_records
 from probe.runs.plan import Order
 from probe.runs.run import check_settings
@@ -160,4 +162,7 @@ def _name_of_replies(path: Path) -> str:
     """Of this folder alone: a run in another one asks the model anew."""
     if not path.exists():
         write_text(path, uuid.uuid4().hex + "\n")
-    return path.read_text().strip()
+    try:
+        return words(path).strip()
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadData(path, str(error), "Delete it; replies are asked for anew then") from error

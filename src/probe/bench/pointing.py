@@ -6,8 +6,10 @@ from inspect_ai.log import transcript
 from inspect_ai.model import CachePolicy, ChatMessageUser, ContentImage, ContentText, Model
 from inspect_ai.util import LimitExceededError
 
+from probe.bench.as_sent import as_sent
 from probe.bench.prices import Price
-from probe.bench.tally import Tally, said
+from probe.bench.reasons import said
+from probe.bench.tally import Tally
 from probe.bench.wire import data_uri
 from probe.runs.table_talk import Asked, Unanswered
 
@@ -23,7 +25,8 @@ class Pointing:
     """
 
     def __init__(self, model: Model, tally: Tally, cache: CachePolicy, price: Price | None) -> None:
-        self._model, self._tally, self._cache, self._price = model, tally, cache, price
+        self._model, self._tally = as_sent(model), tally
+        self._cache, self._price = cache, price
         self._known: dict[Asked, str] = {}
 
     async def __call__(self, asked: Asked) -> str | Unanswered:

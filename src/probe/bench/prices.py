@@ -11,12 +11,15 @@ import yaml
 
 from probe.errors import BadData
 from probe.files import fault
+from probe.reading import words
 
 if TYPE_CHECKING:
     from inspect_ai.model import ModelUsage
 
 _REMEDY = "See docs/models.md for its form"
 _MILLION = 1e6
+_MOST = 2**18
+"""Bytes of the file: thousands of models; reading YAML takes long."""
 
 
 class Price(pydantic.BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
@@ -43,12 +46,20 @@ def read_prices(path: Path) -> Prices:
         BadData: It can't be read, or breaks the schema.
     """
     try:
-        found = yaml.safe_load(path.read_text())
+        found = yaml.safe_load(words(path, _MOST))
         return pydantic.TypeAdapter(dict[str, Price]).validate_python(found)
-    except (OSError, yaml.YAMLError) as error:
-        raise BadData(path, " ".join(str(error).split()), _REMEDY) from error
-    except pydantic.ValidationError as error:
-        raise BadData(path, fault(error, "the file"), _REMEDY) from error
+    except (OSError, ValueError, RecursionError, yaml.YAMLError) as error:
+        if isinstance(error, pydantic.ValidationError):
+            raise BadData(path, fault(error, "the file"), _REMEDY) from error
+        raise BadData(path, _told(error), _REMEDY) from error
+
+
+def _told(error: Exception) -> str:
+    if isinstance(error, RecursionError):
+        return "is nested too deep"
+    if isinstance(error, OSError) and error.strerror:
+        return error.strerror
+    return " ".join(str(error).split())
 
 
 def tokens_in(usage: ModelUsage) -> int:

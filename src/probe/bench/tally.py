@@ -7,9 +7,8 @@ from inspect_ai.log import transcript
 from inspect_ai.model import ModelOutput
 
 from probe.bench.prices import Price, cost_of, tokens_in
-
-_LONGEST = 200
-"""Characters of what a server says that a record keeps."""
+from probe.bench.reasons import LONGEST
+from probe.texts import writable
 
 _ODD_STOPS = {
     "content_filter": "refused by the server's filter",
@@ -59,17 +58,9 @@ class Tally:
         failed = len(reasons) + sum(each.retries or 0 for each in events)
         if failed:
             times = "once" if failed == 1 else f"{failed} times"
-            why = f": {' '.join(reasons[-1].split())[:_LONGEST]}" if reasons else ""
+            why = f": {writable(' '.join(reasons[-1].split())[:LONGEST])}" if reasons else ""
             self.fault(which, f"the server failed {times}{why}")
 
     def fault(self, which: str, what: str) -> None:
         """Note what went wrong with a reply."""
         self.faults.append(f"{which}: {what}")
-
-
-def said(error: Exception) -> str:
-    """What a server said; the harness's own words begin with the whole request."""
-    words = getattr(error, "provider_message", None) or str(error)
-    status = getattr(error, "status_code", None)
-    text = " ".join(f"{status or ''} {words}".split())[:_LONGEST]
-    return f"{type(error).__name__}: {text}"

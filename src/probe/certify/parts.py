@@ -16,9 +16,11 @@ import pydantic
 from probe.assets.library import Library
 from probe.errors import BadData
 from probe.files import claim_folder, read_document, write_text
+from probe.reading import words
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionKind, Task
+from probe.texts import cell, uncell
 
 KEPT, UNSOLVED, RESTLESS = "kept", "solvable", "at rest"
 """Names of results: a task; a candidate that failed only the scripted agents' check; one whose
@@ -73,8 +75,8 @@ class Line:
         """Separated by tabs."""
         solved = _UNTRIED if self.solved is None else str(self.solved)
         detail = " ".join(self.detail.split())
-        cells = (self.kind, self.seed, self.check, solved, detail, f"{self.seconds:.1f}")
-        return "\t".join(str(cell) for cell in cells)
+        cells = (self.kind, self.seed, self.check, solved, cell(detail), f"{self.seconds:.1f}")
+        return "\t".join(str(each) for each in cells)
 
     @staticmethod
     def parse(text: str) -> Line:
@@ -85,7 +87,7 @@ class Line:
         """
         kind, seed, check, solved, detail, seconds = text.split("\t")
         tried = None if solved == _UNTRIED else solved == "True"
-        return Line(kind, int(seed), check, tried, detail, float(seconds))
+        return Line(kind, int(seed), check, tried, uncell(detail), float(seconds))
 
 
 @dataclass(frozen=True)
@@ -128,7 +130,7 @@ class Parts:
         """
         file = self.log_path(place)
         try:
-            lines = file.read_text().splitlines() if file.exists() else []
+            lines = words(file).splitlines() if file.exists() else []
             return [Line.parse(line) for line in lines]
         except (OSError, ValueError) as error:
             raise BadData(file, str(error), "Delete it; its place is then made anew") from error

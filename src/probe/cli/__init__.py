@@ -6,8 +6,10 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
+from typing import NoReturn
 
 from probe.errors import ProbeError
+from probe.texts import visible
 
 
 @dataclass(frozen=True)
@@ -49,14 +51,32 @@ COMMANDS: dict[str, _Command] = {
 }
 
 
+_MEMORY = (
+    "Raise the limit (ulimit -v), leave other programs, or ask for less (--workers 1); else "
+    "install PROBE again."
+)
+
+
 def main() -> None:
-    """Run the command line; expected failures become one line and exit status 1."""
+    """Run the command line; expected failures become one line and exit status 1.
+
+    So does a lack of memory.
+    """
     try:
         _run(sys.argv[1:])
     except ProbeError as failure:
-        sys.exit(f"probe: {failure}")
+        _end(str(failure))
+    except (MemoryError, ImportError) as failure:
+        # A library that can't be mapped into memory is said to be missing.
+        reason = " ".join(str(failure).split()) or "there is none left"
+        _end(f"Memory ran out, or the installation is broken: {reason}. {_MEMORY}")
     except KeyboardInterrupt:
-        sys.exit("probe: interrupted")
+        _end("interrupted")
+
+
+def _end(reason: str) -> NoReturn:
+    """End in one line, in which no name from a file can steer a terminal."""
+    sys.exit(f"probe: {visible(' '.join(reason.splitlines()))}")
 
 
 def _run(arguments: list[str]) -> None:

@@ -7,14 +7,13 @@ from typing import Annotated
 
 import numpy as np
 import tyro
-from rich.console import Console
-from rich.table import Column, Table
 
 from probe.cli.assets_add import add_objects, check_objects
 from probe.cli.assets_annotate import annotate, review
 from probe.cli.assets_fetch import fetch
 from probe.cli.assets_sheet import sheet
 from probe.cli.assets_split import split
+from probe.cli.screen import Column, Table, say
 from probe.cli.surroundings import Pool, library
 from probe.files import write_picture
 from probe.render.portraits import AROUND, GROUND, portrait
@@ -44,8 +43,8 @@ def list_objects(pool: Pool = "procedural") -> None:
     for spec in library(pool).specs:
         size = " x ".join(f"{100 * edge:.1f}" for edge in spec.size)
         colours = ", ".join(spec.colours)
-        table.add_row(spec.id, spec.name, spec.category, colours, f"{spec.mass:.2f}", size)
-    Console().print(table)
+        table.add(spec.id, spec.name, spec.category, colours, f"{spec.mass:.2f}", size)
+    table.show()
 
 
 @app.command
@@ -63,14 +62,14 @@ def show(
     """
     objects = library(pool)
     spec, body = objects[object_id], objects.body(object_id)
-    facts = Table(show_header=False)
+    facts = Table(head=False)
     for name, value in vars(spec).items():
-        facts.add_row(name, str(value))
-    facts.add_row("triangles", str(len(body.mesh.faces)))
-    facts.add_row("collision pieces", str(len(body.pieces)))
-    Console().print(facts)
+        facts.add(name, str(value))
+    facts.add("triangles", str(len(body.mesh.faces)))
+    facts.add("collision pieces", str(len(body.pieces)))
+    facts.show()
     with Renderer() as renderer:
         renderer.load({spec.id: body.mesh}, GROUND)
         views = [portrait(renderer, spec.id, spec.size, side, _SIDE_PX) for side in AROUND]
     write_picture(out, np.concatenate(views, axis=1))
-    print(f"Its picture is {out}")
+    say(f"Its picture is {out}")

@@ -9,10 +9,6 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import tyro
-from rich.console import Console
-from rich.markup import escape
-from rich.progress import track
-from rich.table import Column, Table
 
 from probe.assets.importers.adding import Outcome, Target, add, objects_at
 from probe.assets.importers.checking import (
@@ -28,6 +24,8 @@ from probe.assets.importers.sifting import Passed
 from probe.assets.importers.source import Axis, Format
 from probe.assets.library import own_folder, scans_folder
 from probe.cli.assets_split import near_duplicates, show_pairs
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import Column, Table, say, track
 from probe.cli.surroundings import assets_folder, cache_folder, library, library_folder
 from probe.errors import BadData
 
@@ -58,6 +56,7 @@ def add_objects(
         source: Who made them, for objects whose files don't say.
         workers: Processes.
     """
+    check_numbers({"--workers": workers})
     order = Order(format, _METRES[unit] if unit else None, up, licence, source)
     sources, passed = objects_at(path, order)
     _tell_passed(passed)
@@ -68,7 +67,7 @@ def add_objects(
     fresh = {outcome.detail for outcome in outcomes if outcome.status == "added"}
     if fresh:
         _tell_near(fresh, workers)
-        print("`probe assets review outputs/review` shows them, beside a table to correct.")
+        say("`probe assets review outputs/review` shows them, beside a table to correct.")
 
 
 def check_objects(
@@ -85,15 +84,15 @@ def check_objects(
         up: The files' upward axis; if left out, each format's own, or for obj what the shape says.
         workers: Processes; with 1, the time of collision pieces is that of one core.
     """
+    check_numbers({"--workers": workers})
     candidates, passed = _candidates(what, unit, up)
     verdicts = list(track(check(candidates, workers), "Checking", total=len(candidates)))
     _tell_passed(passed)
     table = Table(Column("object", overflow="fold"), "verdict", "remarks", "pieces", "s")
     for verdict in sorted(verdicts, key=lambda verdict: verdict.label):
         cost = (str(verdict.pieces), f"{verdict.seconds:.1f}") if verdict.pieces else ("", "")
-        told = (verdict.label, verdict.refusal or "OK", "; ".join(verdict.remarks))
-        table.add_row(*map(escape, told), *cost)
-    Console().print(table)
+        table.add(verdict.label, verdict.refusal or "OK", "; ".join(verdict.remarks), *cost)
+    table.show()
     _sum_up(verdicts)
 
 
@@ -120,17 +119,17 @@ def _tell_passed(passed: Sequence[Passed]) -> None:
             for one in these[:_SHOWN]
         )
         more = "; ..." if count > _SHOWN else ""
-        print(f"{count} meshes are passed over, {reason}: {shown}{more}")
+        say(f"{count} meshes are passed over, {reason}: {shown}{more}")
 
 
 def _sum_up(verdicts: Iterable[Verdict]) -> None:
     known = list(verdicts)
     refused = sum(verdict.refusal is not None for verdict in known)
-    print(f"{len(known)} objects: {len(known) - refused} OK, {refused} refused.")
+    say(f"{len(known)} objects: {len(known) - refused} OK, {refused} refused.")
     times = [verdict.seconds for verdict in known if verdict.pieces]
     if times:
         middle, most = statistics.median(times), max(times)
-        print(f"Collision pieces: median {middle:.1f} s, at most {most:.1f} s of CPU an object.")
+        say(f"Collision pieces: median {middle:.1f} s, at most {most:.1f} s of CPU an object.")
 
 
 def _tell_near(fresh: set[str], workers: int) -> None:
@@ -144,9 +143,8 @@ def _tell(outcomes: list[Outcome], library: Path) -> None:
     reason = Column("id, or reason", overflow="fold")
     table = Table(Column("object", overflow="fold"), "", reason, Column("remarks", overflow="fold"))
     for outcome in sorted(outcomes, key=lambda outcome: (outcome.status, outcome.label)):
-        told = (outcome.label, outcome.status, outcome.detail, "; ".join(outcome.remarks))
-        table.add_row(*map(escape, told))
-    Console().print(table)
+        table.add(outcome.label, outcome.status, outcome.detail, "; ".join(outcome.remarks))
+    table.show()
     counts = Counter(outcome.status for outcome in outcomes)
     told = ", ".join(f"{counts[status]} {status}" for status in ("added", "skipped", "refused"))
-    print(f"{told}. Your library is {library}")
+    say(f"{told}. Your library is {library}")

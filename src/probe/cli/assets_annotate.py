@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.progress import track
 
 from probe.assets.annotation.applying import apply_notes
 from probe.assets.annotation.notes import (
@@ -26,6 +25,8 @@ from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.cli.assets_review import draw_own, kept_views, with_own, with_twins
 from probe.cli.models import model_behind
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import say, track
 from probe.cli.surroundings import Pool, library, library_folder
 from probe.errors import ModelFailed
 from probe.render.portraits import GROUND
@@ -59,6 +60,7 @@ def annotate(
         limit: Only so many of them.
         timeout: Seconds to wait for a reply before trying again.
     """
+    check_numbers({"--limit": limit, "--timeout": timeout})
     objects, ask = library(pool), model_behind(endpoint, model, timeout)
     waiting = [spec for spec in objects.specs[:limit] if not _is_done(out, spec)]
     with Renderer() as renderer:
@@ -91,7 +93,7 @@ def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
         _carry_over(notes)
         for note in changed:
             write_note(out, note)
-        print(f"{len(changed)} objects corrected.")
+        say(f"{len(changed)} objects corrected.")
     else:
         _carry_over(notes)
     own = not notes or any(note.id.startswith("own_") for note in notes)
@@ -100,13 +102,13 @@ def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
     write_review(out / PAGE, notes)
     if own and draw_own(out):
         write_review(out / PAGE, notes)
-    print(f"{len(notes)} objects: correct {table} beside {out / PAGE}, then run this again.")
+    say(f"{len(notes)} objects: correct {table} beside {out / PAGE}, then run this again.")
 
 
 def _carry_over(notes: Sequence[Note]) -> None:
     """Objects of one's own are called so from now on."""
     if changed := apply_notes(library_folder(), notes):
-        print(f"{changed} objects of {library_folder()} are as you said now.")
+        say(f"{changed} objects of {library_folder()} are as you said now.")
 
 
 def _is_done(out: Path, spec: ObjectSpec) -> bool:
@@ -128,10 +130,10 @@ def _tell(out: Path, objects: Library, limit: int | None) -> None:
     notes = [note for note in read_notes(out) if note.id in wanted]
     counts = Counter("described" if note.done else "without a usable reply" for note in notes)
     said_so = ", ".join(f"{count} {what}" for what, count in counts.items()) or "none"
-    print(f"{len(wanted)} objects: {said_so}. Notes are in {out / 'notes'}.")
+    say(f"{len(wanted)} objects: {said_so}. Notes are in {out / 'notes'}.")
     for note in notes:
         if note.problem:
-            print(f"  {note.id}: {note.problem}")
+            say(f"  {note.id}: {note.problem}")
     if counts["without a usable reply"]:
-        print("Run it again to ask about those.")
-    print(f"`probe assets review {out}` makes a table of them to correct.")
+        say("Run it again to ask about those.")
+    say(f"`probe assets review {out}` makes a table of them to correct.")

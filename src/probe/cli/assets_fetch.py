@@ -6,13 +6,11 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.progress import DownloadColumn, Progress, TextColumn, TimeRemainingColumn
-from rich.table import Column, Table
 
 from probe.assets.fetching.download import download
 from probe.assets.fetching.places import place_of, places
 from probe.assets.fetching.unpack import unpack
+from probe.cli.screen import Column, Table, download_bar, say
 
 
 def fetch(
@@ -32,8 +30,7 @@ def fetch(
         return
     place, item = place_of(name, places())
     file = out / place.file_of(item)
-    columns = (TextColumn("{task.description}"), DownloadColumn(), TimeRemainingColumn())
-    with Progress(*columns) as bar:
+    with download_bar() as bar:
         task = bar.add_task(name, total=None)
         expected = sha256 or place.sha256.get(item)
         found = download(
@@ -46,12 +43,12 @@ def fetch(
     if file.suffix == ".zip":
         folder = out / file.stem.removesuffix("_models")
         unpack(file, folder)
-    print(f"SHA-256 {found}{'' if expected else ' (not known beforehand: compare it yourself)'}")
-    print(f"Licence: {place.licence}. Next: {place.then.replace('{folder}', str(folder))}")
+    say(f"SHA-256 {found}{'' if expected else ' (not known beforehand: compare it yourself)'}")
+    say(f"Licence: {place.licence}. Next: {place.then.replace('{folder}', str(folder))}")
 
 
 def _list() -> None:
     table = Table("name", Column("what", overflow="fold"), "licence", title="probe assets fetch")
     for site, place in places().items():
-        table.add_row(f"{site}/{place.examples[0]}", place.about, place.licence)
-    Console().print(table)
+        table.add(f"{site}/{place.examples[0]}", place.about, place.licence)
+    table.show()

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 from PIL import Image
-from rich.progress import track
 
 from probe.assets.annotation.notes import Note, brought_up_to_date, from_entry, write_note
 from probe.assets.cache import content_key
@@ -19,6 +18,7 @@ from probe.assets.importers.upright import other_axis
 from probe.assets.library import own_folder
 from probe.assets.mesh import TexturedMesh
 from probe.assets.own_pool import MESH, own_entries
+from probe.cli.screen import track
 from probe.cli.surroundings import library_folder
 from probe.errors import BadData
 from probe.files import encode, write_bytes, write_text

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.screen import say
 from probe.cli.surroundings import Pool, library
 from probe.errors import UnknownName
 from probe.files import encode, write_bytes
@@ -35,4 +36,4 @@ def sheet(
             raise UnknownName("category", category, known)
         specs = [spec for spec in objects.specs if spec.category == category]
     write_bytes(out, encode(contact_sheet(objects, specs, named=named), "PNG"))
-    print(f"{len(specs)} objects are on {out}")
+    say(f"{len(specs)} objects are on {out}")

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from rich.console import Console
-from rich.progress import track
-from rich.table import Column, Table
-
 from probe.assets.importers.parallel import spread
 from probe.assets.library import Library
 from probe.assets.nearness import Fingerprint, NearPair, fingerprint, near_pairs
 from probe.assets.split import EVALUATION_SHARE, Split, read_split, split_objects, write_split
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import Column, Table, say, track
 from probe.cli.surroundings import Pool, library
 from probe.errors import WorkerDied
 
@@ -36,17 +34,18 @@ def split(
         share: Of groups that go to evaluation, if the file is new.
         workers: Processes.
     """
+    check_numbers({"--share": share, "--workers": workers})
     objects = library(pool)
     ids = [spec.id for spec in objects.specs]
     pairs = near_duplicates(objects, ids, workers)
     show_pairs(pairs)
     if out.exists():
-        print(f"{out} is there: its objects stay where they are.")
+        say(f"{out} is there: its objects stay where they are.")
     earlier = read_split(out) if out.exists() else Split(evaluation_share=share, parts={})
     made = split_objects(ids, pairs, earlier)
     write_split(out, made)
     counts = ", ".join(f"{len(made.ids(part))} {part}" for part in ("train", "evaluation"))
-    print(f"{counts}; {len(pairs)} pairs of near-duplicates. The split is {out}")
+    say(f"{counts}; {len(pairs)} pairs of near-duplicates. The split is {out}")
 
 
 def near_duplicates(objects: Library, ids: Sequence[str], workers: int) -> list[NearPair]:
@@ -65,10 +64,10 @@ def show_pairs(pairs: Sequence[NearPair]) -> None:
         return
     table = Table(Column("near-duplicates", overflow="fold"), "", "fit", "texture")
     for pair in pairs[:SHOWN]:
-        table.add_row(pair.one, pair.other, f"{pair.fit:.3f}", f"{pair.texture:.2f}")
-    Console().print(table)
+        table.add(pair.one, pair.other, f"{pair.fit:.3f}", f"{pair.texture:.2f}")
+    table.show()
     if len(pairs) > SHOWN:
-        print(f"... and {len(pairs) - SHOWN} more pairs.")
+        say(f"... and {len(pairs) - SHOWN} more pairs.")
 
 
 def _fingerprint(job: tuple[Library, str]) -> Fingerprint:

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
 
 from probe.audit.auditing import Audit, begin, replay_claims, whose
 from probe.audit.kept import Verdict, counted, tally_of
@@ -17,8 +16,9 @@ from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_mani
 from probe.audit.replaying import Claim, Replayer
 from probe.audit.signing import sign as sign_manifest
 from probe.audit.signing import verify as verify_manifest
-from probe.cli.bars import bar
-from probe.cli.fitting import check_counts, refuse_stray
+from probe.cli.fitting import refuse_stray
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import bar, say
 from probe.cli.surroundings import cache_folder, opener
 from probe.cli.unsummed import tell_unsummed
 from probe.episodes.folder import SUITE
@@ -59,7 +59,7 @@ def audit(
         sign: SSH key to sign the hashes of all files with, last of all.
         verify: File of SSH public keys, one of which must have signed the folder as it is.
     """
-    check_counts({"--workers": workers})
+    check_numbers({"--workers": workers})
     if verify is not None:
         refuse_stray("with --verify", {"--sign": sign, "--replay": replay})
         _verify(out, verify)
@@ -72,7 +72,7 @@ def audit(
     if sign is not None:
         files = write_manifest(out)
         sign_manifest(out, sign)
-        print(f"{out / MANIFEST} has the hashes of {files} files; its signature is {SIGNATURE}.")
+        say(f"{out / MANIFEST} has the hashes of {files} files; its signature is {SIGNATURE}.")
 
 
 def _count(replay: str | None) -> int | None:
@@ -87,13 +87,12 @@ def _count(replay: str | None) -> int | None:
 def _verify(out: Path, keys: Path) -> None:
     words = verify_manifest(out, keys)
     files = check_manifest(out)
-    print(f"{words}\n{files} files are as they were signed.")
+    say(words, f"{files} files are as they were signed.")
 
 
 def _tell(out: Path, suite: Suite, audit: Audit) -> None:
     """What the checks found; they would have raised what doesn't agree."""
-    console = Console(markup=False, highlight=False, soft_wrap=True)
-    console.print(
+    say(
         f"{out}: {len(audit.claims)} results on {_kind_of(out, suite)}. All agree with themselves, "
         "their tasks and the folder's notes."
     )
@@ -123,7 +122,7 @@ def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -
             for _ in results:
                 progress.update(line, advance=1)
     _print(audit)
-    print(f"{audit.out}: {tally_of(audit.out).words}.")
+    say(f"{audit.out}: {tally_of(audit.out).words}.")
     tally = counted(audit.verdicts, len(audit.claims))
     if tally.differ:
         raise NotAsRecorded(audit.out, tally.differ, tally.equal + tally.differ)
@@ -131,23 +130,17 @@ def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -
 
 def _print(audit: Audit) -> None:
     """Each record that differs, and how many can't be replayed for which reason."""
-    console = Console(markup=False, highlight=False, soft_wrap=True)
     known = [(it, audit.verdicts[it.line]) for it in audit.claims if it.line in audit.verdicts]
     differing = [(it, verdict) for it, verdict in known if verdict.outcome == "differs"]
     for claim, verdict in differing[:_SHOWN]:
-        console.print(f"{_ascii(whose(claim.record))} differs: {verdict.reason}")
+        say(f"{whose(claim.record)} differs: {verdict.reason}")
     if len(differing) > _SHOWN:
-        console.print(f"... and {len(differing) - _SHOWN} more, in audit.json.")
+        say(f"... and {len(differing) - _SHOWN} more, in audit.json.")
     unable = Counter(_reason(verdict) for _, verdict in known)
     for reason, count in unable.items():
         if reason:
-            console.print(f"{count} can't be replayed: {_ascii(reason)}")
+            say(f"{count} can't be replayed: {reason}")
 
 
 def _reason(verdict: Verdict) -> str:
     return verdict.reason if verdict.outcome == "not replayable" else ""
-
-
-def _ascii(text: str) -> str:
-    """Without what a terminal may take for a command."""
-    return "".join(each if each.isprintable() else "?" for each in text)

@@ -9,12 +9,13 @@ from typing import Annotated
 
 import tyro
 
-from probe.cli.bars import bar as progress_bar
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import bar, say
 from probe.cli.seats import price_of
 from probe.cli.shards import parse_shard
 from probe.cli.teachers import hands_of
 from probe.cli.teaching import Site
-from probe.errors import BadData
+from probe.errors import BadData, Unfinished
 from probe.tasks.task import QuestionKind
 from probe.train.collect.aim import PAPER_COUNTS, Aim, Mode, in_proportion
 from probe.train.collect.batches import Harvest
@@ -60,8 +61,16 @@ class Extent:
         if self.first < FIRST_EPISODE:
             reason = f"{self.first} isn't for training"
             raise BadData("--first", reason, f"Say {FIRST_EPISODE} or more")
-        if self.batch < 1 or self.direct_runs < 1:
-            raise BadData("--batch, --direct-runs", "leave nothing to do", "Say 1 or more")
+        check_numbers(
+            {
+                "--batch": self.batch,
+                "--direct-runs": self.direct_runs,
+                "--first": self.first,
+                "--most-episodes": self.most_episodes,
+                "--most-cost": self.most_cost,
+                **{f"--counts.{kind}": count for kind, count in counts.items()},
+            }
+        )
         aim = Aim(
             counts=counts,
             first=self.first,
@@ -97,11 +106,12 @@ def collect(
         site: Who teaches, with what.
         extent: How much, and in which arms.
     """
+    check_numbers({"--total": total, "--workers": site.workers})
     aim = extent.aim(counts if total is None else in_proportion(counts, total))
     if extent.most_cost is not None and site.model is not None:
         _check_price(site.prices, site.model)
     claim(out, site.settings(extent.shard, extent.first))
-    print(f"Episodes go to {out}; Ctrl-C stops, the same command goes on.")
+    say(f"Episodes go to {out}; Ctrl-C stops, the same command goes on.")
     so_far = _watched(out, aim, hands_of(site, out))
     _tell(out, aim, so_far)
 
@@ -115,11 +125,11 @@ def _check_price(prices: Path | None, model: str) -> None:
 def _watched(out: Path, aim: Aim, hands: Hands) -> Harvest:
     """Collect, with a bar of the successes that are wanted."""
     so_far = Harvest()
-    with progress_bar() as bar:
-        line = bar.add_task("Collecting", total=aim.total)
+    with bar() as progress:
+        line = progress.add_task("Collecting", total=aim.total)
         for step in collected(out, aim, hands):
             so_far = step.so_far
-            bar.update(line, completed=aim.reached(so_far), description=step.doing)
+            progress.update(line, completed=aim.reached(so_far), description=step.doing)
     return so_far
 
 
@@ -128,13 +138,14 @@ def _tell(out: Path, aim: Aim, so_far: Harvest) -> None:
     for kind in sorted(aim.counts):
         tried, right = so_far.tasks[kind], so_far.successes[kind]
         share = f" ({right / tried:.0%})" if tried else ""
-        print(f"{kind}: {right} of {aim.wanted(kind)} wanted; {tried} tasks tried{share}")
+        say(f"{kind}: {right} of {aim.wanted(kind)} wanted; {tried} tasks tried{share}")
     for arm, played in sorted(so_far.played.items()):
-        print(f"{arm}: {so_far.right[arm]} of {played} episodes were right")
+        say(f"{arm}: {so_far.right[arm]} of {played} episodes were right")
     cost = f"{so_far.cost:,.2f} US dollars"
     if so_far.unpriced:
         cost += f", without {so_far.unpriced} episodes that have no price"
-    print(f"{so_far.episodes} episodes, {so_far.missing} missing by our fault; {cost}.")
+    say(f"{so_far.episodes} episodes, {so_far.missing} missing by our fault; {cost}.")
+    say(f"Tasks and records are in {out}; `probe select {out}` chooses among them.")
     if reached < aim.total:
-        print(f"The budget of {aim.spent(so_far)} is spent: {reached} of {aim.total} are there.")
-    print(f"Tasks and records are in {out}; `probe select {out}` chooses among them.")
+        remedy = f"The budget of {aim.spent(so_far)} is spent: say more, and run it again."
+        raise Unfinished(aim.total - reached, aim.total, "successes", remedy)

@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.progress import track
 
 from probe.assets.cache import Cache
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import say, track
 from probe.cli.surroundings import Pool, opener
 from probe.episodes.seat import Points
 from probe.errors import BadData
@@ -51,6 +52,7 @@ def dataset(
         workers: Processes that draw.
     """
     check_new(out)
+    check_numbers({"--workers": workers})
     if not _SMALLEST_PX <= side <= PICTURE_PX:
         raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {PICTURE_PX}")
     chosen = read_selection(selected)
@@ -67,7 +69,7 @@ def dataset(
     form = Form(name, counting, side, others)
     manifest = write_dataset(out, _examples(chosen, studio, counting), chosen, form, specs)
     shutil.rmtree(kept, ignore_errors=True)
-    print(
+    say(
         f"{manifest.total} examples with {manifest.pictures} pictures are in {out}; "
         f"its README.md says what they are."
     )

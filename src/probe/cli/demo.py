@@ -6,7 +6,8 @@ from pathlib import Path
 
 from probe.cli.agents import make_agent
 from probe.cli.report import write_run_report
-from probe.cli.running import run_order
+from probe.cli.running import check_whole, run_order
+from probe.cli.screen import say
 from probe.cli.surroundings import everything
 from probe.runs.plan import Order
 from probe.tasks.suite_file import demo_suite
@@ -18,5 +19,7 @@ def demo(out: Path = Path("outputs/demo")) -> None:
     Args:
         out: Folder for the records, pictures and the page.
     """
-    run_order(demo_suite(), Order("scripted"), make_agent, everything(), out)
-    print(f"Open {write_run_report([out])} in a browser.")
+    suite = demo_suite()
+    missing = run_order(suite, Order("scripted"), make_agent, everything(), out)
+    say(f"Open {write_run_report([out])} in a browser.")
+    check_whole(missing, len(suite.tasks))

@@ -7,6 +7,7 @@ from pathlib import Path
 from probe.bench.estimate import PICTURE_TOKENS, REPLY_TOKENS, Estimate, estimate
 from probe.bench.models import settings_of
 from probe.bench.prices import Price
+from probe.cli.screen import say
 from probe.cli.seats import Seats, check_address, plan_of, price_of
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
@@ -23,23 +24,23 @@ def would_ask(suite: Suite, seats: Seats, out: Path) -> None:
     check_address(seats.endpoint)
     _tell(suite, seats, out, price_of(seats.prices, seats.model))
     if seats.pointer != "oracle":
-        print(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")
+        say(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")
 
 
 def _tell(suite: Suite, seats: Seats, out: Path, price: Price | None) -> None:
     tasks = seats.tasks_of(suite)
     whole = len(tasks) * seats.epochs
-    print(f"{len(tasks)} tasks, {seats.epochs} runs each: {whole} episodes.")
+    say(f"{len(tasks)} tasks, {seats.epochs} runs each: {whole} episodes.")
     done = _done(suite, seats, out)
     left = [task for task in tasks for run in range(seats.epochs) if (task.id, run) not in done]
     if len(left) < whole:
-        print(f"{whole - len(left)} of them are in {out} already; what follows is of the others.")
+        say(f"{whole - len(left)} of them are in {out} already; what follows is of the others.")
     usual = estimate(seats.arm, seats.counting, left, 1)
-    print(_line("If they are of usual length", usual, price))
+    say(_line("If they are of usual length", usual, price))
     if seats.arm == "agentic":
         longest = estimate(seats.arm, seats.counting, left, 1, TURNS)
-        print(_line(f"If each takes all {TURNS} calls", longest, price))
-    print(
+        say(_line(f"If each takes all {TURNS} calls", longest, price))
+    say(
         f"Pictures are taken for {PICTURE_TOKENS} tokens each, replies for {REPLY_TOKENS}: a model "
         "that reasons may write thousands, which cost as replies do. Nothing was asked."
     )

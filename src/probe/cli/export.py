@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.progress import track
 
 from probe.assets.library import Library
 from probe.bench.dataset import CARD, Row, row_of, write_dataset
 from probe.chat.pictures import jpeg
+from probe.cli.screen import say, track
 from probe.cli.surroundings import cache_folder, everything
 from probe.episodes.seat import Points
 from probe.errors import BadData
@@ -39,7 +39,7 @@ def export(
     asked, things = find_suite(suite), everything()
     check_objects(asked, things)
     count = write_dataset(out, asked.name, _rows(asked, things, points))
-    print(f"{count} tasks are in {out}; the answers too, so keep its canary with every copy.")
+    say(f"{count} tasks are in {out}; the answers too, so keep its canary with every copy.")
 
 
 def _rows(suite: Suite, things: Library, points: Points) -> Iterator[Row]:

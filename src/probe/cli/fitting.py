@@ -24,17 +24,6 @@ def refuse_stray(when: str, given: Mapping[str, object]) -> None:
             raise BadData(name, f"does nothing {when}", "See `probe run --help`")
 
 
-def check_counts(given: Mapping[str, int | None]) -> None:
-    """See that numbers of things are such.
-
-    Raises:
-        BadData: One is under 1.
-    """
-    for name, number in given.items():
-        if number is not None and number < 1:
-            raise BadData(name, f"{number} is too few", "Say 1 or more")
-
-
 def check_pointer(pointer: str, arm: Arm, conditions: Conditions) -> None:
     """See that a model that is to point would be asked.
 

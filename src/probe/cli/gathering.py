@@ -7,10 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from rich.progress import track
-
 from probe.cli.grading import grade_folder
 from probe.cli.rescore import rows_of
+from probe.cli.screen import track
 from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
@@ -155,7 +154,7 @@ def _draw(
     }
     missing = [(path, *said) for path, said in wanted.items() if not path.exists()]
     others = [folder for folder in kept if folder != out]
-    for path, still, task in track(missing, "Drawing", disable=not missing):
+    for path, still, task in track(missing, "Drawing", hidden=not missing):
         develop(still, task, path, darkroom, others)
 
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rich.progress import track
-
+from probe.cli.screen import track
 from probe.cli.surroundings import everything
 from probe.cli.unsummed import tell_unsummed
 from probe.episodes.folder import SUITE, in_order

@@ -12,6 +12,7 @@ import tyro
 from probe.agents.learnt import WEIGHTS, Learnt, read_learnt
 from probe.cli.grading import graded
 from probe.cli.rescore import rows_of
+from probe.cli.screen import say
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import write_text
@@ -54,13 +55,13 @@ def held_out(
     table = markdown(standings(rows, roster_of_tasks(suite.tasks), types))
     text = f"{_words(suite, len(runs))}\n\n{table}"
     write_text(out, text)
-    print(text)
-    print(f"This is in {out}.")
+    say(*text.splitlines())
+    say(f"This is in {out}.")
 
 
 def _learnt(path: Path | None) -> Mapping[str, Learnt]:
     if path is None and not (files("probe.agents") / WEIGHTS).is_file():
-        print("Question-only has learnt nothing yet: name a file with --learnt.")
+        say("Question-only has learnt nothing yet: name a file with --learnt.")
         return {}
     return read_learnt(path)
 

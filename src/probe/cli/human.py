@@ -13,6 +13,8 @@ from typing import Annotated
 import tyro
 
 from probe.assets.library import Library
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import say
 from probe.cli.surroundings import cache_folder, everything
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
@@ -48,6 +50,7 @@ def human(
         noise: How far the hand errs, as in `probe run`; the same for all records of a folder.
         seats: Tables that may stand at once; each takes some memory.
     """
+    check_numbers({"--port": port, "--seats": seats})
     try:
         from probe.doors.human.hall import Hall
         from probe.doors.human.server import run
@@ -65,8 +68,8 @@ def human(
         try:
             run(hall, port, _tell)
         except KeyboardInterrupt:
-            print("Waiting until no arm moves any more.", flush=True)
-    print(f"Records are in {out}; the same command goes on.")
+            say("Waiting until no arm moves any more.")
+    say(f"Records are in {out}; the same command goes on.")
 
 
 @contextmanager
@@ -86,7 +89,7 @@ def taken_up(out: Path, suite: Suite, noise: Noise) -> Generator[None]:
         for name in (RECORDS, REMARKS):
             cut = set_aside_cut(out / name)
             if cut is not None:
-                print(f"The last line of {name} was cut off: moved to {cut}.")
+                say(f"The last line of {name} was cut off: moved to {cut}.")
         _check_noise(out, noise)
         yield
 
@@ -98,7 +101,7 @@ def _check_noise(out: Path, noise: Noise) -> None:
 
 
 def _tell(address: str) -> None:
-    print(f"Open {address} in a browser on this machine; Ctrl-C ends it.", flush=True)
+    say(f"Open {address} in a browser on this machine; Ctrl-C ends it.")
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import say
 from probe.train.tune.tiny import make_tiny
 from probe.train.tune.tiny_parts import Shape
 
@@ -27,5 +29,6 @@ def init_tiny(
         out: A new folder.
         shape: How small.
     """
+    check_numbers({f"--{name.replace('_', '-')}": n for name, n in vars(shape).items()})
     weights = make_tiny(dataset, out, shape)
-    print(f"A model of {weights / 1e6:.1f} million weights is in {out}; it knows nothing yet.")
+    say(f"A model of {weights / 1e6:.1f} million weights is in {out}; it knows nothing yet.")

@@ -13,6 +13,7 @@ from probe.agents.outside.protocol import Confined
 from probe.agents.outside.sandbox import AgentFile, Sandbox
 from probe.assets.library import Library
 from probe.cli.agents import ARMS, make_agent
+from probe.cli.screen import say
 from probe.episodes.turns import Agent
 from probe.errors import BadData, UnknownName
 from probe.render.renderer import Renderer
@@ -85,10 +86,10 @@ def _tell(confined: Confined, sandbox: Sandbox, out: Path) -> None:
     kept = confined.model_dump()
     if sandbox.network:
         del kept["network"]
-    print(f"The agent runs in a process of its own, kept from {_list(kept, True)}.")
+    say(f"The agent runs in a process of its own, kept from {_list(kept, True)}.")
     if not all(kept.values()):
-        print(f"This machine can't keep it from {_list(kept, False)}: see docs/agents.md.")
-    print(f"What it prints goes to {out / PRINTS}.")
+        say(f"This machine can't keep it from {_list(kept, False)}: see docs/agents.md.")
+    say(f"What it prints goes to {out / PRINTS}.")
 
 
 def _list(kept: dict[str, bool], wanted: bool) -> str:

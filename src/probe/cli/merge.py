@@ -7,6 +7,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.screen import say
 from probe.cli.unsummed import tell_unsummed
 from probe.errors import BadData
 from probe.runs.merge import merge_folders
@@ -22,4 +23,4 @@ def merge(parts: Annotated[tuple[Path, ...], tyro.conf.Positional], out: Path) -
     if not parts:
         raise BadData("probe merge", "was given no folder", "Name those that `--shard` wrote")
     tell_unsummed(*parts)
-    print(f"{merge_folders(parts, out)} records are in {out}; `probe report {out}` shows them.")
+    say(f"{merge_folders(parts, out)} records are in {out}; `probe report {out}` shows them.")

@@ -11,6 +11,7 @@ from probe.assets.fingerprint import Fingerprint
 from probe.assets.library import Library
 from probe.assets.split import groups_of
 from probe.cli.assets_split import near_duplicates
+from probe.cli.screen import say
 from probe.errors import BadData
 from probe.files import write_text
 from probe.tasks.suite import Suite
@@ -49,7 +50,7 @@ def those_here(suites: Sequence[Suite], things: Library) -> list[Suite]:
     missing = {suite.name: _missing(sorted(suite.objects), things) for suite in suites}
     for name, ids in missing.items():
         if ids:
-            print(f"{len(ids)} objects of {name} aren't here (PROBE_ASSETS): kept out by id alone.")
+            say(f"{len(ids)} objects of {name} aren't here (PROBE_ASSETS): kept out by id alone.")
     return [suite for suite in suites if not missing[suite.name]]
 
 

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rich.console import Console
-from rich.table import Table
-
+from probe.cli.screen import Column, Table, say
 from probe.scores.published import RUNS, Recount, printed_table, recount
 
 _WIDTH = 110
@@ -17,24 +15,21 @@ def published() -> None:
     """Print the averages and gains of the paper's table as printed and as its cells give them."""
     table = printed_table()
     rows = recount(table)
-    console = Console(markup=False, highlight=False)
-    if not console.is_terminal:
-        console.width = _WIDTH
-    console.print(_table(rows))
-    for line in _lines(rows, sum(table.tasks.values())):
-        print(line)
+    _table(rows).show(narrowest=_WIDTH)
+    say(*_lines(rows, sum(table.tasks.values())))
 
 
 def _table(rows: Sequence[Recount]) -> Table:
-    shown = Table(title="Average over six types, per cent", title_justify="left")
-    for column in ("", "arm", "printed", "of its cells", "by tasks", "follows", "gain", "of cells"):
-        shown.add_column(column, justify="left" if column in ("", "arm", "follows") else "right")
+    names = ("", "arm", "printed", "of its cells", "by tasks", "follows", "gain", "of cells")
+    words = ("", "arm", "follows")
+    columns = [Column(name, justify="left" if name in words else "right") for name in names]
+    shown = Table(*columns, title="Average over six types, per cent", left=True)
     for it in rows:
         row, gains = it.row, ("", "")
         if row.gain is not None and it.macro_gain is not None:
             gains = f"{row.gain:+.1f}{'' if it.gain_follows else ' *'}", f"{it.macro_gain:+.2f}"
         means = f"{row.average:.1f}", f"{it.macro:.2f}", f"{it.pooled:.2f}"
-        shown.add_row(row.model, row.arm, *means, _verdict(it), *gains)
+        shown.add(row.model, row.arm, *means, _verdict(it), *gains)
     return shown
 
 

@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
 
 from probe.audit.kept import tally_of
 from probe.cli.gathering import gather, one_suite, short_names
 from probe.cli.grading import darkroom_of
 from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, headline_line, write_beside
+from probe.cli.screen import say
 from probe.report.build_log import read_build_log
 from probe.report.page import Report, write_report
 from probe.scores.marking import roster_of_tasks
@@ -38,7 +38,7 @@ def report(
         single_file: Write one file, report.html, that holds everything; for up to 20 episodes.
     """
     page = write_run_report(runs, out, arm=arm, build_log=build_log, single=single_file)
-    print(f"Open {page} in a browser.")
+    say(f"Open {page} in a browser.")
 
 
 def write_run_report(
@@ -71,9 +71,8 @@ def write_run_report(
     )
     shown = Report(suite, scores, played, tuple(candidates), files, audits)
     write_report(page, shown, single=single)
-    console = Console(markup=False, highlight=False, soft_wrap=True)
     for card in scores.cards:
-        console.print(headline_line(card))
+        say(headline_line(card))
     for name, words in audits:
-        console.print(f"{name}: {words}")
+        say(f"{name}: {words}")
     return page

@@ -7,12 +7,11 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.audit.kept import tally_of
 from probe.cli.agents import ARMS
 from probe.cli.grading import Graded, graded
+from probe.cli.screen import Table, say
 from probe.episodes.folder import SUITE, arm_of_folder
 from probe.episodes.ordered import Ordered, read_ordered
 from probe.scores.marking import roster_of_tasks, row_of
@@ -42,15 +41,14 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
     rows = rows_of(out, suite.name, graded(out), arm)
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(out, rows, scores)
-    console = Console(markup=False)
     for card in scores.cards:
-        console.print(_table(card))
+        _table(card).show()
     if scores.cards:
-        console.print(_FLOORS, highlight=False)
+        say(_FLOORS)
     for line in _lines(scores):
-        console.print(line, highlight=False)
-    console.print(f"{out}: {tally_of(out).words}.", highlight=False, soft_wrap=True)
-    print(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
+        say(line)
+    say(f"{out}: {tally_of(out).words}.")
+    say(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
 
 
 def arm_of(agent: str) -> str:
@@ -98,11 +96,10 @@ def headline_line(card: Scorecard) -> str:
 
 
 def _table(card: Scorecard) -> Table:
-    table = Table(title=_name(card.entrant), title_justify="left")
-    for column in ("", "tasks", "runs", "right", "95 % interval", "chance", "naive", "beyond"):
-        table.add_column(column)
+    columns = ("", "tasks", "runs", "right", "95 % interval", "chance", "naive", "beyond")
+    table = Table(*columns, title=_name(card.entrant), left=True)
     for figure in (card.macro, *card.kinds, *card.parts):
-        table.add_row(*_cells(figure))
+        table.add(*_cells(figure))
     return table
 
 

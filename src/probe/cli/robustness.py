@@ -8,11 +8,10 @@ from typing import Annotated
 
 import pydantic
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.cli.grading import graded
 from probe.cli.rescore import rows_of
+from probe.cli.screen import Table, say
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import write_text
@@ -54,11 +53,10 @@ def robustness(
     made = shifts(rows, found, broken, roster)
     text = pydantic.TypeAdapter(list[Shift]).dump_json(made, indent=1).decode()
     write_text(out, text + "\n")
-    console = Console()
-    console.print(_table(made))
+    _table(made).show()
     for each in made:
-        console.print(_line(each), highlight=False)
-    print(f"p is corrected for {len(made)} comparisons. All figures are in {out}.")
+        say(_line(each))
+    say(f"p is corrected for {len(made)} comparisons. All figures are in {out}.")
 
 
 def _graded(folder: Path) -> tuple[str, list[Row]]:
@@ -75,7 +73,7 @@ def _table(made: Iterable[Shift]) -> Table:
     table = Table("agent", "under", "n", "plain", "so", "points", "95 %", "p")
     for it in made:
         pair = it.pair
-        table.add_row(
+        table.add(
             pair.first.agent,
             it.conditions,
             str(pair.tasks),

@@ -11,9 +11,11 @@ from probe.agents.outside.sandbox import Sandbox
 from probe.chat.prompts import Arm
 from probe.cli.agents import AgentName
 from probe.cli.dry_run import would_ask
-from probe.cli.fitting import check_counts, check_pointer, refuse_stray
+from probe.cli.fitting import check_pointer, refuse_stray
 from probe.cli.invited import who_acts
-from probe.cli.running import run_order
+from probe.cli.numbers import check_numbers
+from probe.cli.running import check_whole, run_order
+from probe.cli.screen import say
 from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import everything, opener
@@ -73,16 +75,18 @@ def run(
         dry_run: Only say how much would be asked of the model.
     """
     part = parse_shard(shard)
-    check_counts({"--runs": runs, "--epochs": epochs, "--workers": workers})
+    check_numbers({"--runs": runs, "--epochs": epochs, "--workers": workers})
+    check_numbers({"--pose-jitter": conditions.pose_jitter})
     if model is None:
         refuse_stray("without --model", {
             "--arm": arm, "--epochs": epochs, "--points": points, "--pointer": pointer,
             "--endpoint": endpoint, "--prices": prices, "--dry-run": dry_run or None,
         })  # fmt: skip
-        tasks, things = find_suite(suite), everything()
+        asked, things = find_suite(suite), everything()
         name, agent_of = who_acts(agent or "scripted", agent_name, sandbox, suite, out)
         order = Order(name, runs or 1, NOISES[noise], conditions, part)
-        run_order(tasks, order, agent_of, things, out, workers or 1)
+        missing = run_order(asked, order, agent_of, things, out, workers or 1)
+        total = len(order.jobs(asked.tasks))
     else:
         refuse_stray("with --model", {
             "--agent": agent, "--agent-name": agent_name, "--runs": runs,
@@ -103,9 +107,11 @@ def run(
             shard=part,
             workers=workers or _TABLES,
         )
+        asked = find_suite(suite)
         if dry_run:
-            would_ask(find_suite(suite), seats, out)
+            would_ask(asked, seats, out)
             return
-        if missing := take_seats(find_suite(suite), seats, out):
-            print(f"{missing} episodes are missing; the same command tries them again.")
-    print(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
+        missing = take_seats(asked, seats, out)
+        total = len(seats.tasks_of(asked)) * seats.epochs
+    say(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
+    check_whole(missing, total)

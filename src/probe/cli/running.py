@@ -7,21 +7,24 @@ from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library, open_all
-from probe.cli.bars import bar
+from probe.cli.screen import bar, say, say_above
 from probe.cli.surroundings import cache_folder
 from probe.cli.unsummed import tell_unsummed
 from probe.cli.varying import varied
 from probe.episodes.folder import RECORDS
+from probe.errors import Unfinished
 from probe.runs.plan import Order
 from probe.runs.run import Beginning, begun, work
 from probe.runs.vary import changes_scenes
 from probe.runs.work import AgentOf, Workplace
 from probe.tasks.suite import Suite, check_objects
 
+AGAIN = "The same command tries them again."
+
 
 def run_order(
     suite: Suite, order: Order, agent_of: AgentOf, things: Library, out: Path, workers: int = 1
-) -> None:
+) -> int:
     """Add the records that a folder doesn't hold yet, and the suite they are about.
 
     Args:
@@ -32,6 +35,9 @@ def run_order(
         out: Folder for the records.
         workers: Processes.
 
+    Returns:
+        How many episodes are missing by our fault.
+
     Raises:
         BadData: What is there was run under other conditions, or is about another suite.
     """
@@ -40,25 +46,36 @@ def run_order(
         suite = varied(suite, order.conditions, things, out)
     library = partial(open_all, things.assets, things.cache, things.own)
     place = Workplace(order, library, agent_of, cache_folder() / "light")
+    faults = 0
     with begun(out, suite, order) as beginning:
         _tell(beginning, out)
         with bar() as progress, closing(work(out, beginning.jobs, place, workers)) as results:
             doing = f"{order.agent} at work"
             total = len(beginning.jobs) + beginning.done
             line = progress.add_task(doing, total=total, completed=beginning.done)
-            faults = 0
             for job, fault in results:
                 if fault is not None:
                     faults += 1
-                    progress.console.print(f"{job.task.id}, run {job.run} is missing: {fault}")
+                    say_above(progress, f"{job.task.id}, run {job.run} is missing: {fault}")
                 more = f", {faults} missing" if faults else ""
                 progress.update(line, advance=1, description=doing + more)
+    return faults
+
+
+def check_whole(missing: int, total: int) -> None:
+    """End with a failure if episodes are missing.
+
+    Raises:
+        Unfinished: They are.
+    """
+    if missing:
+        raise Unfinished(missing, total, "episodes", AGAIN)
 
 
 def _tell(beginning: Beginning, out: Path) -> None:
-    print(f"Records go to {out / RECORDS}; Ctrl-C stops, the same command goes on.")
+    say(f"Records go to {out / RECORDS}; Ctrl-C stops, the same command goes on.")
     if beginning.cut:
-        print(f"Its last record was cut off: moved to {beginning.cut}, and run again.")
+        say(f"Its last record was cut off: moved to {beginning.cut}, and run again.")
     tell_unsummed(out)
     if beginning.done:
-        print(f"{beginning.done} episodes were there already.")
+        say(f"{beginning.done} episodes were there already.")

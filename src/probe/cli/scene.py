@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.progress import track
 
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import say, track
 from probe.cli.surroundings import Pool, assets_folder, cache_folder, library
 from probe.files import encode, write_bytes, write_picture
 from probe.render.illumination import Illumination
@@ -59,12 +60,13 @@ def scene(
         camera: From above, or obliquely from the front.
         renderer: What draws colour; blender needs the extra of that name, and more time.
     """
+    check_numbers({"--seed": seed, "--objects": objects, "--buried": buried, "--gallery": gallery})
     things, pile = library(pool), Pile(reach, buried)
     with Renderer(cache_folder() / "light", renderer) as drawing:
         studio = _Studio(drawing, view_camera(camera), light_of(Lighting(lighting), things.assets))
         if gallery == 0:
             _write(out, _settle(seed, things, objects, pile), things, studio)
-            print(f"Picture, depth, labels and scene are in {out}")
+            say(f"Picture, depth, labels and scene are in {out}")
             return
         entries: list[GalleryEntry] = []
         for number in track(range(seed, seed + gallery), "Settling and drawing"):
@@ -72,7 +74,7 @@ def scene(
             shares = _write(out / str(number), settled, things, studio)
             entries.append(_entry(settled, shares, things))
         write_gallery(out / "index.html", entries)
-    print(f"{gallery} scenes are in {out / 'index.html'}")
+    say(f"{gallery} scenes are in {out / 'index.html'}")
 
 
 @dataclass(frozen=True)

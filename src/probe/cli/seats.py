@@ -13,6 +13,7 @@ from probe.bench.models import settings_of
 from probe.bench.plan import Plan
 from probe.bench.prices import Price, Prices, read_prices
 from probe.chat.prompts import Arm
+from probe.cli.screen import say
 from probe.cli.surroundings import cache_folder
 from probe.cli.varying import varied
 from probe.episodes.conditions import Conditions
@@ -105,7 +106,7 @@ def price_of(path: Path | None, name: str) -> Price | None:
     price = prices.get(name) or prices.get(settings_of(name).id)
     if price is None:
         known = ", ".join(sorted(prices)) or "none"
-        print(f"{path} has no price of {name}: no cost is told. Known: {known}.")
+        say(f"{path} has no price of {name}: no cost is told. Known: {known}.")
     return price
 
 

@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.assets.fingerprint import Fingerprint
 from probe.assets.split import read_split
 from probe.cli.near import near_groups, those_here
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import Table, say
 from probe.cli.surroundings import cache_folder, everything
 from probe.cli.unsummed import tell_unsummed
 from probe.errors import BadData
@@ -62,6 +62,8 @@ def select(
         raise BadData("probe select", "was given no folder", "Name one that collect wrote")
     if not 0 <= direct_share <= 1:
         raise BadData("--direct-share", f"{direct_share} is no share", "Say a number from 0 to 1")
+    counted = {f"--counts.{kind}": count for kind, count in (counts or {}).items()}
+    check_numbers({**counted, "--slack": slack, "--seed": seed, "--workers": workers})
     check_new(out)
     objects: dict[str, Fingerprint] = {}
     candidates, unfinished = candidates_of(collected, objects)
@@ -69,7 +71,7 @@ def select(
         *(batch.arm(arm) for folder in collected for batch in batches(folder) for arm in ARMS)
     )
     if unfinished:
-        print(f"{unfinished} batches aren't whole yet and are left out.")
+        say(f"{unfinished} batches aren't whole yet and are left out.")
     packaged = [find_suite(name) for name in packaged_suites()]
     others = [find_suite(name) for name in against]
     suites = [*packaged, *others]
@@ -87,7 +89,7 @@ def select(
     names = [suite.name for suite in suites]
     document = write_selection(out, found, recipe, objects, collected, names)
     _print(document, len(candidates))
-    print(f"They are in {out}; `probe dataset {out} OUT` writes them down for trainers.")
+    say(f"They are in {out}; `probe dataset {out} OUT` writes them down for trainers.")
 
 
 def _alike(
@@ -107,19 +109,19 @@ def _print(document: SelectionDocument, episodes: int) -> None:
     for kind, arms in document.examples.items():
         most = document.limits.get(kind)
         cells = (str(arms["agentic"]), str(arms["direct"]), "" if most is None else str(most))
-        table.add_row(kind, *cells)
-    Console().print(table)
+        table.add(kind, *cells)
+    table.show()
     letters = ", ".join(f"{letter} {count}" for letter, count in document.letters.items())
-    print(f"Right answers: {letters}. From {episodes} episodes.")
+    say(f"Right answers: {letters}. From {episodes} episodes.")
     _print_dropped(document.dropped)
     refused = document.refused
-    print(f"{len(refused)} tasks belong to evaluation and were refused.")
+    say(f"{len(refused)} tasks belong to evaluation and were refused.")
     for it in refused[:_SHOWN]:
-        print(f"  {it.task}: {it.leak}, {it.detail}")
+        say(f"  {it.task}: {it.leak}, {it.detail}")
     if len(refused) > _SHOWN:
-        print(f"  ... and {len(refused) - _SHOWN} more, in selection.json.")
+        say(f"  ... and {len(refused) - _SHOWN} more, in selection.json.")
 
 
 def _print_dropped(dropped: dict[str, int]) -> None:
     for reason, count in sorted(dropped.items(), key=lambda item: -item[1]):
-        print(f"left out, {reason}: {count}")
+        say(f"left out, {reason}: {count}")

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import warn
 from probe.cli.surroundings import everything
 from probe.doors.session import Session
 from probe.doors.words import question_text
@@ -44,6 +45,7 @@ def serve(
         from probe.doors.mcp_server import serve as serve_mcp
     except ImportError as error:
         raise MissingExtra("Serving the tools", "serve") from error
+    check_numbers({"--seed": seed})
     tasks = find_suite(suite)
     chosen = _chosen(tasks, task, seed)
     things = everything()
@@ -53,7 +55,7 @@ def serve(
         session = Session(opening, out)
         question = question_of(chosen)
         # Standard output is the protocol's. Some clients show no instructions to their model.
-        print(question_text(question), file=sys.stderr)
+        warn(*question_text(question).splitlines())
         try:
             serve_mcp(session, question)
         finally:

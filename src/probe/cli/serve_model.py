@@ -7,6 +7,8 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import say
 from probe.train.serve.serving import reserved, serve
 from probe.train.serve.speaking import Speaker
 
@@ -25,8 +27,9 @@ def serve_model(
         name: What the model is called, and must be called in requests; by default its folder's
             name.
     """
+    check_numbers({"--port": port})
     called = name or Path(model).name
     with reserved(port) as held:
         speaker = Speaker(model)
-        print(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.", flush=True)
+        say(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.")
         serve(speaker, called, held)

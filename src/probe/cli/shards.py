@@ -14,7 +14,7 @@ def parse_shard(text: str) -> Shard:
     Raises:
         BadData: It is none.
     """
-    found = re.fullmatch(r"(\d+)/(\d+)", text)
+    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text)
     if not found or int(found[1]) >= int(found[2]):
         raise BadData("--shard", f"{text!r} is no part of the work", 'Say "0/2" or "1/2".')
     return Shard(int(found[1]), int(found[2]))

@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.progress import track
 
+from probe.cli.screen import say, track
 from probe.cli.surroundings import cache_folder, everything
 from probe.errors import BadData
 from probe.files import write_text
@@ -47,8 +46,8 @@ def shortcuts(
     write_text(out, markdown(findings))
     for finding in leaks(findings):
         tally = finding.tally
-        Console().print(f"Leak: {tally.kind}, {tally.by}: {tally.accuracy:.1%} of {tally.n}")
-    print(f"{len(leaks(findings))} leaks in {len(findings)} tests; the table is {out}.")
+        say(f"Leak: {tally.kind}, {tally.by}: {tally.accuracy:.1%} of {tally.n}")
+    say(f"{len(leaks(findings))} leaks in {len(findings)} tests; the table is {out}.")
 
 
 def learn(
@@ -64,7 +63,7 @@ def learn(
     learnt = learn_weights([task for suite in _read(suites) for task in suite.tasks])
     write_text(out, learnt.model_dump_json(indent=0) + "\n")
     counts = ", ".join(f"{kind} {what.tasks}" for kind, what in learnt.root.items())
-    print(f"What was learnt is in {out}; tasks: {counts}.")
+    say(f"What was learnt is in {out}; tasks: {counts}.")
 
 
 def _check_public(suites: Sequence[Suite]) -> None:

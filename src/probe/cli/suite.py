@@ -7,13 +7,12 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
 from probe.certify.parts import Line, Making, Parts, Place
 from probe.certify.salt_file import salt_of
-from probe.cli.bars import bar
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.suite_certify import certify
@@ -63,6 +62,7 @@ def build(
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
     """
+    check_numbers({"--first": first, **{f"--counts.{kind}": n for kind, n in counts.items()}})
     if first and not public:
         reason = "numbers public tasks; a private suite's follow from its salt"
         raise BadData("--first", reason, "Say --public too, or leave it out")
@@ -78,7 +78,7 @@ def build(
         workshop = Workshop(things, tables_for(pool), renderer, unchecked, salt)
         _fill(part.of(places), parts, workshop)
     if waiting := [place for place in places if not parts.task_path(place).exists()]:
-        print(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
+        say(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
         return
     _finish(out, places, parts, workshop, unsolved)
 
@@ -93,8 +93,8 @@ def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     table = Table("task", "type", "question", "options", "answer")
     for task in find_suite(suite).tasks:
         options = "\n".join(f"{option.letter} {option.text}" for option in task.options)
-        table.add_row(task.id, task.kind, task.question, options, task.answer)
-    Console().print(table)
+        table.add(task.id, task.kind, task.question, options, task.answer)
+    table.show()
 
 
 def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
@@ -124,18 +124,18 @@ def _finish(
     _print_yield(lines)
     if unsolved:
         found = assemble_unsolved(unsolved, parts, places, things, _UNSOLVED_MOST, salt)
-        print(f"{found} candidates failed the scripted agents' check alone; {unsolved} has some")
-    print(f"{len(places)} tasks are in {out}; every candidate is in {log}")
+        say(f"{found} candidates failed the scripted agents' check alone; {unsolved} has some")
+    say(f"{len(places)} tasks are in {out}; every candidate is in {log}")
     if salt:
-        print(f"Keep {out} and {parts.folder} to yourself. The suite's commitment, for anyone:")
-        print(salt.commitment)
+        say(f"Keep {out} and {parts.folder} to yourself. The suite's commitment, for anyone:")
+        say(salt.commitment)
 
 
 def _print_yield(lines: Iterable[Line]) -> None:
     """Candidates by type, and by the check that rejected them."""
     table = Table("type", "candidates", "kept", "seconds a kept one", "first attempt", "rejected")
     for it in count_candidates(lines):
-        table.add_row(
+        table.add(
             it.kind,
             str(it.candidates),
             f"{it.kept} ({it.kept / it.candidates:.0%})",
@@ -143,4 +143,4 @@ def _print_yield(lines: Iterable[Line]) -> None:
             f"{it.solved} of {it.tried}" if it.tried else "",
             ", ".join(f"{check} {count}" for check, count in it.rejected),
         )
-    Console().print(table)
+    table.show()

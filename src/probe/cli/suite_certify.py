@@ -6,9 +6,6 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from rich.console import Console
-from rich.table import Table
-
 from probe.certify.people import (
     Agreement,
     Effort,
@@ -21,6 +18,7 @@ from probe.certify.people import (
 from probe.cli.gathering import NoRuns, one_suite
 from probe.cli.grading import Graded, darkroom_of, grade_folder
 from probe.cli.human import ARM
+from probe.cli.screen import Table, say
 from probe.episodes.folder import arm_of_folder, standing
 from probe.episodes.remarks import latest, read_remarks
 from probe.errors import BadData
@@ -57,7 +55,7 @@ def certify(
     if not tasks:
         raise BadData(suite.name, "no task is left", "Ask more people, or lower --least")
     write_suite(out, selection(suite, tasks, name or f"{suite.name}-human"))
-    print(f"{len(tasks)} of {len(suite.tasks)} tasks are in {out}; {len(dropped)} were dropped.")
+    say(f"{len(tasks)} of {len(suite.tasks)} tasks are in {out}; {len(dropped)} were dropped.")
 
 
 def _check(folders: Sequence[Path], least: float, doubters: int) -> None:
@@ -117,24 +115,23 @@ def _notes(folders: Sequence[Path]) -> dict[str, dict[str, str]]:
 def _print(
     found: Sequence[PeoplesVerdict], agreed: Sequence[Agreement], took: Sequence[Effort]
 ) -> None:
-    console = Console(markup=False)
     table = Table("task", "people", "right", "verdict", "notes")
     for it in found:
         notes = "\n".join(f"{who}: {note or '(no note)'}" for who, note in it.notes.items())
-        table.add_row(it.task, str(it.people), str(it.right), it.reason, notes)
-    console.print(table)
+        table.add(it.task, str(it.people), str(it.right), it.reason, notes)
+    table.show()
     table = Table("agreement", "tasks", "pairs", "same letter", "Krippendorff's alpha")
     for it in agreed:
         same = f"{it.same} ({it.same / it.pairs:.0%})" if it.pairs else "none"
         alpha = "undefined" if it.alpha is None else f"{it.alpha:.2f}"
-        table.add_row(it.name, str(it.tasks), str(it.pairs), same, alpha)
-    console.print(table)
+        table.add(it.name, str(it.tasks), str(it.pairs), same, alpha)
+    table.show()
     table = Table("effort", "episodes", "right", "seconds", "turns", "manipulations")
     for it in took:
         spreads = (_spread(each) for each in (it.seconds, it.turns, it.manipulations))
-        table.add_row(it.name, str(it.episodes), str(it.right), *spreads)
-    console.print(table)
-    console.print("Effort: median (10th to 90th percentile).")
+        table.add(it.name, str(it.episodes), str(it.right), *spreads)
+    table.show()
+    say("Effort: median (10th to 90th percentile).")
 
 
 def _spread(spread: tuple[float, float, float] | None) -> str:

@@ -8,8 +8,6 @@ from pathlib import Path
 from typing import Annotated
 
 import tyro
-from rich.console import Console
-from rich.table import Table
 
 from probe.assets.library import Library
 from probe.certify.attempt import Attempt
@@ -18,7 +16,8 @@ from probe.certify.verify.check import Depth, check, rebuild_problem
 from probe.certify.verify.salted import salt_problems
 from probe.certify.verify.text import read_anew
 from probe.certify.verify.verdict import CHECKS, Verdict, read_verdict, write_verdict
-from probe.cli.bars import bar
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.suite_salt import origins_by
 from probe.cli.surroundings import Pool, everything, library, tables_for
@@ -61,6 +60,7 @@ def verify(
         pool: Which objects the suite was made of, for that.
         shard: "0/2" and "1/2" in two processes share the work; then run once more without.
     """
+    check_numbers({"--histories": histories, "--rebuild": rebuild})
     frozen, things = find_suite(suite), everything()
     known = origins_by(frozen, salt, rebuild)
     check_objects(frozen, things)
@@ -133,25 +133,22 @@ def _rebuilt(
 def _print(
     suite: Suite, verdicts: Sequence[Verdict], changed: dict[str, str], rebuilt: int
 ) -> None:
-    # What a task says isn't to be taken for mark-up.
-    console = Console(markup=False)
-    console.print(_table(suite.name, verdicts))
+    _table(suite.name, verdicts).show()
     told = (_failures(verdicts), _balance_lines(suite), _history_lines(verdicts))
     for line in (*chain(*told), *_observer_lines(verdicts)):
-        console.print(line, highlight=False)
+        say(line)
     if rebuilt:
         same = rebuilt - len(changed)
-        console.print(f"{same} of {rebuilt} that were rebuilt from their seeds are the same.")
+        say(f"{same} of {rebuilt} that were rebuilt from their seeds are the same.")
     for task, problem in changed.items():
-        console.print(f"{task}: rebuilt: {problem}")
+        say(f"{task}: rebuilt: {problem}")
 
 
 def _print_salt(suite: Suite, strange: Sequence[str]) -> None:
-    print(f"The salt is the one that {suite.name} is committed to.")
+    say(f"The salt is the one that {suite.name} is committed to.")
     if not strange:
-        print(f"Ids, seeds, letters, forms and order of {len(suite.tasks)} tasks follow from it.")
-    for line in strange:
-        print(line)
+        say(f"Ids, seeds, letters, forms and order of {len(suite.tasks)} tasks follow from it.")
+    say(*strange)
 
 
 def _table(name: str, verdicts: Sequence[Verdict]) -> Table:
@@ -159,7 +156,7 @@ def _table(name: str, verdicts: Sequence[Verdict]) -> Table:
     for kind in sorted({verdict.kind for verdict in verdicts}):
         mine = [verdict for verdict in verdicts if verdict.kind == kind]
         cells = [_passed(check, mine) for check in CHECKS]
-        table.add_row(kind, str(len(mine)), str(sum(v.holds for v in mine)), *cells)
+        table.add(kind, str(len(mine)), str(sum(v.holds for v in mine)), *cells)
     return table
 
 

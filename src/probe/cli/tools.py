@@ -5,11 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import tyro
-from rich.console import Console
-from rich.progress import Progress
-from rich.table import Table
 
 from probe.assets.library import Library
+from probe.cli.numbers import check_numbers
+from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.surroundings import Pool, library
 from probe.episodes.luck import NOISES, NoiseName
@@ -53,6 +52,8 @@ def bench(
         graspgen: Address of a GraspGen server ("tcp://localhost:5556") that proposes the grasps,
             instead of the built-in planner.
     """
+    check_numbers({"--grasps": grasps, "--pushes": pushes})
+    check_numbers({"--first-seed": first_seed, "--sigma": sigma})
     part = parse_shard(shard)
     level = NOISES[noise]
     error = level.grasp if sigma is None else sigma
@@ -65,13 +66,13 @@ def bench(
     )
     start(out, settings)
     things = library(pool)
-    with Renderer() as renderer, Progress() as bar:
+    with Renderer() as renderer, bar() as progress:
         todo: tuple[tuple[Tool, int], ...] = (("grasp", grasps), ("push", pushes))
         for tool, total in todo:
             wanted = -(-total // part.count)
-            task = bar.add_task(f"{tool} attempts", total=wanted)
+            task = progress.add_task(f"{tool} attempts", total=wanted)
             for count in carry_out(out, tool, wanted, settings, things, renderer, part):
-                bar.update(task, completed=count)
+                progress.update(task, completed=count)
     _report(out, settings, things)
 
 
@@ -88,7 +89,7 @@ def _report(out: Path, settings: Settings, things: Library) -> None:
     write_tools_page(out / PAGE, title, summaries, failures)
     for summary in summaries:
         _print(summary)
-    print(f"The page with pictures of {len(failures)} failures is {out / PAGE}")
+    say(f"The page with pictures of {len(failures)} failures is {out / PAGE}")
 
 
 def _failure(trial: Trial, things: Library) -> Failure:
@@ -103,9 +104,8 @@ def _print(summary: Summary) -> None:
     table = Table("rate", "share", "of n", "95 % by scene", title=summary.tool)
     for rate in summary.rates:
         interval = f"{rate.low:.0%} to {rate.high:.0%}"
-        table.add_row(rate.name, f"{rate.share:.1%}", f"{rate.held} of {rate.n}", interval)
+        table.add(rate.name, f"{rate.share:.1%}", f"{rate.held} of {rate.n}", interval)
     for name, median, most in summary.seconds:
-        table.add_row(f"{name}, CPU s", f"{median:.2f}", "", f"p95 {most:.2f}")
-    console = Console()
-    console.print(table)
-    console.print("outcomes: " + ", ".join(f"{cause} {n}" for cause, n in summary.causes))
+        table.add(f"{name}, CPU s", f"{median:.2f}", "", f"p95 {most:.2f}")
+    table.show()
+    say("outcomes: " + ", ".join(f"{cause} {n}" for cause, n in summary.causes))

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.screen import say
 from probe.tasks.task import QuestionKind
 from probe.train.tune.diary import read_diary
 from probe.train.tune.fine_tuning import train as trained
@@ -37,7 +38,7 @@ def train(
     """
     speaks = os.environ.get("RANK", "0") == "0"  # of several processes one
     if speaks:
-        print(f"Checkpoints go to {out}; Ctrl-C stops, the same command goes on.")
+        say(f"Checkpoints go to {out}; Ctrl-C stops, the same command goes on.")
     folder = trained(dataset, model, out, tuning, types)
     if speaks:
         _tell(out, folder)
@@ -45,6 +46,6 @@ def train(
 
 def _tell(out: Path, folder: Path) -> None:
     curve = told_curve(read_diary(out))
-    print("steps, mean loss, learning rate at the end:", *curve, sep="\n")
-    print(f"The model is in {folder}, its card in {out / 'README.md'}.")
-    print(f"`probe serve-model {folder}` lets `probe run` ask it.")
+    say("steps, mean loss, learning rate at the end:", *curve)
+    say(f"The model is in {folder}, its card in {out / 'README.md'}.")
+    say(f"`probe serve-model {folder}` lets `probe run` ask it.")

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rich.progress import track
-
 from probe.assets.library import Library
+from probe.cli.screen import say, track
 from probe.episodes.conditions import Conditions
 from probe.render.renderer import Renderer
 from probe.runs.variation import Variation, earlier, keep_varied, read_variation
@@ -25,6 +24,6 @@ def varied(base: Suite, conditions: Conditions, things: Library, out: Path) -> S
         suite = keep_varied(out, base, conditions, found)
     notes = (read_variation(out) or Variation(base="", conditions="", notes={})).notes
     for task, note in notes.items():
-        print(f"{task}: {note}")
-    print(f"{len(notes)} of {len(base.tasks)} tasks are no longer what was certified; all are run.")
+        say(f"{task}: {note}")
+    say(f"{len(notes)} of {len(base.tasks)} tasks are no longer what was certified; all are run.")
     return suite

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import asdict, replace
+from typing import Annotated
 
 import pydantic
 
 from probe.episodes.conditions import Conditions, Ideal, LightKind, TableKind
 from probe.perception.dials import Dials
+from probe.scene.document import Position, Rotation
 from probe.scene.layout import top_camera
 from probe.scene.lighting import Lighting
 from probe.scene.perturb import CameraName
 from probe.scene.sight import Sight
-from probe.types import Pose, Quaternion, Vector3
+from probe.types import Pose
+
+Rate = Annotated[float, pydantic.Field(ge=0, le=1)]
 
 
 class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
@@ -22,10 +26,10 @@ class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
 class DialsDocument(_Document):
     """Rates of the oracle's errors."""
 
-    over: float = 0.0
-    under: float = 0.0
-    missed: float = 0.0
-    hallucinated: float = 0.0
+    over: Rate = 0.0
+    under: Rate = 0.0
+    missed: Rate = 0.0
+    hallucinated: Rate = 0.0
 
 
 class ConditionsDocument(_Document):
@@ -59,8 +63,8 @@ class ConditionsDocument(_Document):
 class SightDocument(_Document):
     """Pose of the camera (world_from_camera) and the light, if they weren't the usual ones."""
 
-    position: Vector3
-    wxyz: Quaternion
+    position: Position
+    wxyz: Rotation
     lighting: str
     yaw: float
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import pydantic
 
@@ -12,8 +12,11 @@ from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
 from probe.episodes.seat_document import SeatDocument
 from probe.episodes.turns import Call, Question
 from probe.scene.document import SceneDocument
+from probe.scene.layout import PICTURE_PX
 from probe.scene.sight import Sight
 from probe.toolshed.result import Answer, Status
+
+Pixel = Annotated[int, pydantic.Field(ge=0, lt=PICTURE_PX)]
 
 
 class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
@@ -41,7 +44,7 @@ class StepDocument(_Document):
     call: CallDocument
     status: Status
     text: str
-    point_px: tuple[int, int] | None
+    point_px: tuple[Pixel, Pixel] | None
     after: TableDocument | None
 
 
@@ -62,8 +65,8 @@ class SecondsDocument(_Document):
 class NoiseDocument(_Document):
     """Standard deviations of the hand's errors, metres."""
 
-    grasp: float
-    push: float
+    grasp: float = pydantic.Field(ge=0)
+    push: float = pydantic.Field(ge=0)
 
 
 class EpisodeDocument(_Document):
@@ -72,7 +75,7 @@ class EpisodeDocument(_Document):
     version: Literal[2] = 2
     task: str
     agent: str
-    run: int
+    run: int = pydantic.Field(ge=0, le=10**9)
     question: str
     options: tuple[tuple[str, str], ...]
     start: TableDocument

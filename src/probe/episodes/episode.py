@@ -11,6 +11,7 @@ from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
 from probe.episodes.turns import Call, Question, Turn
 from probe.errors import ProbeError
 from probe.scene.scene import Scene
+from probe.texts import writable
 from probe.toolshed.refusals import EpisodeOver
 from probe.toolshed.result import ToolResult
 from probe.toolshed.toolshed import Toolshed
@@ -123,8 +124,7 @@ def _table(witness: Witness) -> Table:
 
 def _storable(call: Call) -> Call:
     """The call as UTF-8 can hold it; models may send halves of surrogate pairs."""
-    parts = (call.name, call.arguments, call.words)
-    return Call(*(part.encode("utf-8", "replace").decode() for part in parts))
+    return Call(writable(call.name), writable(call.arguments), writable(call.words))
 
 
 def _end(toolshed: Toolshed) -> End:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pydantic
 
+from probe import reading
 from probe.checksum import has_sum, with_sum, without_sum
 from probe.episodes.document import EpisodeDocument
 from probe.episodes.record import EpisodeRecord
@@ -56,21 +57,28 @@ def append_line(path: Path, line: bytes) -> None:
         OutputFailed: The disk is full, or the folder can't be written.
     """
     if cut_off(path):
-        last = path.read_bytes().count(b"\n") + 1
+        last = reading.contents(path, reading.RECORDS).count(b"\n") + 1
         raise BadData(f"{path}, line {last}", "is cut off before its end", _REMEDY)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("ab", buffering=0) as file:
             _write_whole(file, line)
     except OSError as error:
-        raise OutputFailed(path, error.strerror or str(error)) from error
+        raise OutputFailed(path, error) from error
 
 
 def cut_off(path: Path) -> bytes:
-    """What follows the last whole line of a file; empty if all are whole or there is no file."""
+    """What follows the last whole line of a file; empty if all are whole or there is no file.
+
+    Raises:
+        BadData: It can't be read.
+    """
     if not path.exists():
         return b""
-    return path.read_bytes().rpartition(b"\n")[2]
+    try:
+        return reading.contents(path, reading.RECORDS).rpartition(b"\n")[2]
+    except OSError as error:
+        raise BadData(path, error.strerror or str(error), "Check the path") from error
 
 
 def set_aside_cut(path: Path) -> Path | None:
@@ -90,7 +98,7 @@ def set_aside_cut(path: Path) -> Path | None:
     try:
         os.truncate(path, path.stat().st_size - len(rest))
     except OSError as error:
-        raise OutputFailed(path, error.strerror or str(error)) from error
+        raise OutputFailed(path, error) from error
     return aside
 
 
@@ -116,7 +124,7 @@ def lines_of(path: Path, *, whole: bool = True) -> list[bytes]:
         BadData: The file can't be read.
     """
     try:
-        content = path.read_bytes()
+        content = reading.contents(path, reading.RECORDS)
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Check the path") from error
     return (content if whole else content[: content.rfind(b"\n") + 1]).splitlines()

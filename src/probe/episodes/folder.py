@@ -13,6 +13,7 @@ from probe.episodes.files import append_line, append_record, read_records
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, OutputFailed
 from probe.files import write_text
+from probe.reading import opened, words
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 
@@ -86,7 +87,7 @@ def arm_of_folder(out: Path) -> str | None:
     if not path.exists():
         return None
     try:
-        return path.read_text("utf-8").strip() or None
+        return words(path).strip() or None
     except (OSError, UnicodeDecodeError) as error:
         raise BadData(path, str(error), "Write the arm's name into it") from error
 
@@ -125,7 +126,7 @@ def reserved(out: Path) -> Generator[None]:
     Raises:
         BadData: Another run is at work there.
     """
-    with (out / SUITE).open("rb") as file:
+    with opened(out / SUITE) as file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
@@ -159,7 +160,7 @@ def alone(folder: Path) -> Generator[None]:
         folder.mkdir(parents=True, exist_ok=True)
         handle = os.open(folder, os.O_RDONLY)
     except OSError as error:
-        raise OutputFailed(folder, error.strerror or str(error)) from error
+        raise OutputFailed(folder, error) from error
     try:
         fcntl.flock(handle, fcntl.LOCK_EX)
         yield

@@ -12,6 +12,10 @@ from probe.files import read_document, write_text
 
 ORDERED = "ordered.json"
 
+MOST_RUNS = 1000
+"""Of each task, by one agent: more are a slip of the hand, or somebody's mischief. Each one that
+isn't there is counted and named as missing."""
+
 Ordered = Mapping[tuple[str, str], int]
 """Runs of each task by agent and arm, as records have both."""
 
@@ -19,7 +23,7 @@ Ordered = Mapping[tuple[str, str], int]
 class _Line(pydantic.BaseModel, frozen=True, extra="forbid"):
     agent: str
     arm: str
-    runs: int = pydantic.Field(ge=1)
+    runs: int = pydantic.Field(ge=1, le=MOST_RUNS)
 
 
 class OrderedDocument(pydantic.BaseModel, frozen=True, extra="forbid"):

@@ -12,6 +12,7 @@ from probe.episodes.files import append_line
 from probe.episodes.folder import alone
 from probe.errors import BadData
 from probe.files import fault, write_bytes
+from probe.reading import contents
 
 REMARKS = "remarks.jsonl"
 LONGEST = 1000
@@ -74,7 +75,7 @@ def read_remarks(out: Path) -> list[Remark]:
     if not path.exists():
         return []
     try:
-        lines = path.read_bytes().splitlines()
+        lines = contents(path).splitlines()
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Check the path") from error
     return [_read(f"{path}, line {number}", line) for number, line in enumerate(lines, start=1)]

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from probe.errors import BadData
 from probe.perception.mistakes import cut_in_two, invented, neighbour_of, united
 from probe.perception.oracle import NoLabels
 from probe.perception.things import Detector, Thing, Words
@@ -48,9 +49,8 @@ class Dials:
     def __post_init__(self) -> None:
         for name in ("over", "under", "missed", "hallucinated"):
             if not 0.0 <= getattr(self, name) <= 1.0:
-                raise ValueError(
-                    f"The rate of {name} is {getattr(self, name)}; it has to be 0 to 1."
-                )
+                reason = f"{getattr(self, name)} is no rate"
+                raise BadData(f"--dials.{name}", reason, "Say a number from 0 to 1")
 
 
 class Dialled:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from probe.certify.parts import KEPT, Line
 from probe.errors import BadData
+from probe.reading import words
 
 _REMEDY = "Take the log that `probe suite build` wrote beside the suite"
 
@@ -39,7 +40,7 @@ def read_build_log(path: Path) -> list[Candidates]:
         BadData: It can't be read, or a line is none of a log.
     """
     try:
-        texts = path.read_text("utf-8").splitlines()
+        texts = words(path).splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise BadData(path, str(error), _REMEDY) from error
     return count_candidates(_line(path, *each) for each in enumerate(texts, start=1))

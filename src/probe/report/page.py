@@ -9,6 +9,7 @@ from pathlib import Path
 
 from probe.errors import BadData, ProbeError
 from probe.files import write_text
+from probe.reading import contents
 from probe.report.build_log import Candidates
 from probe.report.formats import FILTERS
 from probe.report.highlight import highlight_of
@@ -148,7 +149,7 @@ def _inlined(played: Played, folder: Path) -> Played:
 
 def _data(path: Path) -> str:
     try:
-        content = path.read_bytes()
+        content = contents(path)
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Write the report again") from error
     return "data:image/jpeg;base64," + base64.b64encode(content).decode()

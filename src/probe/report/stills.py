@@ -16,6 +16,7 @@ from probe.episodes.record import EpisodeRecord, Step
 from probe.errors import BadData
 from probe.files import encode, write_bytes
 from probe.perception.things import Thing, Words
+from probe.reading import contents
 from probe.report.darkroom import Darkroom
 from probe.scene.document import SceneDocument
 from probe.scene.scene import Scene
@@ -90,7 +91,7 @@ def develop(still: Still, task: Task, path: Path, darkroom: Darkroom, kept: Iter
     """
     for folder in kept:
         try:
-            write_bytes(path, (folder / path.name).read_bytes())
+            write_bytes(path, contents(folder / path.name))
             return
         except FileNotFoundError:
             continue

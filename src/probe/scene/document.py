@@ -2,14 +2,34 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import pydantic
 
 from probe.files import read_document, write_text
 from probe.scene.scene import PlacedObject, Scene
-from probe.types import Pose, Quaternion, Vector3
+from probe.types import Pose, Quaternion
+
+FARTHEST = 1000.0
+"""Metres; what falls off a table for as long as an episode takes comes less far."""
+
+_ROUNDING = 1e-6
+
+
+def _unit(wxyz: Quaternion) -> Quaternion:
+    if not abs(math.hypot(*wxyz) - 1) <= _ROUNDING:
+        raise ValueError(f"a rotation is a quaternion of length 1, not {math.hypot(*wxyz):.6g}")
+    return wxyz
+
+
+_Coordinate = Annotated[float, pydantic.Field(ge=-FARTHEST, le=FARTHEST, allow_inf_nan=False)]
+Position = tuple[_Coordinate, _Coordinate, _Coordinate]
+"""Metres; near enough to be a place at a table."""
+
+Rotation = Annotated[Quaternion, pydantic.AfterValidator(_unit)]
+"""A unit quaternion wxyz."""
 
 
 class PlacedObjectDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
@@ -17,17 +37,25 @@ class PlacedObjectDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=Fal
 
     instance: int = pydantic.Field(ge=1)
     object_id: str
-    position: Vector3
-    wxyz: Quaternion
+    position: Position
+    wxyz: Rotation
 
 
 class SceneDocument(pydantic.BaseModel, extra="forbid"):
     """The whole table."""
 
     version: Literal[1] = 1
-    seed: int
+    seed: int = pydantic.Field(ge=0)
     table: str
-    objects: list[PlacedObjectDocument]
+    objects: Annotated[list[PlacedObjectDocument], pydantic.FailFast()]
+
+    @pydantic.model_validator(mode="after")
+    def _each_once(self) -> SceneDocument:
+        numbers = [placed.instance for placed in self.objects]
+        twice = sorted({number for number in numbers if numbers.count(number) > 1})
+        if twice:
+            raise ValueError(f"instance {twice[0]} is there twice")
+        return self
 
     @staticmethod
     def of(scene: Scene) -> SceneDocument:

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import pydantic
 
+from probe.episodes.ordered import MOST_RUNS
 from probe.episodes.record import End
 from probe.tasks.grading import Outcome
 from probe.tasks.task import Letter
@@ -52,7 +53,7 @@ class Row(pydantic.BaseModel, frozen=True, extra="forbid", allow_inf_nan=False):
     agent: str
     arm: str
     run: int = pydantic.Field(ge=0)
-    ordered: int | None = pydantic.Field(default=None, ge=1)
+    ordered: int | None = pydantic.Field(default=None, ge=1, le=MOST_RUNS)
     answer: Letter | None = None
     right: Letter
     correct: bool

@@ -11,13 +11,17 @@ import pydantic
 
 from probe.errors import BadData
 from probe.files import fault, write_bytes, write_text
+from probe.reading import RECORDS, contents
 from probe.scores.row import Row
+from probe.texts import cell, uncell
 
 _REMEDY = "Write it again with `probe rescore`"
 
 
 def write_csv(path: Path, rows: Sequence[Row]) -> None:
     """Write rows as CSV with a head (RFC 4180, UTF-8); what is unknown is an empty cell.
+
+    A text that a spreadsheet would take for a formula has an apostrophe before it.
 
     Raises:
         OutputFailed: It can't be written; nothing half-written is left.
@@ -40,7 +44,7 @@ def read_csv(path: Path) -> list[Row]:
     rows = list[Row]()
     try:
         for number, cells in enumerate(reader, start=1):
-            known = {name: cell for name, cell in cells.items() if cell != ""}
+            known = {name: _read(each) for name, each in cells.items() if each != ""}
             rows.append(_row(f"{path}, row {number}", known))
     except csv.Error as error:
         raise BadData(path, str(error), _REMEDY) from error
@@ -70,12 +74,19 @@ def read_json_lines(path: Path) -> list[Row]:
 def _cell(value: object) -> object:
     if value is None:
         return ""
+    if isinstance(value, str):
+        return cell(value)
     return str(value).lower() if isinstance(value, bool) else value
+
+
+def _read(written: object) -> object:
+    """What stands in a cell; a row that is too long or too short has none or several."""
+    return uncell(written) if isinstance(written, str) else written
 
 
 def _text(path: Path) -> str:
     try:
-        return path.read_bytes().decode()
+        return contents(path, RECORDS).decode()
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Check the path") from error
     except UnicodeDecodeError as error:

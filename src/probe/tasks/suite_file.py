@@ -5,14 +5,16 @@ from __future__ import annotations
 import hashlib
 from importlib import resources
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import pydantic
 
+from probe import reading
 from probe.checksum import with_sum
 from probe.errors import BadData, UnknownName
 from probe.files import read_document, write_bytes
 from probe.scene.document import SceneDocument
+from probe.scene.layout import PICTURE_PX
 from probe.scene.visibility import Visibility
 from probe.tasks.reserved import Difference, difference, unlike
 from probe.tasks.suite import Suite
@@ -21,7 +23,14 @@ from probe.tasks.task import LETTERS, Certificate, Form, Letter, Mark, Option, Q
 CANARY = "PROBE SUITE; NOT FOR TRAINING; canary 6d0f1c52-6c0e-4e7c-9a53-0b6f2f8f7d41"
 """Anyone who finds this text in training data knows that a suite got there."""
 
+_FEWEST_TARGETS: dict[QuestionKind, int] = {
+    "beneath": 1, "find": 1, "compare": 2, "reduce": 1, "size": 2
+}  # fmt: skip
+
 _REMEDY = "Fetch the suite again, or build it with `probe suite build`"
+
+
+_Pixel = Annotated[int, pydantic.Field(ge=0, lt=PICTURE_PX)]
 
 
 class VisibilityDocument(pydantic.BaseModel, extra="forbid"):
@@ -44,7 +53,7 @@ class MarkDocument(pydantic.BaseModel, extra="forbid"):
 
     letter: Letter
     instance: int
-    point: tuple[int, int]
+    point: tuple[_Pixel, _Pixel]
 
 
 class TaskDocument(pydantic.BaseModel, extra="forbid"):
@@ -53,7 +62,7 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
     id: str = pydantic.Field(pattern=r"^[a-z0-9-]+$")
     kind: QuestionKind
     form: Form
-    seed: int
+    seed: int = pydantic.Field(ge=0)
     version: int
     subject: str
     question: str
@@ -75,6 +84,8 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
             raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
         if self.answer not in LETTERS[: len(self.options)]:
             raise ValueError(f"its answer {self.answer} is none of its options")
+        if len(self.targets) < _FEWEST_TARGETS.get(self.kind, 0):
+            raise ValueError(f"{self.kind} is about {_FEWEST_TARGETS[self.kind]} targets or more")
         return self
 
     @staticmethod
@@ -151,7 +162,7 @@ class SuiteDocument(pydantic.BaseModel, extra="forbid"):
     commitment: str | None = pydantic.Field(default=None, pattern=r"^[0-9a-f]{64}$")
     objects: dict[str, tuple[float, ...]]
     manifest: dict[str, str]
-    tasks: list[TaskDocument]
+    tasks: Annotated[list[TaskDocument], pydantic.FailFast()]
 
     @pydantic.model_validator(mode="after")
     def _is_whole(self) -> SuiteDocument:
@@ -204,7 +215,7 @@ def read_suite(path: Path) -> Suite:
     Raises:
         BadData: The file is missing, truncated, changed, or not a suite of this version.
     """
-    document = read_document(path, SuiteDocument, _REMEDY)
+    document = read_document(path, SuiteDocument, _REMEDY, most=reading.SUITE)
     tasks = tuple(task.task() for task in document.tasks)
     return Suite(document.name, tasks, document.objects, document.commitment)
 

@@ -18,6 +18,7 @@ from probe.errors import BadData, Unsatisfiable
 from probe.files import claim_folder, encode, fault, write_bytes
 from probe.manipulation import Planned
 from probe.manipulation.graspgen import GraspGen
+from probe.reading import RECORDS, contents
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject
 from probe.toolshed.skills import Skills
@@ -152,7 +153,11 @@ def _outlined(picture: Array, mask: Array) -> Array:
 
 def _read(path: Path) -> list[Trial]:
     trials: list[Trial] = []
-    for number, line in enumerate(path.read_bytes().splitlines(), start=1):
+    try:
+        lines = contents(path, RECORDS).splitlines()
+    except OSError as error:
+        raise BadData(path, error.strerror or str(error), "Check the path") from error
+    for number, line in enumerate(lines, start=1):
         try:
             trials.append(Trial.model_validate_json(line))
         except ValidationError as error:

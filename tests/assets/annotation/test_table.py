@@ -53,6 +53,13 @@ def test_a_table_that_nobody_touched_changes_nothing(tmp_path, notes):
     assert corrected(tmp_path / "t.csv", notes) == notes
 
 
+def test_no_cell_is_a_formula(tmp_path, notes):
+    noted = [note.model_copy(update={"description": "=1+1"}) for note in notes]
+    write_table(tmp_path / "t.csv", noted)
+    assert ",'=1+1," in (tmp_path / "t.csv").read_text()
+    assert corrected(tmp_path / "t.csv", noted) == tuple(noted)
+
+
 def test_a_person_s_word_is_marked_and_outlives_the_model_s(tmp_path, notes):
     write_table(tmp_path / "t.csv", notes)
     edit(tmp_path / "t.csv", 0, "name", "crimson mug")

@@ -99,4 +99,4 @@ def add_prints(log: Path, heading: str, words: str) -> None:
         with log.open("ab", buffering=0) as file:
             file.write(text.encode())
     except OSError as error:
-        raise OutputFailed(log, error.strerror or str(error)) from error
+        raise OutputFailed(log, error) from error

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -16,6 +16,8 @@ from probe.assets.fitness import PAYLOAD
 from probe.assets.importers.upright import up_doubt
 from probe.errors import BadData
 from probe.files import fault, write_text
+from probe.reading import words
+from probe.texts import cell, uncell
 
 TABLE = "review.csv"
 _COLUMNS = {"mass": "mass_kg", "up": "up"}
@@ -45,7 +47,8 @@ def write_table(path: Path, notes: Sequence[Note]) -> None:
     for note in notes:
         by = ";".join(note.origins[field] for field in FIELDS)
         size = " x ".join(f"{100 * edge:.1f}" for edge in note.size or ())
-        table.writerow([note.id, *_told(note).values(), size, by, note.problem, _remarks(note)])
+        told = (note.id, *_told(note).values(), size, by, note.problem, _remarks(note))
+        table.writerow(map(cell, told))
     write_text(path, text.getvalue())
 
 
@@ -59,20 +62,30 @@ def corrected(path: Path, notes: Sequence[Note]) -> tuple[Note, ...]:
     """
     known = {note.id: note for note in notes}
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = words(path, encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         raise BadData(path, f"can't be read as UTF-8 text ({error})", _REMEDY) from error
-    lines = csv.DictReader(io.StringIO(text))
-    if lines.fieldnames is None or not {"id", *FIELDS} <= set(lines.fieldnames):
-        raise BadData(path, f"lacks one of the columns id, {', '.join(FIELDS)}", _REMEDY)
-    for line in lines:
+    for number, line in _lines(path, text):
         note = known.get(line["id"])
         if note is None:
-            raise BadData(f"{path}:{lines.line_num}", f"no object is called {line['id']}", _REMEDY)
-        changes = _changes(path, lines.line_num, note, line)
+            raise BadData(f"{path}:{number}", f"no object is called {line['id']}", _REMEDY)
+        changes = _changes(path, number, note, line)
         if changes:
             known[note.id] = changed_by_hand(note, changes)
     return tuple(known.values())
+
+
+def _lines(path: Path, text: str) -> Iterator[tuple[int, dict[str, str]]]:
+    """The lines of a table with their numbers; what a line lacks is empty."""
+    reader = csv.DictReader(io.StringIO(text), restval="")
+    try:
+        if reader.fieldnames is None or not {"id", *FIELDS} <= set(reader.fieldnames):
+            raise BadData(path, f"lacks one of the columns id, {', '.join(FIELDS)}", _REMEDY)
+        known = [name for name in ("id", *FIELDS, *_COLUMNS.values()) if name in reader.fieldnames]
+        for cells in reader:
+            yield reader.line_num, {name: uncell(str(cells[name])) for name in known}
+    except csv.Error as error:
+        raise BadData(f"{path}:{reader.line_num}", str(error), _REMEDY) from error
 
 
 def _told(note: Note) -> dict[str, str]:

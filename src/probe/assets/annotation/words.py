@@ -83,11 +83,11 @@ def parse(reply: str) -> Described:
         raise UnusableReply("there is no JSON object in the reply")
     try:
         return Described.model_validate(json.loads(found.group()))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise UnusableReply(_reason(error)) from error
 
 
-def _reason(error: ValueError) -> str:
+def _reason(error: Exception) -> str:
     if isinstance(error, ValidationError):
         return fault(error, "reply")
     return f"its JSON is broken ({error})"

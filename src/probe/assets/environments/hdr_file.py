@@ -10,6 +10,7 @@ import numpy as np
 import OpenEXR
 
 from probe.errors import BadData
+from probe.reading import MESH, contents, opened
 from probe.types import Array
 
 _LARGEST_PX = 16_384
@@ -23,7 +24,7 @@ def read_panorama(path: Path) -> Array:
         BadData: The file is missing, damaged or no panorama, or its format can't be read here.
     """
     try:
-        radiance = _read_exr(path) if path.suffix == ".exr" else _decoded(path.read_bytes())
+        radiance = _read_exr(path) if path.suffix == ".exr" else _decoded(contents(path, MESH))
     except OSError as error:
         raise BadData(path, error.strerror or str(error), _REMEDY) from error
     except ValueError as error:
@@ -43,12 +44,28 @@ def _read_exr(path: Path) -> Array:
         ValueError: It is none, or has no colour.
     """
     try:
+        _check_exr(path)
         with OpenEXR.File(str(path)) as file:
             channels: dict[str, Any] = file.channels()
             name = "RGB" if "RGB" in channels else "RGBA"
             return np.asarray(channels[name].pixels[..., :3], np.float32)
     except (RuntimeError, TypeError, KeyError) as error:
         raise ValueError(f"can't be read as OpenEXR ({error})") from error
+
+
+def _check_exr(path: Path) -> None:
+    """Refuse a picture that would fill the memory, by its header.
+
+    Raises:
+        OSError: It can't be read, or is no regular file.
+        ValueError: It is too large.
+    """
+    opened(path).close()
+    with OpenEXR.File(str(path), header_only=True) as file:
+        low, high = file.header()["dataWindow"]
+        width, height = (int(edge) for edge in np.asarray(high) - np.asarray(low) + 1)
+    if not (0 < width <= _LARGEST_PX and 0 < height <= _LARGEST_PX):
+        raise ValueError(f"claims {width} x {height} pixels")
 
 
 def _decoded(content: bytes) -> Array:

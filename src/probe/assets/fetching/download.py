@@ -70,7 +70,7 @@ def download(
             reason = str(getattr(error, "reason", None) or error or type(error).__name__)
         except OSError as error:
             _forget(part, begun)
-            raise OutputFailed(path, error.strerror or str(error)) from error
+            raise OutputFailed(path, error) from error
         if attempt == TRIES - 1:
             raise DownloadFailed(url, reason)
         time.sleep(pause * 2**attempt)

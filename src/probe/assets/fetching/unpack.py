@@ -34,7 +34,7 @@ def unpack(archive: Path, folder: Path) -> None:
     except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
         raise BadData(archive, f"is no whole ZIP file ({error})", _AGAIN) from error
     except OSError as error:
-        raise OutputFailed(folder, error.strerror or str(error)) from error
+        raise OutputFailed(folder, error) from error
 
 
 def _check(archive: Path, entries: list[zipfile.ZipInfo]) -> None:

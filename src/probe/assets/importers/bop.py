@@ -17,6 +17,7 @@ from probe.assets.importers.source import Facts, Frame, Importer, Source, Symmet
 from probe.assets.importers.stanford import ply_texture, read_ply
 from probe.errors import BadData, BadMesh
 from probe.files import fault
+from probe.reading import json_contents
 
 INFO = "models_info.json"
 NAMES = "bop_names.csv"
@@ -66,7 +67,7 @@ def read_models(path: Path) -> dict[int, Model]:
     try:
         if path.stat().st_size > MAX_INFO_BYTES:
             raise BadData(path, "is too large", "Download it again.")
-        return _MODELS.validate_json(path.read_bytes())
+        return _MODELS.validate_json(json_contents(path, MAX_INFO_BYTES))
     except OSError as error:
         raise BadData(path, error.strerror or "can't be read", "Download it again.") from error
     except ValidationError as error:

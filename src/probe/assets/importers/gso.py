@@ -15,6 +15,7 @@ from probe.assets.importers.masses import stated_mass
 from probe.assets.importers.source import Facts, Frame, Importer, Source
 from probe.assets.importers.wavefront import Parts, obj_parts, read_obj
 from probe.errors import BadMesh
+from probe.reading import opened
 
 MAX_TEXT_BYTES = 2**20
 TEXTURES = Path("materials") / "textures"
@@ -105,7 +106,7 @@ def _read(source: Source) -> trimesh.Trimesh:
 
 def _text(path: Path) -> str:
     try:
-        with path.open("rb") as file:
+        with opened(path) as file:
             return file.read(MAX_TEXT_BYTES).decode("utf-8", "replace").lstrip()
     except OSError as error:
         reason = error.strerror or "can't be read"

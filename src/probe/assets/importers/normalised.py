@@ -24,6 +24,7 @@ from probe.assets.shaping import check_geometry, placed, textured
 from probe.assets.squared import squaring_turn
 from probe.assets.wholeness import broken_parts
 from probe.errors import BadMesh
+from probe.reading import MESH, contents
 from probe.types import Array
 
 IMPORT_VERSION = 1
@@ -41,11 +42,11 @@ def content_of(source: Source, order: Order) -> str:
     """
     files = IMPORTERS[order.format].files(source)
     try:
-        contents = [file.read_bytes() for file in files]
+        parts = [contents(file, MESH) for file in files]
     except OSError as error:
         reason = error.strerror or "can't be read"
         raise BadMesh(source.mesh, reason, "Check the path and its permissions.") from error
-    return content_key(f"{IMPORT_VERSION} {order}", *contents)
+    return content_key(f"{IMPORT_VERSION} {order}", *parts)
 
 
 def normalised(source: Source, order: Order) -> tuple[TexturedMesh, Entry]:

@@ -14,6 +14,7 @@ from probe.assets.gltf_tree import MAX_TRIANGLES, MAX_VERTICES
 from probe.assets.pictures import check_picture
 from probe.assets.shaping import joined
 from probe.errors import BadMesh
+from probe.reading import opened
 
 MAX_BYTES = 2**29
 MAX_HEADER = 2**16
@@ -67,7 +68,7 @@ def read_ply(path: Path, root: Path) -> trimesh.Trimesh:
 def _header(path: Path) -> str:
     try:
         size = path.stat().st_size
-        with path.open("rb") as file:
+        with opened(path) as file:
             head = file.read(MAX_HEADER)
     except OSError as error:
         reason = error.strerror or "can't be read"

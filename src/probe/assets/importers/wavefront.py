@@ -17,6 +17,7 @@ from probe.assets.importers.skins import sole_picture
 from probe.assets.pictures import check_picture
 from probe.assets.shaping import joined
 from probe.errors import BadMesh
+from probe.reading import contents
 
 MAX_BYTES = 2**29
 MAX_WORDS = 20 * MAX_TRIANGLES
@@ -147,7 +148,7 @@ def _text(path: Path, limit: int) -> bytes:
         size = path.stat().st_size
         if size > limit:
             raise BadMesh(path, f"has {size / 2**20:,.0f} MB", "Decimate it.")
-        content = path.read_bytes()
+        content = contents(path, limit)
     except OSError as error:
         reason = error.strerror or "can't be read"
         raise BadMesh(path, reason, "Check the path and its permissions.") from error

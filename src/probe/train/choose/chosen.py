@@ -11,6 +11,7 @@ from typing import Literal
 
 import pydantic
 
+from probe import reading
 from probe.assets.fingerprint import Fingerprint
 from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import RECORDS, SUITE
@@ -146,6 +147,6 @@ def read_selection(folder: Path) -> Chosen:
 
 def _hash(path: Path) -> str:
     try:
-        return hashlib.sha256(path.read_bytes()).hexdigest()
+        return hashlib.sha256(reading.contents(path, reading.RECORDS)).hexdigest()
     except OSError as error:
         raise BadData(path, error.strerror or str(error), _REMEDY) from error

@@ -69,7 +69,10 @@ def failures(record: EpisodeRecord) -> Counter[str]:
 
 def _found(step: Step) -> tuple[str, str]:
     """The id that find_object gave out, and what the thing is: its name if it has one."""
-    told: Any = yaml.safe_load(step.text)
+    try:
+        told: Any = yaml.safe_load(step.text)
+    except (yaml.YAMLError, ValueError, RecursionError):  # none that our tools wrote
+        told = None
     lines = cast("dict[str, Any]", told if isinstance(told, dict) else {})
     return str(lines.get("object_id", "")), str(lines.get("name") or lines.get("description", ""))
 

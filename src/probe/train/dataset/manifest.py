@@ -11,6 +11,7 @@ import pydantic
 
 from probe.errors import BadData
 from probe.files import read_document, write_text
+from probe.reading import RECORDS, contents
 
 MANIFEST = "manifest.json"
 _REMEDY = "Write the data set anew: probe dataset SELECTION OUT"
@@ -54,7 +55,7 @@ def mark_of(path: Path) -> FileMark:
         BadData: It is missing or can't be read.
     """
     try:
-        content = path.read_bytes()
+        content = contents(path, 16 * RECORDS)
     except OSError as error:
         raise BadData(path, error.strerror or str(error), _REMEDY) from error
     return FileMark(size=len(content), sha256=hashlib.sha256(content).hexdigest())

@@ -34,7 +34,7 @@ def read_reply(text: str) -> Reply:
         return Reply(text.strip())
     try:
         calls = tuple(_call(found) for found in _CALL.findall(text))
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         calls = ()
     return Reply(text[: text.find(_START)].strip(), calls) if calls else Reply(text.strip())
 

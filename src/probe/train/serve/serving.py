@@ -140,7 +140,7 @@ def _refusal(error: ProbeError, code: str | None) -> dict[str, Any]:
 def _body(content: bytes, called: str) -> dict[str, Any]:
     try:
         body: Any = json.loads(content)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise NotUnderstood("it is no JSON") from error
     if not isinstance(body, dict) or "messages" not in body:
         raise NotUnderstood("it has no messages")
