@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated
@@ -11,15 +12,25 @@ from rich.console import Console
 from rich.table import Table
 
 from probe.assets.library import Library
-from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
+from probe.certify.build import (
+    Workshop,
+    assemble,
+    assemble_unsolved,
+    fill,
+    places_of,
+    why_none,
+)
 from probe.certify.parts import Line, Making, Parts, Place
+from probe.certify.plan import ATTEMPTS
+from probe.certify.possible import possibilities
 from probe.cli.bars import bar
+from probe.cli.possible import Incomplete, show_possible
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.suite_certify import certify
 from probe.cli.suite_verify import verify
 from probe.cli.surroundings import Pool, library, tables_for
-from probe.errors import BadData
+from probe.errors import BadData, Unsatisfiable
 from probe.files import write_text
 from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
@@ -50,11 +61,14 @@ def build(
 
     Kept tasks and a log of every candidate wait in a folder beside the suite. Any number of
     processes may share the work; the last to end writes the suite, and the whole log beside it.
+    Begins with a table of what the objects allow. What can't be made is left out and named at the
+    end; the exit status is then 1.
 
     Args:
         out: File for the suite.
         counts: Tasks of each type: "--counts.find 28 --counts.compare 24".
-        pool: Which objects appear; scans need PROBE_ASSETS.
+        pool: Which objects appear; scans need PROBE_ASSETS. With own+procedural, and with all, your
+            own play the parts and others help out.
         first: Number of the first episode of each type; other numbers give other tasks.
         shard: "0/2" and "1/2" in two processes share the work.
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
@@ -66,13 +80,20 @@ def build(
         raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
     part = parse_shard(shard)
     parts.claim(Making(pool=pool, unchecked=unchecked))
+    left_out = _hopeless([p for p in places if not parts.task_path(p).exists()], things)
     with Renderer() as renderer:
         workshop = Workshop(things, tables_for(pool), renderer, unchecked)
-        _fill(part.of(places), parts, workshop)
-    if waiting := [place for place in places if not parts.task_path(place).exists()]:
-        print(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
+        _fill([place for place in part.of(places) if place not in left_out], parts, workshop)
+    left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
+    made = [place for place in places if parts.task_path(place).exists()]
+    if waiting := len(places) - len(made) - len(left_out):
+        print(f"{waiting} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
         return
-    _finish(out, places, parts, things, unsolved)
+    if made:
+        _finish(out, made, parts, things, unsolved)
+    if left_out:
+        written = f"{out} has {len(made)} of {len(places)} tasks." if made else "No task was made."
+        raise Incomplete(written, list(left_out.items()))
 
 
 @app.command
@@ -89,12 +110,24 @@ def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     Console().print(table)
 
 
+def _hopeless(places: Sequence[Place], things: Library) -> dict[Place, str]:
+    """Tell what can be made; places for which the library lacks the things, and why."""
+    found = possibilities(places, things)
+    if found:
+        show_possible(found, things)
+    return {place: it.missing[0] for it in found for place in it.hopeless}
+
+
 def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
+    """Make tasks; a place for which none can be made doesn't end the others."""
     with bar() as progress:
         line = progress.add_task("Building", total=len(places))
         for place in places:
-            for tried in fill(place, parts, workshop):
-                progress.update(line, description=f"{place.kind} {place.episode}: {tried.check}")
+            # What was tried is in the place's log.
+            with contextlib.suppress(Unsatisfiable):
+                for tried in fill(place, parts, workshop):
+                    done = f"{place.kind} {place.episode}: {tried.check}"
+                    progress.update(line, description=done)
             progress.advance(line)
 
 

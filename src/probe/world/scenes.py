@@ -81,7 +81,7 @@ def draw_scene(
 def _settled(
     library: Library, count: int, pile: Pile, rng: np.random.Generator
 ) -> tuple[PlacedObject, ...]:
-    specs = draw_objects(library.specs, count, rng)
+    specs = draw_objects(library.specs, count, rng, library.leads)
     items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]
     falls = draw_pile(specs, pile, rng)
     drops = {items[index].instance: drop for index, drop in falls}
