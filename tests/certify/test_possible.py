@@ -8,11 +8,14 @@ import numpy as np
 import pytest
 
 from probe.assets.library import Library
+from probe.certify.beneath import cast_beneath
 from probe.certify.cast import LEAST_LEADING
-from probe.certify.generate import CASTINGS
+from probe.certify.count import cast_count
+from probe.certify.find import cast_find
 from probe.certify.parts import Place
 from probe.certify.plan import plan
 from probe.certify.possible import possibilities
+from probe.certify.size import draw_pairs
 from probe.tasks.task import KINDS
 
 SOME = (
@@ -50,15 +53,17 @@ def test_a_library_of_one_thing_allows_nothing_and_says_why(library: Library):
     assert "7 to 12.5 cm wide" in found["beneath"].needs
 
 
+@pytest.mark.slow
 def test_all_of_the_library_allows_every_type(library: Library):
     places = [Place(kind, 0) for kind in KINDS if kind != "compare"]
     assert [it.hopeless for it in possibilities(places, library)] == [()] * len(places)
 
 
-@pytest.mark.parametrize("kind", ["beneath", "find"])
-def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, kind):
+@pytest.mark.slow
+@pytest.mark.parametrize("draw", [cast_beneath, cast_find])
+def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, draw):
     for seed in range(3):
-        cast = CASTINGS[kind](mixed, plan("beneath", 0), np.random.default_rng(seed))
+        cast = draw(mixed, plan("beneath", 0), np.random.default_rng(seed))
         own = [spec.id in SOME for spec in cast.candidates]
         if sum(own) >= LEAST_LEADING:
             assert [own[index] for index in cast.eligible] == [True] * sum(own)
@@ -67,16 +72,21 @@ def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, kind):
             assert cast.eligible == (0, 1, 2, 3, 4)
 
 
+@pytest.mark.slow
 def test_what_is_counted_is_of_ones_own(mixed: Library):
-    casts = [CASTINGS["count"](mixed, plan("count", 0), np.random.default_rng(k)) for k in range(4)]
+    casts = [cast_count(mixed, plan("count", 0), np.random.default_rng(k)) for k in range(4)]
     assert all(cast.counted.id in SOME for cast in casts)
 
 
-def test_one_of_those_marked_is_of_ones_own(mixed: Library):
-    wanted = plan("size", 0)
-    for seed in range(3):
-        cast = CASTINGS["size"](mixed, wanted, np.random.default_rng(seed))
-        assert any(spec.id in SOME for spec in cast.marked)
+def test_pairs_always_have_one_of_ones_own_and_often_two_at_first(mixed: Library):
+    began_alone = 0
+    for seed in range(40):
+        pairs = list(draw_pairs(mixed, np.random.default_rng(seed)))
+        own = [sum(spec.id in SOME for spec in pair) for pair in pairs]
+        assert min(own) >= 1 and min(own[len(own) // 2 :]) == 1
+        assert all(one is not other for one, other in pairs)
+        began_alone += set(own[: len(own) // 2]) == {2}
+    assert 10 <= began_alone <= 30  # half, to within three standard deviations
 
 
 def test_nobody_compares_paints_of_others_things(mixed: Library):

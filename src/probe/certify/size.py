@@ -106,7 +106,7 @@ def cast_size(library: Library, plan: Plan, rng: np.random.Generator) -> MarkedC
         Rejected: The library has no two that do, nothing to cover them, or no crowd.
     """
     uncovered = False
-    for a, b in _pairs(library, rng):
+    for a, b in draw_pairs(library, rng):
         if not told_apart([a, b]) or _bare_ratio(a, b) > _LARGEST_RATIO:
             continue
         try:
@@ -125,22 +125,32 @@ def cast_size(library: Library, plan: Plan, rng: np.random.Generator) -> MarkedC
     raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
 
 
-def _pairs(library: Library, rng: np.random.Generator) -> Iterator[tuple[ObjectSpec, ObjectSpec]]:
-    """Pairs at random; where things lead, of those alone at first, then with one of those.
+def draw_pairs(
+    library: Library, rng: np.random.Generator
+) -> Iterator[tuple[ObjectSpec, ObjectSpec]]:
+    """Pairs at random; where things lead, of one of those and any other.
+
+    In half of the calls those come first of which both lead: a small library has few, and few of
+    those lie as planned.
 
     Raises:
         Rejected: Too few things have a size to be marked.
     """
     pool = markable(library)
-    leading = [index for index, spec in enumerate(pool) if library.leads(spec)]
+    leading = [spec for spec in pool if library.leads(spec)]
     if len(pool) < len(PAIR) or (library.leading and not leading):
         mine = " of your own" if library.leading else ""
         raise Rejected("candidates", f"{MARKABLE}: too few things{mine}")
+    alone = len(leading) >= len(PAIR) and rng.random() < 1 / 2
     for number in range(_PAIRS):
-        among = leading if 2 * number < _PAIRS and len(leading) >= len(PAIR) else range(len(pool))
-        first, second = (among[int(n)] for n in rng.choice(len(among), size=2, replace=False))
-        if not library.leading or first in leading or second in leading:
-            yield pool[first], pool[second]
+        if not library.leading:
+            first, second = rng.choice(len(pool), size=2, replace=False)
+            yield pool[int(first)], pool[int(second)]
+            continue
+        one = leading[int(rng.integers(len(leading)))]
+        among = leading if alone and 2 * number < _PAIRS else pool
+        others = [spec for spec in among if spec is not one]
+        yield one, others[int(rng.integers(len(others)))]
 
 
 def _covered(cast: MarkedCast, plan: Plan) -> MarkedCast:
