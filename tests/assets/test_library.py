@@ -12,6 +12,15 @@ from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, UnknownName
 
+CRATE = """{
+"version": 1, "id": "own_crate", "name": "green crate", "category": "crate", "colours": ["green"],
+"description": "A crate.", "mass": 0.2, "friction": 0.5, "size": [0.1, 0.1, 0.05], "hollow": true,
+"licence": "CC0-1.0", "source": "a test", "provenance": {"name": "human"}, "format": "gltf",
+"file": "crate.glb", "content": "0123456789abcdef0123456789abcdef", "unit": 1.0,
+"turn_wxyz": [1, 0, 0, 0], "shift": [0, 0, 0]
+}
+"""
+
 
 @pytest.fixture
 def library(cache) -> Library:
@@ -67,12 +76,37 @@ def test_warming_fills_the_cache_and_resumes(library, tmp_path):
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.npz")} == entries
 
 
-@pytest.mark.parametrize("pool", ["scans", "all"])
-def test_scans_without_assets_say_what_to_set(cache, tmp_path, pool):
+def test_scans_without_assets_say_what_to_set(cache, tmp_path):
     with pytest.raises(BadData, match="PROBE_ASSETS"):
-        open_library(pool, None, cache)
+        open_library("scans", None, cache)
+
+
+@pytest.mark.parametrize("pool", ["scans", "all"])
+def test_assets_without_scans_are_named(cache, tmp_path, pool):
     with pytest.raises(BadData, match=r"scans.*not a folder"):
         open_library(pool, tmp_path, cache)
+
+
+def test_all_are_those_that_are_here(cache, tmp_path):
+    alone = open_library("all", None, cache, tmp_path / "nobody's")
+    assert {spec.origin for spec in alone.specs} == {"procedural"}
+    assert not any(map(alone.leads, alone.specs))
+
+
+@pytest.mark.parametrize("pool", ["own+procedural", "all"])
+def test_ones_own_lead_among_others_without_extra_assets(cache, tmp_path, pool):
+    home = tmp_path / "own_crate"
+    home.mkdir()
+    (home / "entry.json").write_text(CRATE)
+    mixed = open_library(pool, None, cache, tmp_path)
+    assert {spec.origin for spec in mixed.specs} == {"procedural", "own"}
+    assert [spec.id for spec in mixed.specs if mixed.leads(spec)] == ["own_crate"]
+    assert not any(map(open_library("own", None, cache, tmp_path).leads, mixed.specs))
+
+
+def test_ones_own_beside_procedural_ones_have_to_be_there(cache, tmp_path):
+    with pytest.raises(BadData, match="PROBE_LIBRARY"):
+        open_library("own+procedural", None, cache, tmp_path / "nobody's")
 
 
 def test_an_incomplete_folder_of_scans_is_named(cache, tmp_path):

@@ -84,3 +84,20 @@ def test_too_few_alike_is_a_rejection():
 def test_names_are_unambiguous(a, b, apart):
     assert told_apart([a, b]) is apart
     assert unlike([a], [b]) == ([a] if apart else [])
+
+
+@given(st.integers(0, 10**6))
+def test_those_that_lead_come_first_and_others_help_out(seed):
+    def leads(one: ObjectSpec) -> bool:
+        return one.category in {"ball", "block"} and one.name != "red block"
+
+    drawn = draw_alike(POOL, POOL, 0.25, 6, np.random.default_rng(seed), leads=leads)
+    # Five lead and are alike in size; whoever is drawn first of them has the others beside it.
+    assert [leads(one) for one in drawn] == [True] * 5 + [False]
+
+
+def test_why_nothing_can_be_drawn_is_told():
+    with pytest.raises(Rejected, match="nothing here is of the right size"):
+        draw_alike([], POOL, 0.25, 5, np.random.default_rng(0))
+    with pytest.raises(Rejected, match=r"only 3 of 5 alike: .*red ball"):
+        draw_alike(POOL[:3], POOL, 0.25, 5, np.random.default_rng(0))

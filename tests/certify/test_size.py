@@ -8,7 +8,7 @@ import pytest
 from probe.assets.library import Library
 from probe.certify.palettes import main_colour
 from probe.certify.plan import ATTEMPTS, plan
-from probe.certify.size import _draw_cast
+from probe.certify.size import cast_size
 
 
 @pytest.mark.slow
@@ -16,7 +16,7 @@ def test_the_longer_cover_goes_where_it_is_planned_and_both_things_are_of_a_size
     larger_by_place = []
     for episode in range(12):
         wanted = plan("size", episode * ATTEMPTS)
-        cast = _draw_cast(library, wanted, np.random.default_rng(episode))
+        cast = cast_size(library, wanted, np.random.default_rng(episode))
         a, b = (cover.spec for cover in cast.covers)
         larger = "AB".index(wanted.letter) ^ (wanted.form == "smaller")
         longer = int(max(b.size) > max(a.size))

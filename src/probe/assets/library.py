@@ -17,11 +17,11 @@ from probe.assets.fingerprint import Fingerprint, fingerprint
 from probe.assets.mesh import Body
 from probe.assets.own_pool import own_body, own_specs
 from probe.assets.procedural_pool import procedural_body, procedural_specs
-from probe.assets.spec import ObjectSpec
+from probe.assets.spec import ObjectSpec, Origin
 from probe.assets.tables import TableMaterial, load_table
 from probe.errors import BadData, UnknownName
 
-Pool = Literal["procedural", "scans", "own", "all"]
+Pool = Literal["procedural", "scans", "own", "own+procedural", "all"]
 
 KEPT = 64
 """Bodies kept in memory; one with a 1024-pixel texture takes about 4 MB."""
@@ -36,12 +36,15 @@ class Library:
         assets: Folder of extra assets; None if only procedural objects are wanted.
         cache: Folder for computed bodies.
         own: Folder of the user's own library; None if its objects aren't wanted.
+        leading: Where those come from that play the parts in tasks, wherever they can; None if all
+            are alike.
     """
 
     specs: tuple[ObjectSpec, ...]
     assets: Path | None
     cache: Path
     own: Path | None = None
+    leading: Origin | None = None
     _kept: dict[str, Body] = field(default_factory=dict[str, Body], init=False, repr=False)
     _prints: dict[str, Fingerprint] = field(
         default_factory=dict[str, Fingerprint], init=False, repr=False
@@ -57,6 +60,10 @@ class Library:
             if spec.id == object_id:
                 return spec
         raise UnknownName("object", object_id, [spec.id for spec in self.specs])
+
+    def leads(self, spec: ObjectSpec) -> bool:
+        """Whether an object is of those that are to play the parts in tasks."""
+        return spec.origin == self.leading
 
     def body(self, object_id: str) -> Body:
         """Mesh and convex pieces of an object; computed once, then read from the cache.
@@ -97,7 +104,10 @@ class Library:
 
 
 def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None = None) -> Library:
-    """The objects of a pool: made by formula, real scans fit for use, a user's own, or all.
+    """The objects of a pool: made by formula, real scans fit for use, a user's own, or several.
+
+    "all" are those that are here: scans if there is a folder of extra assets, the user's own if
+    there are any. Among others, the user's own lead.
 
     Raises:
         BadData: Scans or own objects are wanted but their folder isn't there, or a catalogue is
@@ -106,13 +116,17 @@ def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None 
     """
     kept = Cache(cache / "specs")
     specs: tuple[ObjectSpec, ...] = ()
-    if pool in ("procedural", "all"):
+    if pool in ("procedural", "own+procedural", "all"):
         specs += procedural_specs(kept)
-    if pool in ("scans", "all"):
+    if pool == "scans" or (pool == "all" and assets is not None):
         specs += scan_pool.scan_specs(scans_folder(assets), kept)
-    if pool == "own" or (pool == "all" and own is not None):
-        specs += own_specs(own_folder(own, needed=pool == "own"))
-    return Library(specs, assets, cache, own)
+    mine: tuple[ObjectSpec, ...] = ()
+    if pool in ("own", "own+procedural"):
+        mine = own_specs(own_folder(own))
+    elif pool == "all" and own is not None:
+        mine = own_specs(own)
+    leading: Origin | None = "own" if mine and pool != "own" else None
+    return Library(specs + mine, assets, cache, own, leading)
 
 
 def open_all(assets: Path | None, cache: Path, own: Path | None = None) -> Library:
@@ -122,19 +136,16 @@ def open_all(assets: Path | None, cache: Path, own: Path | None = None) -> Libra
         BadData: A catalogue is broken.
         BadMesh: A scan's file can't be used.
     """
-    things = open_library("all" if assets else "procedural", assets, cache)
-    if own is None or not own.is_dir():
-        return things
-    return replace(things, specs=(*things.specs, *own_specs(own)), own=own)
+    return open_library("all", assets, cache, own)
 
 
-def own_folder(own: Path | None, needed: bool = True) -> Path:
+def own_folder(own: Path | None) -> Path:
     """The folder of a user's own library.
 
     Raises:
-        BadData: It is needed but there is none.
+        BadData: There is none.
     """
-    if own is None or (needed and not own.is_dir()):
+    if own is None or not own.is_dir():
         remedy = "Add some objects (probe assets add), or set PROBE_LIBRARY to their folder."
         raise BadData(own or "PROBE_LIBRARY", "holds no objects of your own", remedy)
     return own

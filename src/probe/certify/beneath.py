@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from probe.assets.library import Library
 from probe.certify.alike import TWIN_TOLERANCE
 from probe.certify.cast import LARGEST, Cast, draw_cast
@@ -34,7 +36,7 @@ def generate_beneath(
         Rejected: It failed a check.
     """
     rng = generator(seed, "beneath")
-    cast = draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng)
+    cast = cast_beneath(library, plan, rng)
     post = draw_post(cast.covers, _KEEP_OFF, rng)
     stage = Stage(cast.specs, library, [post])
     view = View(renderer, library, [spec.id for spec in cast.specs])
@@ -42,7 +44,7 @@ def generate_beneath(
     judge = _Judge(cast, Ghosts(stage, view, frame))
     lay = right_above(cast.covering[0], cast.covers[0])
     twins = draw_twins(cast, stage, post, lay, judge.check, frame, rng)
-    true = int(rng.integers(len(twins)))
+    true = cast.draw_true(rng)
     scene, cover = twins[true].scene, frame.number_of[cast.covering[0]]
     ids = [spec.id for spec in cast.candidates]
     silhouettes = view.silhouettes(scene, [frame.number_of[1], cover])
@@ -60,6 +62,11 @@ def generate_beneath(
         drawn_from=tuple(ids),
     )
     return Candidate(write_task(draft, plan, view), tuple(twin.scene for twin in twins))
+
+
+def cast_beneath(library: Library, plan: Plan, rng: np.random.Generator) -> Cast:
+    """Who plays; see draw_cast()."""
+    return draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng)
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,6 +11,7 @@ from time import monotonic
 from probe.assets.library import Library
 from probe.certify.attempt import Attempt
 from probe.certify.generate import make
+from probe.certify.needs import NEEDS
 from probe.certify.parts import KEPT, RESTLESS, UNSOLVED, Line, Parts, Place
 from probe.certify.plan import ATTEMPTS
 from probe.certify.restaged import Restaged
@@ -21,6 +23,8 @@ from probe.render.renderer import Renderer
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import KINDS, QuestionKind, Task
+
+_REASONS = 3
 
 
 @dataclass(frozen=True)
@@ -77,9 +81,16 @@ def fill(place: Place, parts: Parts, workshop: Workshop) -> Iterator[Line]:
         if line.check == KEPT:
             return
     raise Unsatisfiable(
-        f"No {place.kind} task in {ATTEMPTS} candidates for place {place.episode}. "
-        "Use a library with more objects that hide and are hidden."
+        f"No {place.kind} task in {ATTEMPTS} candidates for place {place.episode}: "
+        f"{why_none(parts.log(place))}. {place.kind.capitalize()} needs {NEEDS[place.kind]}."
     )
+
+
+def why_none(log: Sequence[Line]) -> str:
+    """What most candidates failed by, each with what was measured on one of them."""
+    checks = Counter(line.check for line in log if line.check != KEPT).most_common(_REASONS)
+    example = {line.check: line.detail for line in reversed(log)}
+    return "; ".join(f"{count} by {check!r} ({example[check]})" for check, count in checks)
 
 
 def assemble(

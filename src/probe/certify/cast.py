@@ -23,6 +23,12 @@ SMALLEST, LARGEST = 0.025, 0.09
 CAST_TRIES = 8
 """Sets of alike things that are drawn until something covers each of them."""
 
+LEADING = "own things"
+"""Name of the check that things which are to play the parts do."""
+
+LEAST_LEADING = 2
+"""Of five candidates, fewer that lead would tell the answer, if it is to be one of them."""
+
 CoverDraw = Callable[
     [Library, Sequence[ObjectSpec], Sequence[Footprint], np.random.Generator], Cover | None
 ]
@@ -34,13 +40,19 @@ class Cast:
 
     Attributes:
         candidates: Of which one is on the table.
+        eligible: Indices of those of which that one is drawn; all, or those that lead.
         covers: The lowest first; at least one.
         others: The crowd.
     """
 
     candidates: tuple[ObjectSpec, ...]
+    eligible: tuple[int, ...]
     covers: tuple[Cover, ...]
     others: tuple[ObjectSpec, ...]
+
+    def draw_true(self, rng: np.random.Generator) -> int:
+        """Index of the candidate that is on the table."""
+        return self.eligible[int(rng.integers(len(self.eligible)))]
 
     @property
     def specs(self) -> tuple[ObjectSpec, ...]:
@@ -90,22 +102,57 @@ def draw_cast(
     Raises:
         Rejected: The library has no such set.
     """
-    pool = hideable(library, largest)
+    pool, failure = hideable(library, largest), Rejected("cover", "nothing was drawn")
     for _ in range(CAST_TRIES):
         candidates = draw_alike(
-            pool, library.specs, tolerance, CANDIDATES, rng, one_colour=one_colour
+            pool,
+            library.specs,
+            tolerance,
+            CANDIDATES,
+            rng,
+            one_colour=one_colour,
+            leads=library.leads,
         )
         free = unlike(library.specs, candidates)
         room = [footprint_of(library, spec.id) for spec in candidates]
         covers: list[Cover] = []
         for draw in (draw_over, *draw_more):
             if not (cover := draw(library, free, room, rng)):
+                number = f"{len(covers)} of {1 + len(draw_more)}"
+                failure = Rejected("cover", f"only {number} covers for {_names(candidates)}")
                 break
             covers.append(cover)
             free = unlike(free, [cover.spec])
         else:
-            return Cast(candidates, tuple(covers), draw_crowd(free, count - 1 - len(covers), rng))
-    raise Rejected("cover", "nothing covers any candidates that were drawn")
+            try:
+                eligible = _those_to_hide(library, candidates, covers)
+            except Rejected as rejected:
+                failure = rejected
+                continue
+            others = draw_crowd(free, count - 1 - len(covers), rng)
+            return Cast(candidates, eligible, tuple(covers), others)
+    raise failure
+
+
+def _names(specs: Sequence[ObjectSpec]) -> str:
+    return ", ".join(spec.name for spec in specs)
+
+
+def _those_to_hide(
+    library: Library, candidates: Sequence[ObjectSpec], covers: Sequence[Cover]
+) -> tuple[int, ...]:
+    """Indices of the candidates of which one may be on the table; see Cast.
+
+    Raises:
+        Rejected: Some things lead, but none would play a part.
+    """
+    leading = [index for index, spec in enumerate(candidates) if library.leads(spec)]
+    if len(leading) >= LEAST_LEADING:
+        return tuple(leading)
+    if library.leading and not any(library.leads(cover.spec) for cover in covers):
+        played = f"{_names(candidates)} beneath {_names([cover.spec for cover in covers])}"
+        raise Rejected(LEADING, f"{played}: fewer than {LEAST_LEADING} of them are of your own")
+    return tuple(range(len(candidates)))
 
 
 def draw_crowd(
@@ -119,5 +166,5 @@ def draw_crowd(
     try:
         drawn = draw_objects(free, count, rng)
     except Unsatisfiable as failure:
-        raise Rejected("candidates", str(failure)) from failure
+        raise Rejected("crowd", str(failure)) from failure
     return tuple(sorted(drawn, key=lambda spec: math.prod(spec.size), reverse=True))

@@ -44,7 +44,7 @@ def generate_compare(
         Rejected: It failed a check.
     """
     rng = generator(seed, "compare")
-    asked, cast = _draw_cast(library, plan, rng)
+    asked, cast = cast_compare(library, plan, rng)
     made = build_set(cast, seed, library, renderer, tables, rng)
     twins = asked.twins[0].id, asked.twins[1].id
     more_of_a = plan.cues[1] == (plan.letter == PAIR[0])
@@ -75,19 +75,34 @@ def generate_compare(
     return Candidate(write_task(draft, plan, made.view))
 
 
-def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> tuple[Asked, MarkedCast]:
-    for duel in draw_duels(library, paint_twins_of(library), plan.form, rng):
+def cast_compare(
+    library: Library, plan: Plan, rng: np.random.Generator
+) -> tuple[Asked, MarkedCast]:
+    """What is asked, and who plays.
+
+    Raises:
+        Rejected: The library has no paint twins that do, nothing to cover them, or no crowd.
+    """
+    twins, uncovered = paint_twins_of(library), False
+    if len({each.pair[0].category for each in twins}) < len(PAIR):
+        mine = " of your own" if library.leading else ""
+        raise Rejected("paint twins", f"{len(twins)} pairs of things{mine} differ in paint alone")
+    for duel in draw_duels(library, twins, plan.form, rng):
         asked = duel.asked(plan)
         needed = [asked.reference] if asked.reference else []
         if cast := cast_marked(library, asked.marked, needed, rng, unlike_too=asked.twins):
             return asked, cast
-    raise Rejected("candidates", f"nothing can be asked in the form {plan.form!r}")
+        uncovered = True
+    if uncovered:
+        raise Rejected("cover", "no two things cover any pair that could be asked about")
+    raise Rejected("candidates", f"no pair can be asked about in the form {plan.form!r}")
 
 
 @lru_cache(maxsize=4)
 def paint_twins_of(library: Library) -> tuple[PaintTwins, ...]:
-    """All paint twins among what may be marked."""
-    return paint_twins(library, markable(library))
+    """All paint twins among what may be marked; where things lead, among those alone."""
+    pool = markable(library)
+    return paint_twins(library, filter(library.leads, pool) if library.leading else pool)
 
 
 def _check_reference(view: View, scene: Scene, labels: Array, reference: int | None) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.certify.alike import LOOSE_TOLERANCE, draw_alike, unlike
-from probe.certify.cast import CAST_TRIES, draw_crowd, hideable
+from probe.certify.cast import CAST_TRIES, LEADING, draw_crowd, hideable
 from probe.certify.covers import Cover, Footprint, draw_cover, footprint_of
 from probe.certify.frame import SceneFrame
 from probe.certify.hiding import build_nest, right_above
@@ -65,7 +65,7 @@ def generate_count(
         Rejected: It failed a check.
     """
     rng = generator(seed, "count")
-    cast = _draw_cast(plan, library, rng)
+    cast = cast_count(library, plan, rng)
     posts = _draw_posts(cast.covers, rng)
     stage = Stage(cast.specs, library, posts)
     table = tables[int(rng.integers(len(tables)))]
@@ -90,17 +90,29 @@ def generate_count(
     return Candidate(write_task(draft, plan, view))
 
 
-def _draw_cast(plan: Plan, library: Library, rng: np.random.Generator) -> _Cast:
+def cast_count(library: Library, plan: Plan, rng: np.random.Generator) -> _Cast:
+    """What is counted, what else is hidden, what covers both, and the crowd.
+
+    Raises:
+        Rejected: The library has no such set.
+    """
     pool = [spec for spec in hideable(library) if plural(spec.name)]
+    reason = ""
     for _ in range(CAST_TRIES):
-        counted, *decoys = draw_alike(pool, library.specs, LOOSE_TOLERANCE, 1 + NESTS, rng)
+        counted, *decoys = draw_alike(
+            pool, library.specs, LOOSE_TOLERANCE, 1 + NESTS, rng, leads=library.leads
+        )
         free = unlike(library.specs, [counted, *decoys])
         room = [footprint_of(library, spec.id) for spec in (counted, *decoys)]
         covers = _draw_covers(library, free, room, rng)
         if len(covers) == NESTS:
             break
+        drawn = ", ".join(spec.name for spec in (counted, *decoys))
+        reason = f"only {len(covers)} of {NESTS} covers for {drawn}"
     else:
-        raise Rejected("cover", "nothing covers any of what was drawn")
+        raise Rejected("cover", reason)
+    if library.leading and not any(map(library.leads, (counted, *(c.spec for c in covers)))):
+        raise Rejected(LEADING, f"neither {counted.name} nor what covers it is of your own")
     beneath = [counted] * plan.hidden + decoys[: NESTS - plan.hidden]
     order = [int(index) for index in rng.permutation(NESTS)]
     total = int(rng.integers(_FEWEST, _MOST + 1))

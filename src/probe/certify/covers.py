@@ -14,6 +14,7 @@ from probe.assets.lattice import lattice_points
 from probe.assets.library import Library
 from probe.assets.mesh import TexturedMesh
 from probe.assets.spec import ObjectSpec
+from probe.scene.turns import in_turn
 from probe.types import Array, Quaternion, quaternion_of
 
 GRASP_WIDTH = 0.125
@@ -38,6 +39,26 @@ _TALLER = 1.2
 
 _LOWER = 0.3
 """Highest thing, by the width of a flat cover, that it doesn't slide off."""
+
+NEEDS_COVER = (
+    f"a hollow thing {100 * SMALLEST_COVER:g} to {100 * GRASP_WIDTH:g} cm wide, or a flat one "
+    f"{100 * SMALLEST_COVER:g} to {100 * FLAT_WIDTH:g} cm wide and at most "
+    f"{100 * FLAT_THICKNESS:g} cm thick, {_WIDER:g} times as wide as what it hides"
+)
+NEEDS_LEAN = (
+    f"a flat thing {100 * SMALLEST_COVER:g} to {100 * FLAT_WIDTH:g} cm wide, at most "
+    f"{100 * FLAT_THICKNESS:g} cm thick and at least as wide as what it hides"
+)
+NEEDS_SLAB = (
+    f"{100 * SMALLEST_SLAB[0]:g} to {100 * GRASP_WIDTH:g} cm wide, "
+    f"{100 * SMALLEST_SLAB[1]:g} to {100 * FLAT_WIDTH:g} cm long and at most "
+    f"{100 * SLAB_THICKNESS:g} cm thick"
+)
+NEEDS_SHIELD = (
+    f"flat things {100 * SMALLEST_COVER:g} cm wide or more, up to {100 * _WIDEST_SHIELD:g} cm long "
+    f"and at most {100 * FLAT_THICKNESS:g} cm thick"
+)
+"""What draw_cover(), draw_lean(), draw_slab() and draw_shield() look for, for people."""
 
 _HALF_TURN = np.diag([1.0, -1.0, -1.0])
 
@@ -94,8 +115,7 @@ def draw_cover(
     rng: np.random.Generator,
 ) -> Cover | None:
     """Draw a cover that may hide each of these; None if there is none."""
-    for index in rng.permutation(len(specs)):
-        spec = specs[int(index)]
+    for spec in in_turn(specs, library.leads, rng):
         if all(_may_cover(spec, item) for item in items):
             cover = cover_of(library, spec.id)
             if cover and all(cover.hides(item) for item in items):
@@ -159,8 +179,7 @@ def _draw_flat(
     rng: np.random.Generator,
 ) -> Cover | None:
     """Draw something of a suitable size that lies flat as a cover; None if there is none."""
-    for index in rng.permutation(len(specs)):
-        spec = specs[int(index)]
+    for spec in in_turn(specs, library.leads, rng):
         if suits(spec):
             cover = cover_of(library, spec.id)
             if cover and cover.depth == 0:
@@ -178,8 +197,7 @@ def draw_topping(
 
     The items don't matter: it only lies on top of what hides them.
     """
-    for index in rng.permutation(len(specs)):
-        spec = specs[int(index)]
+    for spec in in_turn(specs, library.leads, rng):
         x, y, z = spec.size
         if z <= min(x, y) <= GRASP_WIDTH and TOPPING[0] <= max(x, y) <= TOPPING[1]:
             return Cover(spec, (1.0, 0.0, 0.0, 0.0), spec.size, (0.0, 0.0), 0.0, 0.0)

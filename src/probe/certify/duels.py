@@ -99,7 +99,7 @@ def draw_duels(
     """Duels of a form; what kinds of things there are comes up evenly, however many of each."""
     kinds = sorted({each.pair[0].category for each in twins})
     by_kind = {k: [each for each in twins if each.pair[0].category == k] for k in kinds}
-    for _ in range(_DRAWS):
+    for _ in range(_DRAWS if len(kinds) > 1 else 0):
         one, other = (kinds[int(n)] for n in rng.choice(len(kinds), size=2, replace=False))
         sides = [_draw_side(by_kind[kind], rng) for kind in (one, other)]
         third = _draw_third(library, sides[0].right, rng) if form == "like" else None

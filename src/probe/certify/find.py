@@ -44,11 +44,7 @@ def generate_find(
         Rejected: It failed a check.
     """
     rng = generator(seed, "find")
-    if plan.partly:
-        # A colour that shows would tell; so all candidates have it.
-        cast = draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
-    else:
-        cast = draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng)
+    cast = cast_find(library, plan, rng)
     post = draw_post(cast.covers, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
     stage = Stage(cast.specs, library, [post])
     view = View(renderer, library, [spec.id for spec in cast.specs])
@@ -74,6 +70,14 @@ def generate_find(
     return Candidate(write_task(draft, plan, view), twins)
 
 
+def cast_find(library: Library, plan: Plan, rng: np.random.Generator) -> Cast:
+    """Who plays; see draw_cast()."""
+    if plan.partly:
+        # A colour that shows would tell; so all candidates have it.
+        return draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
+    return draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng)
+
+
 def _hidden_scene(
     cast: Cast,
     stage: Stage,
@@ -90,7 +94,7 @@ def _hidden_scene(
 
     lay = right_above(cast.covering[0], cast.covers[0])
     twins = draw_twins(cast, stage, post, lay, check, frame, rng)
-    return twins[int(rng.integers(len(twins)))].scene, tuple(twin.scene for twin in twins)
+    return twins[cast.draw_true(rng)].scene, tuple(twin.scene for twin in twins)
 
 
 def _partly_scene(
@@ -102,7 +106,7 @@ def _partly_scene(
     rng: np.random.Generator,
 ) -> Scene:
     """A scene that leaves a little of one candidate to be seen."""
-    target = 1 + int(rng.integers(len(cast.candidates)))
+    target = 1 + cast.draw_true(rng)
     nest = _partly_nest(cast, stage, post, view, frame, target, rng)
     scene = frame.scene(stage.settle(stage.heap(nest, cast.crowd, rng)))
     seen = _seen(view, scene, frame.number_of[target])

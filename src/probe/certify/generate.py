@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+import numpy as np
+
 from probe.assets.library import Library
 from probe.certify.attempt import Attempt
-from probe.certify.beneath import generate_beneath
-from probe.certify.compare import generate_compare
-from probe.certify.count import generate_count
-from probe.certify.find import generate_find
+from probe.certify.beneath import cast_beneath, generate_beneath
+from probe.certify.compare import cast_compare, generate_compare
+from probe.certify.count import cast_count, generate_count
+from probe.certify.find import cast_find, generate_find
 from probe.certify.plan import Plan
-from probe.certify.reduce import generate_reduce
+from probe.certify.reduce import cast_reduce, generate_reduce
 from probe.certify.result import Candidate, Rejected, Rejection
-from probe.certify.size import generate_size
+from probe.certify.size import cast_size, generate_size
 from probe.render.renderer import Renderer
 from probe.tasks.task import QuestionKind
 
@@ -27,6 +29,18 @@ GENERATORS: dict[QuestionKind, Generator] = {
     "reduce": generate_reduce,
     "size": generate_size,
 }
+
+Casting = Callable[[Library, Plan, np.random.Generator], object]
+
+CASTINGS: dict[QuestionKind, Casting] = {
+    "beneath": cast_beneath,
+    "compare": cast_compare,
+    "count": cast_count,
+    "find": cast_find,
+    "reduce": cast_reduce,
+    "size": cast_size,
+}
+"""What each generator begins with: who plays, or the reason why nobody can."""
 
 
 def generate(

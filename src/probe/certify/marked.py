@@ -32,6 +32,8 @@ INSIDE_PX = 6.0
 SMALLEST, LARGEST = 0.04, 0.17
 """Longest sides of marked things, metres."""
 
+MARKABLE = f"things of {100 * SMALLEST:g} to {100 * LARGEST:g} cm can be marked"
+
 LARGEST_AROUND = 0.15
 """Longest side in metres of the others: there must be room beside two covers."""
 

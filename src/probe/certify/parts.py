@@ -146,6 +146,11 @@ class Parts:
         lines = [*before, line]
         write_text(self.log_path(place), "".join(f"{each}\n" for each in lines))
 
+    def is_exhausted(self, place: Place, attempts: int) -> bool:
+        """Whether all of so many candidates were tried for a place in vain."""
+        log = self.log(place)
+        return len(log) >= attempts and not self.task_path(place).exists()
+
     def keep(self, place: Place, task: Task, library: Library) -> None:
         """Write a place's task."""
         write_suite(

@@ -59,10 +59,8 @@ def generate_reduce(
         Rejected: It failed a check.
     """
     rng = generator(seed, "reduce")
-    # Many slabs need the room that a larger crowd would take.
+    cast = cast_reduce(library, plan, rng)
     many = plan.removals >= _MANY
-    count = int(rng.integers(_FEWEST, (_FEWEST if many else _MOST) + 1))
-    cast = _draw_cast(library, plan.removals, count, rng)
     post = draw_post(cast.covers, _KEEP_OFF_MANY if many else _KEEP_OFF, rng)
     stage = Stage(cast.specs, library, [post])
     view = View(renderer, library, [spec.id for spec in cast.specs])
@@ -71,7 +69,7 @@ def generate_reduce(
     lay = _fanned(cast) if plan.removals > 1 else right_above(cast.covering[0], cast.covers[0])
     hiding = min(_HIDING, plan.removals)
     twins = draw_twins(cast, stage, post, lay, judge.check, frame, rng, hiding)
-    true = int(rng.integers(len(twins)))
+    true = cast.draw_true(rng)
     scene = twins[true].scene
     ids = [spec.id for spec in cast.candidates]
     target = which_on_table(scene, ids)
@@ -93,11 +91,18 @@ def generate_reduce(
     return Candidate(write_task(draft, plan, view), tuple(twin.scene for twin in twins))
 
 
-def _draw_cast(library: Library, removals: int, count: int, rng: np.random.Generator) -> Cast:
-    """One slab that hides any of the candidates, or several, with the last of many on top."""
-    if removals == 1:
+def cast_reduce(library: Library, plan: Plan, rng: np.random.Generator) -> Cast:
+    """One slab that hides any of the candidates, or several, with the last of many on top.
+
+    Raises:
+        Rejected: The library has no such set.
+    """
+    # Many slabs need the room that a larger crowd would take.
+    many = plan.removals >= _MANY
+    count = int(rng.integers(_FEWEST, (_FEWEST if many else _MOST) + 1))
+    if plan.removals == 1:
         return draw_cast(library, draw_slab, LARGEST, TWIN_TOLERANCE, rng, count)
-    more = ([draw_slab] * (len(_SAILS) - 1) + [draw_topping])[: removals - 1]
+    more = ([draw_slab] * (len(_SAILS) - 1) + [draw_topping])[: plan.removals - 1]
     return draw_cast(library, draw_slab, LARGEST_BENEATH_MORE, TWIN_TOLERANCE, rng, count, more)
 
 

@@ -5,16 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from probe.assets.library import Library
-from probe.certify.result import Rejected
 from probe.certify.stage import Poses, Stage
 from probe.scene.scene import PlacedObject, Scene
 from probe.types import Pose
-
-CREEP = 0.001
-"""Metres that anything may move while a finished scene is checked to be at rest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,23 +44,5 @@ class Restaged:
         return Scene(self.scene.seed, self.scene.table, objects)
 
     def unrest(self) -> str | None:
-        """What is wrong with its rest, for people; None if nothing moves.
-
-        Things that balance may stay while their table is built, and tip over in an episode.
-        """
-        try:
-            creep = self.creep()
-        except Rejected as failure:
-            return str(failure)
-        return f"something moves by {1000 * creep:.1f} mm" if creep > CREEP else None
-
-    def creep(self) -> float:
-        """How far anything moves while it is checked to be at rest, metres.
-
-        Raises:
-            Rejected: It isn't at rest at all.
-        """
-        before, after = self.poses, self.stage.settle(self.poses)
-        return max(
-            float(np.abs(np.subtract(after[n].position, before[n].position)).max()) for n in before
-        )
+        """What is wrong with its rest, for people; None if nothing moves."""
+        return self.stage.unrest(self.poses)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +14,7 @@ from probe.certify.alike import told_apart
 from probe.certify.extents import extent_of
 from probe.certify.looks import Looks
 from probe.certify.marked import (
+    MARKABLE,
     MarkedCast,
     Nest,
     Set,
@@ -51,7 +52,7 @@ def generate_size(
         Rejected: It failed a check.
     """
     rng = generator(seed, "size")
-    cast = _draw_cast(library, plan, rng)
+    cast = cast_size(library, plan, rng)
     a, b = (extent_of(library, spec.id) for spec in cast.marked)
     made = build_set(cast, seed, library, renderer, tables, rng)
     view = made.view
@@ -98,11 +99,14 @@ def _measures(
     }
 
 
-def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> MarkedCast:
-    """Two things of clearly different size, the right answer under the planned letter."""
-    pool = markable(library)
-    for _ in range(_PAIRS):
-        a, b = (pool[int(index)] for index in rng.choice(len(pool), size=2, replace=False))
+def cast_size(library: Library, plan: Plan, rng: np.random.Generator) -> MarkedCast:
+    """Two things of clearly different size, the right answer under the planned letter.
+
+    Raises:
+        Rejected: The library has no two that do, nothing to cover them, or no crowd.
+    """
+    uncovered = False
+    for a, b in draw_pairs(library, rng):
         if not told_apart([a, b]) or _bare_ratio(a, b) > _LARGEST_RATIO:
             continue
         try:
@@ -115,7 +119,38 @@ def _draw_cast(library: Library, plan: Plan, rng: np.random.Generator) -> Marked
             continue
         if cast := cast_marked(library, pair, (), rng):
             return _covered(cast, plan)
+        uncovered = True
+    if uncovered:
+        raise Rejected("cover", "no two things cover any pair that was drawn")
     raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
+
+
+def draw_pairs(
+    library: Library, rng: np.random.Generator
+) -> Iterator[tuple[ObjectSpec, ObjectSpec]]:
+    """Pairs at random; where things lead, of one of those and any other.
+
+    In half of the calls those come first of which both lead: a small library has few, and few of
+    those lie as planned.
+
+    Raises:
+        Rejected: Too few things have a size to be marked.
+    """
+    pool = markable(library)
+    leading = [spec for spec in pool if library.leads(spec)]
+    if len(pool) < len(PAIR) or (library.leading and not leading):
+        mine = " of your own" if library.leading else ""
+        raise Rejected("candidates", f"{MARKABLE}: too few things{mine}")
+    alone = len(leading) >= len(PAIR) and rng.random() < 1 / 2
+    for number in range(_PAIRS):
+        if not library.leading:
+            first, second = rng.choice(len(pool), size=2, replace=False)
+            yield pool[int(first)], pool[int(second)]
+            continue
+        one = leading[int(rng.integers(len(leading)))]
+        among = leading if alone and 2 * number < _PAIRS else pool
+        others = [spec for spec in among if spec is not one]
+        yield one, others[int(rng.integers(len(others)))]
 
 
 def _covered(cast: MarkedCast, plan: Plan) -> MarkedCast:

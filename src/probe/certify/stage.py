@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,9 +17,10 @@ from probe.errors import Unsatisfiable
 from probe.scene.layout import WORK_AREA
 from probe.scene.sampling import Drop, draw_drop
 from probe.types import Array, Pose, Quaternion
-from probe.world.model import TIME_STEP, Item, Post
+from probe.world.model import Item, Post
 from probe.world.pile import SINK_LIMIT, Pile
-from probe.world.settle import SETTLING_TIME, come_to_rest
+from probe.world.rest import clear, rest, stand, unrest
+from probe.world.settle import SETTLING_TIME
 
 Poses = dict[int, Pose]
 """world_from_object by instance of a stage."""
@@ -27,7 +28,6 @@ Poses = dict[int, Pose]
 _NEST_TIME = 2.0
 _NEST_CHECK_TIME = 0.1
 _FALL_TIME = 0.8
-_AWAKE_TIME = 0.2
 _LIFTED_TIME = 1.0
 _RESPOTS = 3
 _SPOT_TRIES = 40
@@ -80,7 +80,7 @@ class Stage:
             at: Middle of the target.
             laid: Whether the target lies on its longer side instead of standing.
         """
-        self._clear()
+        clear(self._pile)
         turned = about_z(layers[0].turn + self._crosswise(target, layers[0].cover))
         if laid:
             tipped = (Pose(wxyz=turned) @ Pose(wxyz=on_side(self.items[target - 1].spec))).wxyz
@@ -133,7 +133,7 @@ class Stage:
         Raises:
             Rejected: Not all of them rest on the table.
         """
-        self._clear()
+        clear(self._pile)
         for instance, pose in placed.items():
             self._pile.place(instance, pose)
         self._pile.hold(*placed)
@@ -162,42 +162,22 @@ class Stage:
         Raises:
             Rejected: They don't.
         """
-        self._put(poses)
-        self._pile.step(_AWAKE_TIME)
         try:
-            come_to_rest(self._pile)
+            return rest(self._pile, poses)
         except Unsatisfiable as failure:
             raise Rejected("settle", str(failure)) from failure
-        finally:
-            self._pile.stay_awake(awake=False)
-        return self._poses()
+
+    def unrest(self, poses: Poses) -> str | None:
+        """What is wrong with the rest of things in these poses, for people; None if nothing is."""
+        return unrest(self._pile, poses)
 
     def lift(self, poses: Poses, *instances: int) -> Poses:
         """Where the others end up when some things vanish."""
-        self._put({n: pose for n, pose in poses.items() if n not in instances})
+        stand(self._pile, {n: pose for n, pose in poses.items() if n not in instances})
         self._pile.step(_LIFTED_TIME)
         self._pile.stay_awake(awake=False)
         self._pile.fall(SETTLING_TIME)
         return self._poses()
-
-    def _put(self, poses: Mapping[int, Pose]) -> None:
-        """Put things exactly here and nothing else on the table; none is asleep."""
-        self._clear()
-        for instance, pose in poses.items():
-            self._pile.place(instance, pose)
-        # Asleep, a thing that lost its support would hang in the air; and what tips over slowly
-        # counts as asleep.
-        self._pile.stay_awake(awake=True)
-
-    def _clear(self) -> None:
-        self._pile.hold()
-        for item in self.items:
-            self._pile.park(item.instance)
-        self._pile.set_walls(standing=False)
-        # The engine overlooks that a sleeping body has been moved; one step awake tells it.
-        self._pile.stay_awake(awake=True)
-        self._pile.step(TIME_STEP)
-        self._pile.stay_awake(awake=False)
 
     def _poses(self) -> Poses:
         return {instance: self._pile.pose(instance) for instance in self._pile.on_table}

@@ -28,7 +28,7 @@ from probe.scene.sampling import DEFAULT_COUNT, TIGHT, Pile
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.types import Camera
-from probe.world.scenes import make_scene
+from probe.world.scenes import Drawn, draw_scene
 
 
 def scene(
@@ -65,16 +65,17 @@ def scene(
     with Renderer(cache_folder() / "light", renderer) as drawing:
         studio = _Studio(drawing, view_camera(camera), light_of(Lighting(lighting), things.assets))
         if gallery == 0:
-            _write(out, _settle(seed, things, objects, pile), things, studio)
+            drawn = [_settle(seed, things, objects, pile)]
+            _write(out, drawn[0].scene, things, studio)
             say(f"Picture, depth, labels and scene are in {out}")
-            return
-        entries: list[GalleryEntry] = []
-        for number in track(range(seed, seed + gallery), "Settling and drawing"):
-            settled = _settle(number, things, objects, pile)
-            shares = _write(out / str(number), settled, things, studio)
-            entries.append(_entry(settled, shares, things))
-        write_gallery(out / "index.html", entries)
-    say(f"{gallery} scenes are in {out / 'index.html'}")
+        else:
+            drawn = _gallery(out, range(seed, seed + gallery), things, objects, pile, studio)
+            say(f"{gallery} scenes are in {out / 'index.html'}")
+    again = sum(each.restless > 0 for each in drawn)
+    if again:
+        say(
+            f"Drawn anew, since something moved once its table was rebuilt: {again} of {len(drawn)}"
+        )
 
 
 @dataclass(frozen=True)
@@ -86,8 +87,22 @@ class _Studio:
     light: Illumination
 
 
-def _settle(seed: int, things: Library, count: int, pile: Pile) -> Scene:
-    return make_scene(seed, things, table_ids(assets_folder()), count, pile)
+def _gallery(
+    out: Path, seeds: range, things: Library, count: int, pile: Pile, studio: _Studio
+) -> list[Drawn]:
+    """Draw and write many scenes and the page of them."""
+    drawn: list[Drawn] = []
+    entries: list[GalleryEntry] = []
+    for seed in track(seeds, "Settling and drawing"):
+        drawn.append(_settle(seed, things, count, pile))
+        shares = _write(out / str(seed), drawn[-1].scene, things, studio)
+        entries.append(_entry(drawn[-1].scene, shares, things))
+    write_gallery(out / "index.html", entries)
+    return drawn
+
+
+def _settle(seed: int, things: Library, count: int, pile: Pile) -> Drawn:
+    return draw_scene(seed, things, table_ids(assets_folder()), count, pile)
 
 
 def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> dict[int, Visibility]:

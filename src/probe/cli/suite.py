@@ -2,23 +2,36 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
-from probe.certify.build import Workshop, assemble, assemble_unsolved, fill, places_of
+from probe.assets.library import Library
+from probe.certify.build import (
+    Workshop,
+    assemble,
+    assemble_unsolved,
+    fill,
+    places_of,
+    why_none,
+)
 from probe.certify.parts import Line, Making, Parts, Place
+from probe.certify.plan import ATTEMPTS
+from probe.certify.possible import possibilities
+from probe.certify.salt import Salt
 from probe.certify.salt_file import salt_of
 from probe.cli.numbers import check_numbers
+from probe.cli.possible import Incomplete, show_possible
 from probe.cli.screen import Table, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.suite_certify import certify
 from probe.cli.suite_verify import verify
 from probe.cli.surroundings import Pool, library, tables_for
-from probe.errors import BadData
+from probe.errors import BadData, Unsatisfiable
 from probe.files import write_text
 from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
@@ -51,11 +64,14 @@ def build(
     Kept tasks and a log of every candidate wait in a folder beside the suite. Any number of
     processes may share the work; the last to end writes the suite, and the whole log beside it.
     A secret salt, drawn at the start and kept in that folder, decides letters, order and ids.
+    Begins with a table of what the objects allow. What can't be made is left out and named at the
+    end; the exit status is then 1.
 
     Args:
         out: File for the suite.
         counts: Tasks of each type: "--counts.find 28 --counts.compare 24".
-        pool: Which objects appear; scans need PROBE_ASSETS.
+        pool: Which objects appear; scans need PROBE_ASSETS. With own+procedural, and with all, your
+            own play the parts and others help out.
         public: Draw no salt, so that anyone can make these tasks again, and foretell their answers.
         first: With --public, number of the first episode of each type; others give other tasks.
         shard: "0/2" and "1/2" in two processes share the work.
@@ -74,13 +90,21 @@ def build(
     salt = salt_of(parts, public=public)
     commitment = salt.commitment if salt else None
     parts.claim(Making(pool=pool, unchecked=unchecked, commitment=commitment))
+    lacking = [place for place in places if not parts.task_path(place).exists()]
+    left_out = _hopeless(lacking, things, salt)
     with Renderer() as renderer:
         workshop = Workshop(things, tables_for(pool), renderer, unchecked, salt)
-        _fill(part.of(places), parts, workshop)
-    if waiting := [place for place in places if not parts.task_path(place).exists()]:
-        say(f"{len(waiting)} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
+        _fill([place for place in part.of(places) if place not in left_out], parts, workshop)
+    left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
+    made = [place for place in places if parts.task_path(place).exists()]
+    if waiting := len(places) - len(made) - len(left_out):
+        say(f"{waiting} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
         return
-    _finish(out, places, parts, workshop, unsolved)
+    if made:
+        _finish(out, made, parts, workshop, unsolved)
+    if left_out:
+        written = f"{out} has {len(made)} of {len(places)} tasks." if made else "No task was made."
+        raise Incomplete(written, list(left_out.items()))
 
 
 @app.command
@@ -97,12 +121,24 @@ def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     table.show()
 
 
+def _hopeless(places: Sequence[Place], things: Library, salt: Salt | None) -> dict[Place, str]:
+    """Tell what can be made; places for which the library lacks the things, and why."""
+    found = possibilities(places, things, salt)
+    if found:
+        show_possible(found, things)
+    return {place: it.missing[0] for it in found for place in it.hopeless}
+
+
 def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
+    """Make tasks; a place for which none can be made doesn't end the others."""
     with bar() as progress:
         line = progress.add_task("Building", total=len(places))
         for place in places:
-            for tried in fill(place, parts, workshop):
-                progress.update(line, description=f"{place.kind} {place.episode}: {tried.check}")
+            # What was tried is in the place's log.
+            with contextlib.suppress(Unsatisfiable):
+                for tried in fill(place, parts, workshop):
+                    done = f"{place.kind} {place.episode}: {tried.check}"
+                    progress.update(line, description=done)
             progress.advance(line)
 
 

@@ -14,7 +14,7 @@ from probe.cli.surroundings import Pool, library
 from probe.episodes.luck import NOISES, NoiseName
 from probe.render.renderer import Renderer
 from probe.report.tools_page import Failure, write_tools_page
-from probe.trials.summary import Summary, summarise
+from probe.trials.summary import Summary, drawn_anew, summarise
 from probe.trials.trial import Tool, Trial
 from probe.trials.work import Settings, carry_out, picture_path, read_trials, start
 
@@ -86,9 +86,12 @@ def _report(out: Path, settings: Settings, things: Library) -> None:
     error = f"{1000 * settings.grasp_noise:.1f} mm" if settings.grasp_noise else "none"
     title = f"The tools alone: {settings.pool} objects, error of the hand in grasps {error}"
     failures = [_failure(trial, things) for trial in trials if not trial.good]
-    write_tools_page(out / PAGE, title, summaries, failures)
+    again, tables = drawn_anew(trials)
+    rest = f"Tables drawn anew, since something moved once they were rebuilt: {again} of {tables}."
+    write_tools_page(out / PAGE, title, rest, summaries, failures)
     for summary in summaries:
         _print(summary)
+    say(rest)
     say(f"The page with pictures of {len(failures)} failures is {out / PAGE}")
 
 

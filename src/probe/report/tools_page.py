@@ -20,8 +20,16 @@ class Failure:
 
 
 def write_tools_page(
-    path: Path, title: str, summaries: Sequence[Summary], failures: Sequence[Failure]
+    path: Path, title: str, rest: str, summaries: Sequence[Summary], failures: Sequence[Failure]
 ) -> None:
-    """Write the page; it opens from disk and loads nothing from elsewhere."""
-    values = {"title": title, "summaries": summaries, "failures": failures}
+    """Write the page; it opens from disk and loads nothing from elsewhere.
+
+    Args:
+        path: The page's file.
+        title: Its title.
+        rest: A line on how many tables weren't at rest and were drawn anew.
+        summaries: One a tool.
+        failures: All of both tools.
+    """
+    values = {"title": title, "rest": rest, "summaries": summaries, "failures": failures}
     write_page(path, "tools.html", values)

@@ -11,6 +11,7 @@ import numpy as np
 from probe.assets.spec import ObjectSpec
 from probe.errors import Unsatisfiable
 from probe.scene.layout import WORK_AREA
+from probe.scene.turns import Leads, in_turn, nobody
 from probe.types import Quaternion
 
 DEFAULT_COUNT = 15
@@ -62,9 +63,9 @@ class Drop:
 
 
 def draw_objects(
-    specs: Sequence[ObjectSpec], count: int, rng: np.random.Generator
+    specs: Sequence[ObjectSpec], count: int, rng: np.random.Generator, leads: Leads = nobody
 ) -> tuple[ObjectSpec, ...]:
-    """Draw objects that a person could tell apart by name.
+    """Draw objects that a person could tell apart by name, those that lead before all others.
 
     No two share a short name, and two of one category differ in their main colour.
 
@@ -73,8 +74,7 @@ def draw_objects(
     """
     drawn: list[ObjectSpec] = []
     taken: set[tuple[str, ...]] = set()
-    order: list[int] = rng.permutation(len(specs)).tolist()
-    for spec in (specs[index] for index in order):
+    for spec in in_turn(specs, leads, rng):
         if len(drawn) == count:
             break
         marks: set[tuple[str, ...]] = {

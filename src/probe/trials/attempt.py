@@ -68,6 +68,7 @@ def attempt(
         "longest": max(spec.size),
         "planning": spent - station.seconds,
         "execution": station.seconds,
+        "restless": laid.restless,
     }
     return Trial.model_validate(common | found)
 

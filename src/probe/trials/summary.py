@@ -90,6 +90,12 @@ def rate(name: str, trials: Sequence[Trial], holds: Callable[[Trial], bool]) -> 
     return Rate(name, int(held.sum()), len(held), low, high, wilson)
 
 
+def drawn_anew(trials: Sequence[Trial]) -> tuple[int, int]:
+    """How many tables had to be drawn anew to be at rest, and of how many that is known."""
+    known = {trial.seed: trial.restless for trial in trials if trial.restless is not None}
+    return sum(restless > 0 for restless in known.values()), len(known)
+
+
 def _by_scene(seeds: np.ndarray, held: np.ndarray) -> tuple[float, float]:
     scenes, of = np.unique(seeds, return_inverse=True)
     wins, sizes = np.bincount(of, held), np.bincount(of)

@@ -15,7 +15,7 @@ from probe.scene.scene import PlacedObject, Scene
 from probe.scene.seeds import generator
 from probe.station.simulated import SimulatedStation
 from probe.types import Array, Frame
-from probe.world.scenes import make_scene
+from probe.world.scenes import draw_scene
 from probe.world.world import Snapshot, World
 
 A_SCENE = 5
@@ -24,9 +24,14 @@ A_SCENE = 5
 
 @dataclass(frozen=True, eq=False)
 class Laid:
-    """A settled table, to be restored before each trial."""
+    """A settled table, to be restored before each trial.
+
+    Attributes:
+        restless: How many draws before it weren't at rest; see draw_scene().
+    """
 
     scene: Scene
+    restless: int
     world: World
     frame: Frame
     start: Snapshot
@@ -50,15 +55,17 @@ def lay(seed: int, tool: str, things: Library, renderer: Renderer) -> Laid:
     Raises:
         Unsatisfiable: Nothing settles from this seed.
     """
-    scene = make_scene(seed, things, table_ids(things.assets))
+    drawn = draw_scene(seed, things, table_ids(things.assets))
+    scene = drawn.scene
     load_scene(renderer, scene, things, things.table(scene.table))
     world = World(scene, things)
     frame = SimulatedStation(world, renderer).observe(rgb=tool == "push")
     rng = generator(seed, "trials", tool)
-    return Laid(scene, world, frame, world.save(), _drawn(scene, frame, rng), rng)
+    targets = _targets(scene, frame, rng)
+    return Laid(scene, drawn.restless, world, frame, world.save(), targets, rng)
 
 
-def _drawn(scene: Scene, frame: Frame, rng: np.random.Generator) -> tuple[PlacedObject, ...]:
+def _targets(scene: Scene, frame: Frame, rng: np.random.Generator) -> tuple[PlacedObject, ...]:
     assert frame.labels is not None and frame.shares is not None
     seen = [
         placed

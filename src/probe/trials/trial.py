@@ -24,6 +24,8 @@ class Trial(BaseModel):
         width: Planned distance of the pads of the last grasp; 0 without one.
         share: Visible share of the target beforehand.
         planning, execution: CPU seconds of this process outside and inside station calls.
+        restless: How many draws of the table before this one weren't at rest; None in files from
+            before that was checked.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -48,6 +50,7 @@ class Trial(BaseModel):
     longest: float
     planning: float
     execution: float
+    restless: int | None = None
 
     @property
     def cause(self) -> str:

@@ -55,8 +55,12 @@ class Pile:
 
     def bounds(self, instance: int) -> Array:
         """Lowest and highest corner of an item's collision shape, shape (2, 3)."""
-        corners = self.pose(instance).apply(self._corners[instance])
+        corners = self.corners(instance)
         return np.stack([corners.min(axis=0), corners.max(axis=0)])
+
+    def corners(self, instance: int) -> Array:
+        """Corners of an item's collision shape where it is, shape (n, 3)."""
+        return self.pose(instance).apply(self._corners[instance])
 
     @property
     def on_table(self) -> tuple[int, ...]:

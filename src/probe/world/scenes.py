@@ -3,17 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
 
 from probe.assets.library import Library
 from probe.errors import Unsatisfiable
 from probe.scene.sampling import DEFAULT_COUNT, TIGHT, Pile, draw_objects, draw_pile
-from probe.scene.scene import Scene
+from probe.scene.scene import PlacedObject, Scene
 from probe.scene.seeds import generator
 from probe.world.model import Item
+from probe.world.rest import scene_unrest
 from probe.world.settle import settle
 
 ATTEMPTS = 5
 """Draws of a whole scene before giving up."""
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A settled scene, and what it took.
+
+    Attributes:
+        restless: How many draws before it had settled in their pile, yet moved once their table was
+            built anew.
+    """
+
+    scene: Scene
+    restless: int
 
 
 def make_scene(
@@ -23,24 +40,49 @@ def make_scene(
     count: int = DEFAULT_COUNT,
     pile: Pile = TIGHT,
 ) -> Scene:
+    """The scene of draw_scene() alone."""
+    return draw_scene(seed, library, tables, count, pile).scene
+
+
+def draw_scene(
+    seed: int,
+    library: Library,
+    tables: Sequence[str],
+    count: int = DEFAULT_COUNT,
+    pile: Pile = TIGHT,
+) -> Drawn:
     """Draw objects and a table, drop the objects and let them settle.
+
+    Nothing moves once the table is built anew (scene_unrest()); where something would, all is
+    dropped again with the seed's next draw.
 
     Raises:
         Unsatisfiable: No draw came to rest; the message holds the last reason.
     """
     table = tables[int(generator(seed, "table").integers(len(tables)))]
-    reason = ""
+    reason, restless = "", 0
     for attempt in range(ATTEMPTS):
-        rng = generator(seed, "pile", attempt)
-        specs = draw_objects(library.specs, count, rng)
-        items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]
-        falls = draw_pile(specs, pile, rng)
-        drops = {items[index].instance: drop for index, drop in falls}
         try:
-            return Scene(seed, table, settle([items[index] for index, _ in falls], drops, rng))
+            objects = _settled(library, count, pile, generator(seed, "pile", attempt))
         except Unsatisfiable as failure:
             reason = str(failure)
+            continue
+        scene = Scene(seed, table, objects)
+        moving = scene_unrest(scene, library)
+        if moving is None:
+            return Drawn(scene, restless)
+        reason, restless = f"On a table built anew, {moving}.", restless + 1
     raise Unsatisfiable(
         f"Seed {seed}: no settled scene of {count} objects in {ATTEMPTS} draws. {reason} "
         "Try another seed or fewer objects."
     )
+
+
+def _settled(
+    library: Library, count: int, pile: Pile, rng: np.random.Generator
+) -> tuple[PlacedObject, ...]:
+    specs = draw_objects(library.specs, count, rng, library.leads)
+    items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]
+    falls = draw_pile(specs, pile, rng)
+    drops = {items[index].instance: drop for index, drop in falls}
+    return settle([items[index] for index, _ in falls], drops, rng)
