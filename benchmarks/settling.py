@@ -208,8 +208,8 @@ def summarise(settings: Settings, lines: list[Line]) -> None:
     seconds = [line.seconds for line in made]
     good, again = sum(line.good for line in made), sum(line.restless > 0 for line in made)
     print(
-        f"probe {probe.__version__}: {settings.pool}, reach {settings.reach} m, {settings.buried} buried: "
-        f"of {len(lines)} seeds {len(made)} have a scene; "
+        f"probe {probe.__version__}: {settings.pool}, reach {settings.reach} m, "
+        f"{settings.buried} buried: of {len(lines)} seeds {len(made)} have a scene; "
         f"{good} at rest with all objects on the table ({good / len(made):.1%}); "
         f"{again} drawn anew ({again / len(made):.1%}); "
         f"CPU s median {np.median(seconds):.2f}, p95 {np.percentile(seconds, 95):.2f}, "

@@ -131,7 +131,7 @@ def test_what_has_one_is_not_told_of(tmp_path, capsys):
 def test_any_document_may_end_with_one(tmp_path):
     write_suite(tmp_path / "s.json", DEMO)
     document = read_document(tmp_path / "s.json", SuiteDocument, "Write it again")
-    again = with_sum(document.model_dump_json(indent=1).encode())
+    again = with_sum(document.model_dump_json(indent=1, exclude={"commitment"}).encode())
     assert (tmp_path / "s.json").read_bytes() == again and has_sum(again)
     assert not has_sum(without_sum(again))
 

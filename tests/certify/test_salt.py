@@ -18,6 +18,7 @@ from probe.certify.attempt import Attempt
 from probe.certify.parts import Making, Parts, Place
 from probe.certify.salt import PRIVATE_FROM, Salt
 from probe.certify.salt_file import SALT, read_salt, salt_of
+from probe.checksum import with_sum, without_sum
 from probe.errors import BadData
 from probe.scene.seeds import generator
 from probe.tasks.suite import part
@@ -131,7 +132,8 @@ def test_what_isnt_a_commitment_is_refused(tmp_path):
     path = tmp_path / "some.json"
     suite = packaged_suite("demo")
     write_suite(path, part(replace(suite, commitment=ONE.commitment), suite.tasks[0]))
-    path.write_text(path.read_text().replace(ONE.commitment, "trust me"))
+    changed = without_sum(path.read_bytes()).replace(ONE.commitment.encode(), b"trust me")
+    path.write_bytes(with_sum(changed))
     with pytest.raises(BadData, match=r"some\.json: commitment"):
         read_suite(path)
 
@@ -139,8 +141,8 @@ def test_what_isnt_a_commitment_is_refused(tmp_path):
 @pytest.mark.parametrize("name", ["v1", "v1-scans", "v1-unfiltered"])
 def test_public_suites_are_written_as_they_were(tmp_path, name):
     write_suite(tmp_path / "again.json", packaged_suite(name))
-    frozen = files("probe.tasks") / f"data/{name}.json"
-    assert (tmp_path / "again.json").read_bytes() == frozen.read_bytes()
+    frozen = (files("probe.tasks") / f"data/{name}.json").read_bytes()
+    assert (tmp_path / "again.json").read_bytes() == with_sum(frozen)
 
 
 def test_seeds_of_128_bits_come_back_and_decide_luck(tmp_path):
