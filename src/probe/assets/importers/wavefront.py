@@ -26,6 +26,9 @@ _MAP = re.compile(rb"^[ \t]*map_Kd[ \t]+(.+?)[ \t\r]*$", re.M)
 _LIBRARY = re.compile(rb"^mtllib[ \t]+(.+?)[ \t\r]*$", re.M)
 _USED = re.compile(rb"^usemtl[ \t]+(.+?)[ \t\r]*$", re.M)
 _MADE = re.compile(rb"^[ \t]*newmtl[ \t]+(.+?)[ \t\r]*$", re.M)
+_FACE = re.compile(rb"^f[ \t]+(.*)$", re.M)
+_INDEX = re.compile(rb"[+-]?\d{1,9}")
+_LISTS = ("vertex", "texture coordinate", "normal")
 _STATED = re.compile(rb"^# (Vertices|Faces): (\d+)[ \t\r]*$", re.M)
 
 
@@ -51,6 +54,7 @@ def obj_parts(path: Path, root: Path, texture_folders: Sequence[Path] = ()) -> P
     """
     text = _text(path, MAX_BYTES)
     _check_counts(path, text)
+    _check_indices(path, text)
     named = _LIBRARY.findall(text)
     if not named:
         raise BadMesh(path, "names no material file (mtllib)", "Export it with its materials.")
@@ -142,6 +146,24 @@ def _check_counts(path: Path, text: bytes) -> None:
     last = text[text.rstrip().rfind(b"\n") + 1 :].split()
     if last[:1] == [b"f"] and len(last) < 4:
         raise BadMesh(path, "truncated: its last face is cut off", "Copy or download it again.")
+
+
+def _check_indices(path: Path, text: bytes) -> None:
+    """Refuse corners that are no line of the file: 0, or beyond the last one."""
+    lines = b"\n" + text
+    there = lines.count(b"\nv "), lines.count(b"\nvt "), lines.count(b"\nvn ")
+    for face in _FACE.finditer(text):
+        for corner in face[1].split():
+            for index, count, name in zip(corner.split(b"/"), there, _LISTS, strict=False):
+                if index and not 0 < abs(_index(index)) <= count:
+                    line = text.count(b"\n", 0, face.start()) + 1
+                    reason = f"line {line} names {name} {_words(index)[:20]} of {count:,}"
+                    raise BadMesh(path, reason, "Export the model again as OBJ.")
+
+
+def _index(raw: bytes) -> int:
+    """A number; 0, which nothing has, if it is none."""
+    return int(raw) if _INDEX.fullmatch(raw) else 0
 
 
 def _words(raw: bytes) -> str:
