@@ -22,7 +22,10 @@ from probe.perception.dials import Dials
         ({"pointer": "oracle"}, "--pointer: does nothing without"),
         ({"model": "m", "agent": "scripted"}, "--agent: does nothing with --model"),
         ({"model": "m", "runs": 1}, "--runs: does nothing with --model"),
-        ({"model": "m", "epochs": -1, "dry_run": True}, "--epochs: -1 is out of range. Say 1 to 1,000"),
+        (
+            {"model": "m", "epochs": -1, "dry_run": True},
+            "--epochs: -1 is out of range. Say 1 to 1,000",
+        ),
         ({"runs": 0}, "--runs: 0 is out of range. Say 1 to 1,000"),
         ({"workers": 0}, "--workers: 0 is out of range. Say 1 to 256"),
         ({"model": "m", "pointer": "self", "arm": "direct"}, "does nothing with --arm direct"),

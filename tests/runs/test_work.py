@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from typing import Any, cast
 
 import pytest
@@ -11,11 +13,13 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.grading import question_of
+from probe.episodes.record import Table
 from probe.runs.plan import Job, Order
 from probe.runs.run import work
-from probe.runs.work import Workplace
+from probe.runs.work import Workplace, stopped
 from probe.station.ur5 import Ur5
 from probe.tasks.suite_file import demo_suite
+from probe.types import Pose
 
 TASK = demo_suite().tasks[0]
 ORDER = Order("anna", conditions=Conditions(ideal="grasp"))
@@ -57,3 +61,19 @@ def test_an_episode_that_kills_its_workers_is_recorded_as_missing(tmp_path):
         (0, "fault", words),
         (1, "fault", words),
     }
+
+
+class Unwritable(Workplace):
+    """Its episodes end with a thing that is nowhere."""
+
+    def played(self, job, things, renderer):
+        record = stopped(job, self.order)
+        placed = replace(TASK.scene.objects[0], pose=Pose((math.nan, 0.0, 0.0)))
+        return replace(record, start=Table(replace(TASK.scene, objects=(placed,)), ()))
+
+
+def test_a_record_that_cannot_be_written_down_is_a_fault(tmp_path):
+    place = Unwritable(ORDER, NOWHERE, NOWHERE)
+    (tmp_path / RECORDS).write_bytes(place._line(NOWHERE, NOWHERE, Job(TASK, 0)))
+    (record,) = read_records(tmp_path / RECORDS)
+    assert record.end == "fault" and "position" in (record.fault or "")

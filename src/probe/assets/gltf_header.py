@@ -7,6 +7,7 @@ import struct
 from pathlib import Path
 from typing import Any, cast
 
+from probe.assets.gltf_indices import check_indices
 from probe.assets.gltf_tree import check_counts, check_nodes
 from probe.assets.gltf_uris import check_images, check_uris
 from probe.assets.shaping import EXPORT_AGAIN
@@ -39,6 +40,7 @@ def check_header(path: Path) -> None:
     check_uris(path, tree)
     check_counts(path, tree)
     check_nodes(path, tree)
+    check_indices(path, tree)
     check_images(path, tree, data_start)
 
 

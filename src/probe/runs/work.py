@@ -99,7 +99,9 @@ class Workplace:
 
     def _attempt(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
         try:
-            return self.played(job, things, renderer)
+            record = self.played(job, things, renderer)
+            line_of(record)  # one that can't be written down is a fault, too
+            return record
         except Exception as error:
             # Whatever it is, it costs this episode alone and is told in its record.
             return failed(job, self.order, f"{type(error).__name__}: {error}")

@@ -22,6 +22,9 @@ Opening = Callable[[], AbstractContextManager[Callable[[Job], Result]]]
 module or a value of such a class. What the doing raises is a fault of this program."""
 
 
+_MEMORY = "Raise the limit (ulimit -v), leave other programs, or say --workers 1."
+
+
 @dataclass(frozen=True)
 class Ready:
     """A worker's first message, with the reason if it can't work; later ones are results."""
@@ -44,6 +47,10 @@ def serve(opening: Opening[Job, Result], pipe: Connection) -> None:
             carry = stack.enter_context(opening())
         except ProbeError as error:
             pipe.send(Ready(str(error)))
+            return
+        except (MemoryError, ImportError) as error:
+            # A library that can't be mapped into memory is said to be missing.
+            pipe.send(Ready(f"A worker process got no memory ({error}). {_MEMORY}"))
             return
         with suppress(EOFError, BrokenPipeError):
             pipe.send(Ready())

@@ -128,6 +128,24 @@ GLB = {
     "escaped": (lambda _: _glb(images=[{"uri": "%2e%2e/x.png"}]), "outside its own"),
     "missing": (lambda _: _glb(images=[{"uri": "none.png"}]), "isn't there"),
     "flat": (lambda _: _glb(), "is flat"),
+    "a picture before the first": (
+        lambda _: _glb(textures=[{"source": -1}]),
+        r"textures.0.source is -1, but it has 1 images",
+    ),
+    "a mesh after the last": (lambda _: _glb(nodes=[{"mesh": 1}]), "nodes.0.mesh is 1, but"),
+    "a texture before the first": (
+        lambda _: _glb(materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": -1}}}]),
+        "materials.0.baseColorTexture is -1, but it has 1 textures",
+    ),
+    "a scene before the first": (lambda _: _glb(scene=-1), "scene is -1, but it has 1 scenes"),
+    "a length below nothing": (
+        lambda _: _glb(buffers=[{"byteLength": -5}]),
+        "buffers.0.byteLength is -5",
+    ),
+    "no rotation": (
+        lambda _: _glb(nodes=[{"mesh": 0, "rotation": [0, 0, 0, 0]}]),
+        "nodes.0.rotation is no rotation",
+    ),
     "non-manifold crumbs": (
         lambda folder: write_glb(
             folder / "x.glb", textured(trimesh.creation.box((1e-9, 1e-9, 1e-9)))
@@ -203,7 +221,16 @@ OBJ = {
     "cut in a face": (_obj(_lines(lambda t: t[: t.rfind(" ")])), "truncated"),
     "fewer than stated": (_obj("# Vertices: 9\n" + obj_text(box())), "truncated: 8 of 9 vertices"),
     "nan": (_obj(_lines(lambda t: t.replace("v 0.35", "v nan", 1))), "NaN|parsed"),
-    "no such vertex": (_obj(obj_text(box()) + "f 1/1 2/2 900/3\n"), "missing vertices|parsed"),
+    "no such vertex": (
+        _obj(obj_text(box()) + "f 1/1 2/2 900/3\n"),
+        r"line \d+ names vertex 900 of 8",
+    ),
+    "vertex 0": (_obj(obj_text(box()) + "f 1/1 0/2 3/3\n"), r"line \d+ names vertex 0 of 8"),
+    "uv 0": (
+        _obj(obj_text(box()) + "f 1/1 2/0 3/3\n"),
+        r"line \d+ names texture coordinate 0 of",
+    ),
+    "a vertex too far back": (_obj(obj_text(box()) + "f -9 -1 -2\n"), "names vertex -9 of 8"),
     "no uv": (_obj(re.sub(r"/\d", "", obj_text(box()))), "no texture coordinates|no base"),
     "no library": (
         _bare(_lines(lambda t: t.replace("mtllib model.mtl\n", ""))),

@@ -12,7 +12,7 @@ import trimesh
 from trimesh.resolvers import Resolver
 
 from probe.assets.confined import MissingFile, confined
-from probe.assets.gltf_tree import MAX_TRIANGLES, MAX_VERTICES
+from probe.assets.importers.obj_numbers import check_counts, check_indices
 from probe.assets.importers.skins import sole_picture
 from probe.assets.pictures import check_picture
 from probe.assets.shaping import joined
@@ -20,7 +20,6 @@ from probe.errors import BadMesh
 from probe.reading import contents
 
 MAX_BYTES = 2**29
-MAX_WORDS = 20 * MAX_TRIANGLES
 MAX_MTL_BYTES = 2**20
 _MAP = re.compile(rb"^[ \t]*map_Kd[ \t]+(.+?)[ \t\r]*$", re.M)
 _LIBRARY = re.compile(rb"^mtllib[ \t]+(.+?)[ \t\r]*$", re.M)
@@ -31,8 +30,6 @@ _STAND_IN, _SKIN = "stand-in.mtl", "skin"
 _HEADING = b"mtllib stand-in.mtl\nusemtl skin\n"
 _MATERIAL = b"newmtl skin\nmap_Kd skin\n"
 """What takes the place of materials where one picture lies beside an OBJ."""
-
-_STATED = re.compile(rb"^# (Vertices|Faces): (\d+)[ \t\r]*$", re.M)
 
 
 @dataclass(frozen=True)
@@ -64,7 +61,8 @@ def obj_parts(path: Path, root: Path, texture_folders: Sequence[Path] = ()) -> P
         BadMesh: Too large, cut off, or a material or texture is missing or lies outside.
     """
     text = _text(path, MAX_BYTES)
-    _check_counts(path, text)
+    check_counts(path, text)
+    check_indices(path, text)
     try:
         return _named_parts(path, text, root, texture_folders)
     except MissingFile as missing:
@@ -157,25 +155,6 @@ def _text(path: Path, limit: int) -> bytes:
     if b"\x00" in content:
         raise BadMesh(path, "is no text", "Copy or download it again.")
     return content
-
-
-def _check_counts(path: Path, text: bytes) -> None:
-    lines = b"\n" + text
-    found = {"Vertices": lines.count(b"\nv "), "Faces": lines.count(b"\nf ")}
-    for kind, stated in _STATED.findall(text[:4096]):
-        if found[kind.decode()] < int(stated[:12]):
-            reason = f"truncated: {found[kind.decode()]:,} of {int(stated[:12]):,} {kind.decode()}"
-            raise BadMesh(path, f"{reason.lower()} are there", "Copy or download it again.")
-    if not found["Faces"]:
-        raise BadMesh(path, "contains no triangles", "Export the model's mesh, not only points.")
-    large = found["Faces"] > MAX_TRIANGLES or found["Vertices"] > MAX_VERTICES
-    if large or text.count(b" ") > MAX_WORDS:
-        reason = f"has {found['Faces']:,} faces and {found['Vertices']:,} vertices"
-        remedy = f"Decimate it to at most {MAX_TRIANGLES:,} triangles (20,000 are plenty)."
-        raise BadMesh(path, reason, remedy)
-    last = text[text.rstrip().rfind(b"\n") + 1 :].split()
-    if last[:1] == [b"f"] and len(last) < 4:
-        raise BadMesh(path, "truncated: its last face is cut off", "Copy or download it again.")
 
 
 def _words(raw: bytes) -> str:
