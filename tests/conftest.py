@@ -8,10 +8,15 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+# Before any test imports NumPy: what they compute and keep must be what `probe` computes.
+import probe
+
 # The same examples in every run: what a change is judged by mustn't depend on luck.
 # No deadline: a slow disk or a busy machine is no defect.
 settings.register_profile("same", derandomize=True, database=None, deadline=None)
 settings.load_profile("same")
+
+assert probe.SUMS_BOUND, "NumPy was imported before probe: its sums differ on this machine"
 
 ROOT = Path(__file__).resolve().parents[1]
 

@@ -30,7 +30,11 @@ def test_neither_numpy_nor_its_blas_uses_avx512():
     assert json.loads(said) == {"numpy": ["X86_V3"], "blas": ["Haswell"]}
 
 
-KEY = "from probe.assets.cache import content_key; print(content_key('a mug'))"
+KEY = """
+from pathlib import Path
+from probe.assets.cache import Cache
+print(Cache(Path("cache")).path("ab"))
+"""
 
 
 @pytest.mark.skipif(platform.machine() != "x86_64", reason="about x86-64's instructions")
@@ -44,11 +48,11 @@ def test_what_other_sums_gave_is_kept_under_another_name():
             child, env={**bare, **more}, check=True, capture_output=True, text=True
         ).stdout
 
-    first, late = key(KEY), key(f"import numpy; {KEY}")
+    first, late = key(KEY), key(f"import numpy\n{KEY}")
     assert first != late
     # A process that is started by one of ours has the same sums, whatever it imports first.
     features = "X86_V4 AVX512_ICL AVX512_SPR"
     bound = key(
-        f"import numpy; {KEY}", OPENBLAS_CORETYPE="Haswell", NPY_DISABLE_CPU_FEATURES=features
+        f"import numpy\n{KEY}", OPENBLAS_CORETYPE="Haswell", NPY_DISABLE_CPU_FEATURES=features
     )
     assert bound == first

@@ -23,12 +23,9 @@ DAMAGED = (OSError, ValueError, EOFError, KeyError, zipfile.BadZipFile, zlib.err
 
 
 def content_key(*parts: str | bytes) -> str:
-    """A name for what this process computes from these parts; 32 hex digits.
-
-    Where NumPy was imported before us the last bits differ, and so does the name.
-    """
+    """A name for what is computed from these parts; 32 hex digits."""
     content = hashlib.blake2b(digest_size=16)
-    for part in parts if SUMS_BOUND else (*parts, "sums unbound"):
+    for part in parts:
         raw = part.encode() if isinstance(part, str) else part
         content.update(len(raw).to_bytes(8, "big"))
         content.update(raw)
@@ -68,5 +65,6 @@ class Cache:
         write_bytes(self.path(key), buffer.getvalue())
 
     def path(self, key: str) -> Path:
-        """The file of a key."""
-        return self.folder / key[:2] / f"{key}.npz"
+        """The file of a key; another where this process's sums differ in their last bits."""
+        folder = self.folder if SUMS_BOUND else self.folder / "other-sums"
+        return folder / key[:2] / f"{key}.npz"

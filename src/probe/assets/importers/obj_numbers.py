@@ -48,7 +48,8 @@ def check_indices(path: Path, text: bytes) -> None:
             for index, count, name in zip(corner.split(b"/"), there, _LISTS, strict=False):
                 if index and not 0 < abs(_index(index)) <= count:
                     line = text.count(b"\n", 0, face.start()) + 1
-                    reason = f"line {line} names {name} {index.decode('utf-8', 'replace')[:20]} of {count:,}"
+                    said = index.decode("utf-8", "replace")[:20]
+                    reason = f"line {line} names {name} {said} of {count:,}"
                     raise BadMesh(path, reason, "Export the model again as OBJ.")
 
 
