@@ -17,6 +17,7 @@ import tyro
 from command import probe
 from files import attack_files, attack_memory, attack_options
 from flips import flips
+from forged_records import attack_records
 from kills import kills
 from meshes import attack_meshes
 from ports import attack_line, attack_page
@@ -64,6 +65,7 @@ def attacks_of(folder: Path, scale: float) -> Mapping[str, Callable[[], Iterator
         "meshes": lambda: attack_meshes(folder),
         "options": lambda: attack_options(folder),
         "memory": lambda: attack_memory(folder),
+        "records": lambda: attack_records(folder),
         "flips": flipped,
         "page": lambda: attack_page(folder / "page"),
         "line": lambda: attack_line(folder / "line"),
@@ -76,7 +78,8 @@ def main(only: tuple[str, ...] = (), scale: float = 1.0) -> None:
     """Try everything, and print the table.
 
     Args:
-        only: Some of "files meshes options memory flips page line kills replies"; by default all.
+        only: Some of these names, by default all: files, meshes, options, memory, records, flips,
+            page, line, kills, replies.
         scale: Of the numbers of flips and kills.
     """
     console, tried = Console(), list[Attack]()

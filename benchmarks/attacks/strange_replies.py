@@ -12,7 +12,7 @@ from command import probe
 from verdict import Attack
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path.append(str(ROOT / "tests"))
 
 from model_server import Reply, serving  # noqa: E402
 from probe.episodes.files import read_records  # noqa: E402
