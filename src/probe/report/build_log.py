@@ -37,12 +37,14 @@ def read_build_log(path: Path) -> list[Candidates]:
     """Count a log's candidates, by type.
 
     Raises:
-        BadData: It can't be read, or a line is none of a log.
+        BadData: It can't be read, is empty, or a line is none of a log.
     """
     try:
         texts = words(path).splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise BadData(path, str(error), _REMEDY) from error
+    if not texts:
+        raise BadData(path, "is empty", _REMEDY)
     return count_candidates(_line(path, *each) for each in enumerate(texts, start=1))
 
 
