@@ -177,7 +177,8 @@ def main(
     things, done = library(pool), read(out)
     wanted = range(first_seed, first_seed + seeds)
     mine = [seed for seed in part.of(wanted) if seed not in done]
-    for spec in things.specs if mine else ():  # so that no scene's time has it
+    # So that no scene's time has it; procedural ones are made on demand, and kept.
+    for spec in things.specs if mine and pool != "procedural" else ():
         things.body(spec.id)
     with Renderer() as renderer, (out / f"{part.number}-of-{part.count}.jsonl").open("a") as file:
         for seed in mine:
@@ -209,7 +210,8 @@ def summarise(settings: Settings, lines: list[Line]) -> None:
     good, again = sum(line.good for line in made), sum(line.restless > 0 for line in made)
     print(
         f"probe {probe.__version__}: {settings.pool}, reach {settings.reach} m, "
-        f"{settings.buried} buried: of {len(lines)} seeds {len(made)} have a scene; "
+        f"{settings.buried} buried: "
+        f"of {len(lines)} seeds {len(made)} have a scene; "
         f"{good} at rest with all objects on the table ({good / len(made):.1%}); "
         f"{again} drawn anew ({again / len(made):.1%}); "
         f"CPU s median {np.median(seconds):.2f}, p95 {np.percentile(seconds, 95):.2f}, "

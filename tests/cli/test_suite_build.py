@@ -1,0 +1,63 @@
+"""`probe suite build` from outside: what can't be made is told at once, with the reason."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+
+CRATE = {
+    "version": 1,
+    "id": "own_crate",
+    "name": "green crate",
+    "category": "crate",
+    "colours": ["green"],
+    "description": "A crate.",
+    "mass": 0.2,
+    "friction": 0.5,
+    "size": [0.1, 0.1, 0.05],
+    "hollow": False,
+    "licence": "CC0-1.0",
+    "source": "a test",
+    "provenance": {"name": "human"},
+    "format": "gltf",
+    "file": "crate.glb",
+    "content": "0123456789abcdef0123456789abcdef",
+    "unit": 1.0,
+    "turn_wxyz": [1, 0, 0, 0],
+    "shift": [0, 0, 0],
+}
+
+
+def build(tmp_path, cache, *arguments):
+    home = tmp_path / "library" / "own_crate"
+    home.mkdir(parents=True)
+    (home / "entry.json").write_text(json.dumps(CRATE))
+    environment = {
+        **os.environ,
+        "XDG_CACHE_HOME": str(cache.parent),
+        "PROBE_LIBRARY": str(home.parent),
+    }
+    environment.pop("PROBE_ASSETS", None)
+    told = [sys.executable, "-m", "probe", "suite", "build", tmp_path / "mine.json", *arguments]
+    return subprocess.run(
+        list(map(str, told)), env=environment, capture_output=True, text=True, check=False
+    )
+
+
+def test_a_library_that_allows_nothing_is_told_in_seconds_and_nothing_is_written(tmp_path, cache):
+    asked = ["--pool", "own", "--counts.beneath", 1, "--counts.compare", 1, "--counts.size", 2]
+    result = build(tmp_path, cache, *asked)
+    assert result.returncode == 1 and "Traceback" not in result.stderr
+    said = " ".join(result.stderr.split())
+    assert "No task was made" in said and "2 size: candidates: things of 4 to 17 cm" in said
+    assert "1 compare: paint twins: 0 pairs" in said
+    assert not (tmp_path / "mine.json").exists()
+
+
+def test_compare_is_left_out_where_ones_own_have_no_paint_twins(tmp_path, cache):
+    result = build(tmp_path, cache, "--pool", "own+procedural", "--counts.compare", 1)
+    assert result.returncode == 1
+    assert "1 things of your own play the parts" in result.stdout
+    assert "0 pairs of things of your own differ in paint alone" in " ".join(result.stderr.split())
