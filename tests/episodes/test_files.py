@@ -5,7 +5,14 @@ from dataclasses import replace
 import pytest
 
 from probe.episodes.conditions import Conditions
-from probe.episodes.files import append_record, line_of, read_records, set_aside_cut, write_records
+from probe.episodes.files import (
+    append_record,
+    cut_off,
+    line_of,
+    read_records,
+    set_aside_cut,
+    write_records,
+)
 from probe.episodes.turns import Call
 from probe.errors import BadData, OutputFailed
 from probe.perception.dials import Dials
@@ -116,3 +123,10 @@ def test_lines_that_are_no_records_are_refused(tmp_path, play, change, reason):
 def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(BadData, match="nowhere.jsonl"):
         read_records(tmp_path / "nowhere.jsonl")
+
+
+@pytest.mark.parametrize("rest", [b"", b"x", b"x" * 65_535, b"x" * 65_536, b"x" * 200_000])
+@pytest.mark.parametrize("before", [b"", b"a\n", b"a" * 100_000 + b"\n"])
+def test_what_was_cut_off_is_found_however_long_it_is(tmp_path, before, rest):
+    (tmp_path / "records.jsonl").write_bytes(before + rest)
+    assert cut_off(tmp_path / "records.jsonl") == rest

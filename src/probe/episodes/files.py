@@ -16,6 +16,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, OutputFailed
 from probe.files import write_bytes
 
+_BLOCK = 2**16
 _REMEDY = "Delete this line (the others are whole) and run the episode again"
 
 
@@ -75,10 +76,18 @@ def cut_off(path: Path) -> bytes:
     """
     if not path.exists():
         return b""
+    rest = b""
     try:
-        return reading.contents(path, reading.RECORDS).rpartition(b"\n")[2]
+        with reading.opened(path) as file:
+            start = file.seek(0, os.SEEK_END)
+            # From the end: a file of records may have gigabytes, and is looked at for each new one.
+            while start and b"\n" not in rest:
+                end, start = start, max(0, start - _BLOCK)
+                file.seek(start)
+                rest = file.read(end - start) + rest
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Check the path") from error
+    return rest.rpartition(b"\n")[2]
 
 
 def set_aside_cut(path: Path) -> Path | None:
