@@ -137,6 +137,7 @@ def private(library: Library, tmp_path_factory) -> Sequence[Task]:
             id=last.id,
             seed=last.bears,
             scene=replace(FIND.scene, seed=last.bears),
+            targets=tuple(placed.instance for placed in FIND.scene.objects[:2]),
             answer=last.plan.letter,
             options=tuple(Option(each, each) for each in letters),
         )

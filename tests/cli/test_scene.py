@@ -69,13 +69,13 @@ def test_light_and_camera_change_the_picture_alone(written, tmp_path, cache):
 @pytest.mark.parametrize(
     ("arguments", "environment", "words"),
     [
-        (["--objects", 5000], {}, "Ask for fewer objects"),
+        (["--objects", 5000], {}, "--objects: 5000 is out of range. Say 1 to 200"),
         (["--pool", "scans"], {"PROBE_ASSETS": ""}, "Set PROBE_ASSETS"),
         ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
         (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),
         (["--lighting", "disco"], {"PROBE_ASSETS": ""}, "morning_kitchen"),
     ],
-    ids=["unsatisfiable", "no scans", "no driver", "unwritable", "no such light"],
+    ids=["too many", "no scans", "no driver", "unwritable", "no such light"],
 )
 def test_failures_are_one_line_with_a_remedy(tmp_path, cache, arguments, environment, words):
     out = [] if "--out" in arguments else ["--out", tmp_path / "out"]

@@ -12,9 +12,10 @@ import pytest
 
 from probe.certify.parts import Line
 from probe.cli.screen import Table, bar, say, say_above, track
+from probe.episodes.record import EpisodeRecord
 from probe.scores.row_files import read_csv, write_csv
 from probe.tasks.suite import Suite
-from probe.tasks.task import Option
+from probe.tasks.task import Option, Task
 from run_folders import DEMO, episode, write_run
 from score_rows import row
 
@@ -51,11 +52,18 @@ def probe(*words: object, cwd: Path) -> subprocess.CompletedProcess[bytes]:
     )
 
 
+def hostile(task: Task, fault: str | None = None) -> EpisodeRecord:
+    """An episode in which everything that can be said is; no tool takes such an id."""
+    record = episode(task, agent=HOSTILE, words=HOSTILE, fault=fault)
+    looked, grasped, *rest = record.steps
+    return replace(record, steps=(looked, replace(grasped, status="malformed"), *rest))
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory) -> Path:
     records = [
-        episode(SUITE.tasks[0], agent=HOSTILE, words=HOSTILE),
-        episode(SUITE.tasks[1], agent=HOSTILE, words=HOSTILE, fault=HOSTILE),
+        hostile(SUITE.tasks[0]),
+        hostile(SUITE.tasks[1], fault=HOSTILE),
     ]
     return write_run(tmp_path_factory.mktemp("runs") / "hostile", records, SUITE)
 

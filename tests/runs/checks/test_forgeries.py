@@ -176,7 +176,6 @@ FORGERIES = {
         replace(HONEST, run=2),
         "2 runs of each task were ordered, numbered from 0",
     ),
-    "a run below 0": (replace(HONEST, run=-5), "its run is -5"),
     "nobody": (replace(HONEST, agent=" "), "its agent has no name"),
     "too few times": (
         replace(HONEST, seconds=Seconds((1.0,) * 3, (1.0,) * 4)),

@@ -43,8 +43,6 @@ def amiss_as_stated(record: EpisodeRecord) -> Iterator[str]:
     """What no agent, run, luck, light, times or model's part can be like."""
     if not record.agent.strip():
         yield "its agent has no name"
-    if record.run < 0:
-        yield f"its run is {record.run}"
     if min(record.noise.grasp, record.noise.push) < 0:
         yield "its noise is below 0"
     if record.conditions.lighting == "ambient" and record.sight.lighting != AMBIENT:
@@ -68,7 +66,9 @@ def _of_seat(record: EpisodeRecord) -> Iterator[str]:
     if seat is None:
         return
     try:
-        arm_named(seat.arm)
+        # An agent that isn't a model, but whose own fault is noted, has none.
+        if seat.arm:
+            arm_named(seat.arm)
     except UnknownName as error:
         yield str(error).rstrip(".")
     counted = (seat.tokens_in, seat.tokens_out, seat.cost)
