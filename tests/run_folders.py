@@ -40,7 +40,7 @@ def episode(
     """A record of four steps in which nothing moves; Find is pointed at nowhere."""
     start, letter = Table(task.scene, (0.0,) * 6), task.answer if right else wrong_letter(task)
     find = Call.of("find_object", {"description": words}, words)
-    grasp = Call.of("grasp_and_remove", {"object_id": words})
+    grasp = Call.of("grasp_and_remove", {"object_id": words[:40]})
     steps = (
         Step(find, "done", words, (512, 256), start),
         Step(grasp, "failed", words, (512, 256), start),
