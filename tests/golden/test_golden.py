@@ -1,0 +1,74 @@
+"""What v0.1 gave is still given: frozen tasks, its records, their scores and their report."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from golden.digests import CHOSEN, GOLDEN, chosen, digests
+from probe.cli.report import write_run_report
+from probe.cli.rescore import rescore
+from probe.cli.surroundings import everything
+from probe.episodes.files import line_of, read_records
+from probe.render.renderer import Renderer
+from probe.tasks.suite_file import demo_suite, write_suite
+
+RECORDS = Path(__file__).parent / "records"
+EXPECTED: dict[str, dict[str, str]] = json.loads(GOLDEN.read_text())
+REPORT = "d15c6e13ff8a1e5f54906f13410c155a93cd8c85c077cf225d214e90755e7e78"
+"""SHA-256 of the names and contents of a report's episodes, in order."""
+
+
+@pytest.fixture(scope="module")
+def things():
+    with Renderer() as renderer:
+        yield everything(), renderer
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A run that v0.1 kept: two agents of ours and a model in two arms, six tasks each."""
+    out = tmp_path / "run"
+    out.mkdir()
+    (out / "records.jsonl").write_bytes(
+        gzip.decompress((RECORDS / "records.jsonl.gz").read_bytes())
+    )
+    shutil.copy(RECORDS / "ordered.json", out)
+    write_suite(out / "suite.json", demo_suite())
+    return out
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("suite", "kind"), CHOSEN)
+def test_a_frozen_task_looks_and_plays_as_it_did(things, request, suite: str, kind: str):
+    if suite == "v1-scans":
+        request.getfixturevalue("assets")
+    library, renderer = things
+    assert digests(chosen(suite, kind), library, renderer) == EXPECTED[f"{suite} {kind}"]
+
+
+def test_records_are_read_as_they_were(folder: Path):
+    records = read_records(folder / "records.jsonl")
+    assert len(records) == 24
+    assert b"".join(map(line_of, records)) == (folder / "records.jsonl").read_bytes()
+
+
+@pytest.mark.slow
+def test_records_are_scored_as_they_were(folder: Path):
+    rescore(folder)
+    for name in ("rows.csv", "scores.json"):
+        assert (folder / name).read_bytes() == (RECORDS / name).read_bytes(), name
+
+
+@pytest.mark.slow
+def test_records_are_reported_as_they_were(folder: Path):
+    write_run_report([folder])
+    found = hashlib.sha256()
+    for path in sorted((folder / "episodes").iterdir()):
+        found.update(path.name.encode() + path.read_bytes())
+    assert found.hexdigest() == REPORT
