@@ -57,6 +57,7 @@ def digests(task: Task, library: Library, renderer: Renderer) -> dict[str, str]:
     table = library.table(task.scene.table)
     load_scene(renderer, task.scene, library, table)
     frame = photograph(renderer, task.scene)
+    assert frame.rgb is not None and frame.labels is not None
     agent = Watched(make_agent("scripted", task, 0, library, renderer))
     noise = NOISES["paper"]
     record = play(task, agent, "scripted", library, table, renderer, noise=noise, pictures=True)
