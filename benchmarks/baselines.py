@@ -16,10 +16,10 @@ import tyro
 from probe.cli.agents import AgentName, make_agent
 from probe.cli.grading import graded
 from probe.cli.rescore import rows_of, write_beside
+from probe.cli.resources import everything
 from probe.cli.running import run_order
-from probe.cli.surroundings import everything
-from probe.episodes.luck import NOISES, NoiseName
-from probe.runs.plan import Order
+from probe.episodes.noise import NOISES, NoiseName
+from probe.runs.plan import RunOrder
 from probe.scores.marking import roster_of_tasks
 from probe.scores.scorecard import Figure, Scorecard
 from probe.scores.summary import summarise
@@ -100,7 +100,7 @@ def replace_table(page: Path, table: str) -> None:
 
 def card_of(suite: Suite, entry: Entry, folder: Path, workers: int) -> Scorecard:
     """An agent's figures; it is run as far as it hasn't been."""
-    order = Order(entry.agent, noise=NOISES[entry.noise])
+    order = RunOrder(entry.agent, noise=NOISES[entry.noise])
     run_order(suite, order, make_agent, everything(), folder, workers)
     rows = rows_of(folder, suite.name, graded(folder))
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))

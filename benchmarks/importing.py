@@ -21,15 +21,15 @@ import numpy as np
 import tyro
 from importing_layouts import LAYOUTS, Layout, original_names, read_scan
 
-from probe.assets.entry import Entry
-from probe.assets.glb import measure_glb
-from probe.assets.importers.adding import Outcome, Target, add, objects_at
-from probe.assets.importers.order import Order
+from probe.assets.gltf.glb import measure_glb
+from probe.assets.importers.adding import ImportOutcome, ImportTarget, add, objects_at
+from probe.assets.importers.options import ImportOptions
 from probe.assets.importers.source import Format
 from probe.assets.library import scans_folder
-from probe.assets.own_pool import own_entries
-from probe.assets.scans import ScanRow, scan_rows
-from probe.cli.surroundings import assets_folder
+from probe.assets.pools.entry import LibraryEntry
+from probe.assets.pools.own import own_entries
+from probe.assets.pools.scan_catalogue import ScanRow, scan_rows
+from probe.cli.resources import assets_folder
 
 SAID: dict[str, set[str]] = {
     "silver": {"gray"},
@@ -49,8 +49,8 @@ class Added:
     row: ScanRow
     layout: str
     original: str
-    outcome: Outcome | None
-    entry: Entry | None
+    outcome: ImportOutcome | None
+    entry: LibraryEntry | None
 
 
 def main(shard: int = 0, shards: int = 1, workers: int = 1, show: bool = False) -> None:
@@ -91,10 +91,10 @@ def _added(
 ) -> list[Added]:
     """Add a folder of one layout, and find each scan again by its place."""
     format: Format = layout.format  # pyright: ignore[reportAssignmentType]
-    order = Order(format, licence="CC-BY-4.0")
+    order = ImportOptions(format, licence="CC-BY-4.0")
     sources, over = objects_at(home / "objects", order)
     passed.update(one.reason.partition(" as ")[0] for one in over)
-    target = Target(home / "library", home / "cache")
+    target = ImportTarget(home / "library", home / "cache")
     outcomes = list(add(sources, order, target, workers))
     entries = {entry.id: entry for entry in own_entries(target.library)}
     found: list[Added] = []
@@ -155,7 +155,7 @@ def _print(found: Sequence[Added], passed: Counter[str], seconds: float, show: b
     print(f"remarks: {dict(remarks)}")
 
 
-def _stands(one: Added, entry: Entry) -> bool:
+def _stands(one: Added, entry: LibraryEntry) -> bool:
     """Whether it lies as annotated by eye: the same height, give or take an eighth."""
     folder = scans_folder(assets_folder())
     height = measure_glb(folder / f"{one.row.id}.glb", one.row.up)[2]
@@ -166,7 +166,7 @@ def _said(word: str) -> set[str]:
     return SAID.get(word) or {word.split()[-1]}
 
 
-def _text(entry: Entry) -> str:
+def _text(entry: LibraryEntry) -> str:
     return f"{entry.name} {entry.category}"
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from probe.assets.glb import Z_UP_FROM_Y_UP, read_gltf
+from probe.assets.gltf.glb import Z_UP_FROM_Y_UP, read_gltf
 from probe.types import Array
 
 SDF = """<?xml version="1.0"?>

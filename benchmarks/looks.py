@@ -17,7 +17,7 @@ import numpy as np
 from probe.assets.environments import load_environment
 from probe.assets.tables import load_table, table_ids
 from probe.assets.tabletops import tops
-from probe.cli.surroundings import assets_folder, library
+from probe.cli.resources import assets_folder, library
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
 from probe.render.protocol import Engine

@@ -13,8 +13,8 @@ from typing import Annotated
 
 import tyro
 
-from probe.certify.worlds import other_world
-from probe.cli.surroundings import everything
+from probe.cli.resources import everything
+from probe.generation.twin_worlds import other_world
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import find_suite, write_suite
 from probe.tasks.task import PAIR, Task

@@ -16,7 +16,7 @@ import psutil
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
-from probe.cli.surroundings import assets_folder, library
+from probe.cli.resources import assets_folder, library
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import TABLE_SIZE, top_camera

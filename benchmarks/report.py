@@ -20,15 +20,15 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 from browser import Browser, chromium  # noqa: E402
 from probe.cli.agents import make_agent  # noqa: E402
 from probe.cli.report import write_run_report  # noqa: E402
+from probe.cli.resources import everything  # noqa: E402
 from probe.cli.running import run_order  # noqa: E402
-from probe.cli.surroundings import everything  # noqa: E402
 from probe.episodes.files import read_records, write_records  # noqa: E402
 from probe.episodes.folder import RECORDS, SUITE  # noqa: E402
-from probe.episodes.record import EpisodeRecord, Table  # noqa: E402
+from probe.episodes.record import EpisodeRecord, TableState  # noqa: E402
 from probe.files import write_bytes  # noqa: E402
 from probe.report.page import PICTURES  # noqa: E402
 from probe.report.stills import file_of, stills_of  # noqa: E402
-from probe.runs.plan import Order  # noqa: E402
+from probe.runs.plan import RunOrder  # noqa: E402
 from probe.tasks.suite import Suite  # noqa: E402
 from probe.tasks.suite_file import demo_suite, read_suite, write_suite  # noqa: E402
 from probe.tasks.task import Task  # noqa: E402
@@ -46,7 +46,7 @@ def main(run: Path = Path("outputs/demo"), episodes: int = 150, repeats: int = 5
         print("No Chromium here; scripts/ensure-browser installs it.")
         return
     if not (run / RECORDS).exists():
-        run_order(demo_suite(), Order("scripted"), make_agent, everything(), run)
+        run_order(demo_suite(), RunOrder("scripted"), make_agent, everything(), run)
     write_run_report([run])
     with tempfile.TemporaryDirectory() as folder:
         copied = copies(run, Path(folder) / "copies", episodes)
@@ -84,7 +84,7 @@ def copies(run: Path, out: Path, count: int) -> Path:
 def copy(task: Task, record: EpisodeRecord, number: int) -> tuple[Task, EpisodeRecord]:
     """The same with another name and another seed, so that its pictures are others."""
 
-    def reseeded(table: Table) -> Table:
+    def reseeded(table: TableState) -> TableState:
         return replace(table, scene=replace(table.scene, seed=number))
 
     name = f"{task.kind}-{number:08x}"

@@ -20,7 +20,7 @@ from rich.table import Table
 from probe.scores.arms import arm_effect
 from probe.scores.intervals import Interval, bootstrap, student
 from probe.scores.pairs import no_difference_p
-from probe.scores.power import Outlook, detectable_gap, expected_error
+from probe.scores.power import PowerAssumptions, detectable_gap, expected_error
 from probe.scores.published import RUNS, printed_table, recount
 from probe.scores.simulated import draw_chances, draw_units, two_arms
 from probe.scores.units import Unit, strata_of
@@ -132,7 +132,7 @@ def gaps(sims: int, rng: np.random.Generator) -> None:
     one = {"count": SUITE["count"]}
     for icc, alike, runs in itertools.product((0.3, 0.6, 0.8), (0.0, 0.5, 0.8), (1, RUNS)):
         cells = [str(icc), str(alike), str(runs)]
-        outlook = Outlook(_accuracy(SUITE), icc, alike, runs)
+        outlook = PowerAssumptions(_accuracy(SUITE), icc, alike, runs)
         for sizes in (SUITE, one):
             mine = replace(outlook, accuracy=_accuracy(sizes))
             gap = detectable_gap(*expected_error(sizes, mine))
@@ -148,14 +148,18 @@ def _accuracy(sizes: Mapping[str, int]) -> float:
     return 0.5 + math.sqrt(0.25 - spread)
 
 
-def _needed(outlook: Outlook, gap: float = 0.03) -> int:
+def _needed(outlook: PowerAssumptions, gap: float = 0.03) -> int:
     """Tasks of a suite with the shares of v1 that shows this difference."""
     times = (detectable_gap(*expected_error(SUITE, outlook)) / gap) ** 2
     return round(times * sum(SUITE.values()))
 
 
 def _power(
-    sizes: Mapping[str, int], gap: float, outlook: Outlook, sims: int, rng: np.random.Generator
+    sizes: Mapping[str, int],
+    gap: float,
+    outlook: PowerAssumptions,
+    sims: int,
+    rng: np.random.Generator,
 ) -> float:
     """Share of suites in which the sign-flip test finds this difference at 5 %."""
     means = {kind: (MIDDLING[kind] + gap / 2, MIDDLING[kind] - gap / 2) for kind in sizes}
@@ -168,7 +172,7 @@ def _power(
     return found / sims
 
 
-def _joined(outlook: Outlook) -> Array:
+def _joined(outlook: PowerAssumptions) -> Array:
     """How alike normal scores must be for chances to be as alike as assumed, shape (2, 2)."""
 
     def correlation(scores: float) -> float:

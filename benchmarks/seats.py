@@ -30,19 +30,19 @@ sys.path.insert(0, str(ROOT / "tests"))
 from bench.sitting_in import metrics_of, sit_in  # noqa: E402
 from model_server import Reply, serving  # noqa: E402
 from policy_server import Policy, agent_in_run_0, task_of  # noqa: E402
-from probe.bench.plan import Plan  # noqa: E402
-from probe.chat.prompts import Arm  # noqa: E402
-from probe.cli.surroundings import cache_folder, everything, opener  # noqa: E402
+from probe.bench.plan import ModelRunPlan  # noqa: E402
+from probe.cli.resources import cache_folder, everything, opener  # noqa: E402
 from probe.episodes.files import line_of, read_records  # noqa: E402
 from probe.episodes.folder import RECORDS, in_order, standing  # noqa: E402
-from probe.episodes.luck import NOISES  # noqa: E402
+from probe.episodes.noise import NOISES  # noqa: E402
 from probe.episodes.play import play  # noqa: E402
 from probe.episodes.record import EpisodeRecord  # noqa: E402
 from probe.render.renderer import Renderer  # noqa: E402
-from probe.runs.table import TablePlace  # noqa: E402
+from probe.runs.episode_worker import EpisodeWorkerSetup  # noqa: E402
 from probe.tasks.suite import Suite, selection, spaced  # noqa: E402
 from probe.tasks.suite_file import find_suite  # noqa: E402
 from probe.tasks.task import Task  # noqa: E402
+from probe.transcripts.prompts import Arm  # noqa: E402
 
 PATIENCE = 60
 """Seconds for one attempt at a reply."""
@@ -135,20 +135,20 @@ def letter_of_hash(suite: Suite) -> Script:
     return script
 
 
-def plan_of(arm: Arm, suite: Suite, out: Path, epochs: int, workers: int) -> Plan:
+def plan_of(arm: Arm, suite: Suite, out: Path, epochs: int, workers: int) -> ModelRunPlan:
     library = opener()
     cache = cache_folder() / "light"
-    return Plan(
+    return ModelRunPlan(
         arm, suite, suite.tasks, out, library, cache, epochs, workers=workers, called="scripted"
     )
 
 
-def troubled(plan: Plan, script: Script) -> None:
+def troubled(plan: ModelRunPlan, script: Script) -> None:
     """Run a plan against a server that fails, then against one that doesn't, and check both."""
     trouble = Trouble(plan.suite, script)
     start = time.monotonic()
     with serving(trouble, keep=False) as server:
-        log = sit_in(plan, server.url, TablePlace, max_retries=4, attempt_timeout=PATIENCE)
+        log = sit_in(plan, server.url, EpisodeWorkerSetup, max_retries=4, attempt_timeout=PATIENCE)
     whole = len(plan.tasks) * plan.epochs
     records = records_of(plan)
     faults = [fault for it in records if it.seat for fault in it.seat.faults]
@@ -170,7 +170,7 @@ def troubled(plan: Plan, script: Script) -> None:
         return script(number, body)
 
     with serving(told, keep=False) as server:
-        log = sit_in(plan, server.url, TablePlace)
+        log = sit_in(plan, server.url, EpisodeWorkerSetup)
     again = {it.task for it in records if it.end == "fault"}
     print(f"  then without: {server.requests} requests, {metrics_of(log)}")
     check(asked <= again, "only what was missing is asked again")
@@ -221,7 +221,7 @@ def alike(suite: Suite, out: Path) -> None:
     with Renderer(plan.cache) as renderer:
         here = {(task.id, run): played(task, run, things, renderer) for task, run in runs}
         with serving(Policy("scripted", suite, things, renderer), keep=False) as server:
-            log = sit_in(plan, server.url, TablePlace)
+            log = sit_in(plan, server.url, EpisodeWorkerSetup)
     there = {(it.task, it.run): it for it in records_of(plan)}
     same = sum(
         line_of(replace(there[key], seat=None), timed=False) == line_of(record, timed=False)
@@ -240,7 +240,7 @@ def played(task: Task, run: int, things: Any, renderer: Renderer) -> EpisodeReco
     return play(task, agent, "scripted", things, table, renderer, run, NOISES["paper"])
 
 
-def records_of(plan: Plan) -> list[EpisodeRecord]:
+def records_of(plan: ModelRunPlan) -> list[EpisodeRecord]:
     return standing(in_order(read_records(plan.out / RECORDS), plan.suite))
 
 

@@ -23,13 +23,13 @@ import tyro
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
+from probe.cli.resources import Pool, assets_folder, library
 from probe.cli.shards import parse_shard
-from probe.cli.surroundings import Pool, assets_folder, library
 from probe.errors import Unsatisfiable
 from probe.files import claim_folder
 from probe.render.photograph import load_scene, measure
 from probe.render.renderer import Renderer
-from probe.scene.sampling import TIGHT, Pile
+from probe.scene.sampling import TIGHT, PileSettings
 from probe.scene.scene import Scene
 from probe.types import Array, Pose
 from probe.world.model import TIME_STEP, Item, build_cell
@@ -119,7 +119,7 @@ def seen_shares(scene: Scene, things: Library, renderer: Renderer) -> np.ndarray
 
 def measured(seed: int, settings: Settings, things: Library, renderer: Renderer | None) -> Line:
     """All figures of one seed."""
-    tables, pile = table_ids(assets_folder()), Pile(settings.reach, settings.buried)
+    tables, pile = table_ids(assets_folder()), PileSettings(settings.reach, settings.buried)
     start = time.process_time()
     try:
         drawn = draw_scene(seed, things, tables, pile=pile)

@@ -8,7 +8,17 @@ from dataclasses import dataclass
 import tyro
 
 from probe.shortcuts.findings import LEVEL, Finding
-from probe.shortcuts.imaginary import LORE, Draw, Leak, Make, compare, count, examples, find, size
+from probe.shortcuts.imaginary import (
+    LORE,
+    ImaginaryTask,
+    Leak,
+    Make,
+    compare,
+    count,
+    examples,
+    find,
+    size,
+)
 from probe.shortcuts.investigation import investigate
 from probe.shortcuts.table import leaks
 
@@ -67,7 +77,7 @@ def _finder(finding: Finding) -> str:
 
 
 def _smallest(share: float) -> Leak:
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         if draw.rng.random() < share and draw.right < len(draw.options) - 1:
             named = draw.options[:-1]
             draw.right = named.index(min(named, key=lambda n: max(LORE.by_name[n].size)))
@@ -76,7 +86,7 @@ def _smallest(share: float) -> Leak:
 
 
 def _larger(share: float) -> Leak:
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         a, b = (draw.things[place].area_px for place in draw.marked)
         if draw.rng.random() < share:
             draw.right = int((a > b) == (draw.form == "smaller"))

@@ -17,7 +17,7 @@ from probe import manipulation
 from probe.agents.reading import read_graph, read_handle
 from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
-from probe.cli.surroundings import assets_folder, library
+from probe.cli.resources import assets_folder, library
 from probe.perception.oracle import Oracle
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer

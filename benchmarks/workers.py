@@ -20,11 +20,11 @@ import tyro
 
 import probe.manipulation
 from probe.cli.agents import make_agent
-from probe.cli.surroundings import everything
+from probe.cli.resources import everything
 from probe.episodes.files import append_line
 from probe.render.renderer import Renderer
-from probe.runs.plan import Job, Order
-from probe.runs.work import Workplace
+from probe.runs.plan import Job, RunOrder
+from probe.runs.work import WorkerSetup
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import demo_suite, read_suite, write_suite
 from probe.world.world import World
@@ -104,7 +104,7 @@ def shares(suite: Suite, runs: int) -> dict[str, float]:
         (probe.manipulation, "push", "planning"),
     ):
         clock.watch(owner, attribute, name)
-    place = Workplace(Order("scripted", runs), everything, make_agent)
+    place = WorkerSetup(RunOrder("scripted", runs), everything, make_agent)
     with tempfile.TemporaryDirectory() as folder, place() as carry:
         carry(Job(suite.tasks[0], 0))  # starts the renderer
         clock.switch()

@@ -11,7 +11,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.certify.parts import Line
+from probe.generation.build_folder import CandidateLog
 from probe.report.build_log import count_candidates
 
 
@@ -21,11 +21,11 @@ def main(logs: Annotated[tuple[Path, ...], tyro.conf.Positional]) -> None:
     Args:
         logs: Of one or more builds.
     """
-    lines = [Line.parse(line) for log in logs for line in log.read_text().splitlines()]
+    lines = [CandidateLog.parse(line) for log in logs for line in log.read_text().splitlines()]
     print("\n".join(table(lines)))
 
 
-def table(lines: list[Line]) -> Iterator[str]:
+def table(lines: list[CandidateLog]) -> Iterator[str]:
     """A row a type, in Markdown."""
     yield "| type | candidates | kept | seconds a kept one | first attempt solves | rejected by |"
     yield "|---|---|---|---|---|---|"

@@ -8,7 +8,7 @@ from pathlib import Path
 import tyro
 
 from probe.assets.tables import load_table
-from probe.cli.surroundings import library
+from probe.cli.resources import library
 from probe.episodes.play import set_table
 from probe.files import write_picture
 from probe.render.renderer import Renderer

@@ -7,7 +7,7 @@ from pathlib import Path
 import tyro
 
 from probe.assets.tables import load_table, table_ids
-from probe.cli.surroundings import library
+from probe.cli.resources import library
 from probe.files import write_picture
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer

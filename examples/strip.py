@@ -13,7 +13,7 @@ from PIL import Image, ImageDraw, ImageFont
 from probe.agents.reading import Box, read_graph
 from probe.agents.scripted import Scripted
 from probe.assets.tables import load_table
-from probe.cli.surroundings import library
+from probe.cli.resources import library
 from probe.episodes.grading import question_of
 from probe.episodes.play import score, set_table
 from probe.episodes.run import run_episode

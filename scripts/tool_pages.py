@@ -16,7 +16,7 @@ import tyro
 from PIL import Image
 
 from probe.assets.tables import load_table
-from probe.cli.surroundings import library
+from probe.cli.resources import library
 from probe.episodes.play import set_table
 from probe.files import encode, write_bytes
 from probe.render.renderer import Renderer

@@ -9,7 +9,7 @@ import numpy as np
 import trimesh
 
 from probe.assets.library import Library
-from probe.assets.mesh import Body, ConvexPiece
+from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.assets.spec import ObjectSpec
 from probe.types import Pose
 from probe.world.model import Item

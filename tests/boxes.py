@@ -9,7 +9,7 @@ from tempfile import gettempdir
 from typing import Any
 
 from probe.assets.library import Library
-from probe.assets.mesh import Body, ConvexPiece
+from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject, Scene
 from probe.station.simulated import SimulatedStation

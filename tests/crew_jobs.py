@@ -13,7 +13,7 @@ from typing import NoReturn
 
 from probe.errors import ProbeError
 from probe.runs.plan import Job
-from probe.runs.work import Workplace
+from probe.runs.work import WorkerSetup
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Bench:
 
 
 @dataclass(frozen=True)
-class Deadly(Workplace):
+class Deadly(WorkerSetup):
     """A workplace where every episode kills the worker."""
 
     @contextmanager

@@ -10,7 +10,7 @@ from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
 from probe.episodes.ordered import note_ordered
-from probe.episodes.record import EpisodeRecord, Seconds, Step, Table
+from probe.episodes.record import EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call
 from probe.scene.scene import Scene
 from probe.tasks.suite_file import write_suite
@@ -37,8 +37,8 @@ def moved(scene: Scene, instance: int) -> Scene:
 
 def honest(task: Task = TASK) -> EpisodeRecord:
     """Look, find, take away, answer; a thing has moved after the grasp."""
-    start = Table(task.scene, (0.0,) * 6)
-    after = Table(moved(task.scene, task.scene.objects[0].instance), (0.1,) * 6)
+    start = TableState(task.scene, (0.0,) * 6)
+    after = TableState(moved(task.scene, task.scene.objects[0].instance), (0.1,) * 6)
     find = Call.of("find_object", {"description": "red mug"})
     said = Call.of("answer_question", {"choice": task.answer, "point": [100, 200]})
     steps = (

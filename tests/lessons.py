@@ -9,17 +9,17 @@ from pathlib import Path
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
-from probe.episodes.record import EpisodeRecord, Step, Table
-from probe.episodes.seat import Reply, Seat
+from probe.episodes.participation import ModelReply, Participation
+from probe.episodes.record import EpisodeRecord, Step, TableState
 from probe.episodes.turns import Call
 from probe.scene.scene import PlacedObject, Scene
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import write_suite
 from probe.tasks.task import Letter, QuestionKind, Task
 from probe.toolshed.result import Answer, Status
-from probe.train.choose.candidates import Candidate
-from probe.train.collect.batches import Batch, Grade
-from probe.train.collect.settings import Settings, claim
+from probe.train.choose.candidates import EpisodeCandidate
+from probe.train.collect.batches import Batch, EpisodeGrade
+from probe.train.collect.settings import CollectionSettings, claim
 from run_folders import DEMO
 from task_examples import FIND
 
@@ -47,9 +47,9 @@ def lesson(
     right: bool = True,
     statuses: Sequence[tuple[str, Status]] = (("mug", "done"),),
     run: int = 0,
-) -> Candidate:
+) -> EpisodeCandidate:
     """An episode in which things were grasped one after another, each found by its name."""
-    table = Table(task.scene, (0.0,) * 6)
+    table = TableState(task.scene, (0.0,) * 6)
     letter = task.answer if right else next(it for it in "AB" if it != task.answer)
     steps = list[Step]()
     for number, (name, status) in enumerate(statuses, start=1):
@@ -59,25 +59,25 @@ def lesson(
         grasp = Call.of("grasp_and_remove", {"object_id": f"object_{number}"}, "I take it.")
         steps.append(Step(grasp, status, "Done: so it is.", (10, 10), table))
     steps.append(Step(Call.of("answer_question", {"choice": letter}), "done", "Ok.", None, table))
-    replies = tuple(Reply(1) for _ in steps)
+    replies = tuple(ModelReply(1) for _ in steps)
     if arm == "direct":
-        steps, replies = [], (Reply(0, f"I see it.\nANSWER: {letter}"),)
+        steps, replies = [], (ModelReply(0, f"I see it.\nANSWER: {letter}"),)
     record = EpisodeRecord(
         task.id, "teacher", run, question_of(task), table, tuple(steps), Answer(letter), "answered",
-        seat=Seat(arm, replies=replies, cost=0.25),
+        seat=Participation(arm, replies=replies, cost=0.25),
     )  # fmt: skip
-    return Candidate(task, record, right)
+    return EpisodeCandidate(task, record, right)
 
 
-def reminded(it: Candidate) -> Candidate:
+def reminded(it: EpisodeCandidate) -> EpisodeCandidate:
     """The same episode, in which the teacher first said something that called for a reminder."""
     assert it.record.seat is not None
-    replies = (Reply(0, "Let me think."), *it.record.seat.replies)
+    replies = (ModelReply(0, "Let me think."), *it.record.seat.replies)
     return replace(it, record=replace(it.record, seat=replace(it.record.seat, replies=replies)))
 
 
-def grade_of(it: Candidate) -> Grade:
-    return Grade(
+def grade_of(it: EpisodeCandidate) -> EpisodeGrade:
+    return EpisodeGrade(
         task=it.task.id,
         kind=it.task.kind,
         seed=it.task.seed,
@@ -96,7 +96,7 @@ def suite_of(tasks: Sequence[Task], name: str = "0of1-00000") -> Suite:
     return Suite(name, tuple(tasks), {id: (1.0, 2.0) for id in ids})
 
 
-def write_batch(out: Path, lessons: Sequence[Candidate], name: str = "0of1-00000") -> Batch:
+def write_batch(out: Path, lessons: Sequence[EpisodeCandidate], name: str = "0of1-00000") -> Batch:
     """A whole batch as `probe collect` leaves it."""
     batch = Batch(out / "batches" / name)
     write_suite(
@@ -113,7 +113,7 @@ def write_batch(out: Path, lessons: Sequence[Candidate], name: str = "0of1-00000
 
 
 def begin_collection(out: Path) -> Path:
-    settings = Settings(
+    settings = CollectionSettings(
         agent="teacher", pool="procedural", split=None, points="pixels", noise="none",
         lighting="ambient", shard="0/1", first=2_000_000,
     )  # fmt: skip

@@ -7,7 +7,6 @@ from typing import Any
 
 from model_server import Reply
 from probe.assets.library import Library
-from probe.chat.messages import PICTURE_FOLLOWS
 from probe.cli.agents import make_agent
 from probe.episodes.grading import question_of
 from probe.episodes.turns import Agent, Call, Turn
@@ -15,6 +14,7 @@ from probe.render.renderer import Renderer
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
 from probe.toolshed.result import ToolResult
+from probe.transcripts.messages import PICTURE_FOLLOWS
 
 GIVES_UP = "I give up."
 

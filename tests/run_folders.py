@@ -11,7 +11,7 @@ from PIL import Image
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
-from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
+from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call
 from probe.files import encode, write_bytes
 from probe.report.page import PICTURES
@@ -38,7 +38,7 @@ def episode(
     fault: str | None = None,
 ) -> EpisodeRecord:
     """A record of four steps in which nothing moves; Find is pointed at nowhere."""
-    start, letter = Table(task.scene, (0.0,) * 6), task.answer if right else wrong_letter(task)
+    start, letter = TableState(task.scene, (0.0,) * 6), task.answer if right else wrong_letter(task)
     find = Call.of("find_object", {"description": words}, words)
     grasp = Call.of("grasp_and_remove", {"object_id": words[:40]})
     steps = (

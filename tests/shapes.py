@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import trimesh
 
-from probe.assets.mesh import Surface, TexturedMesh
+from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.render.protocol import TableTop
 from probe.scene.layout import TABLE_SIZE
 
@@ -21,7 +21,7 @@ def textured(shape: trimesh.Trimesh, texture: np.ndarray) -> TexturedMesh:
         normals.astype(np.float32),
         uvs.astype(np.float32),
         np.asarray(shape.faces, np.int32),
-        Surface(texture),
+        Material(texture),
     )
 
 
@@ -46,10 +46,10 @@ def card(size: float, texture: np.ndarray) -> TexturedMesh:
         np.tile(np.array([0, 0, 1], np.float32), (4, 1)),
         np.array([[0, 0], [0, 1], [1, 1], [1, 0]], np.float32),
         np.array([[0, 1, 2], [0, 2, 3]], np.int32),
-        Surface(texture),
+        Material(texture),
     )
 
 
 def grey_table() -> TableTop:
     """A plain table top."""
-    return TableTop(Surface(plain(120, 120, 120)), 1.0, TABLE_SIZE)
+    return TableTop(Material(plain(120, 120, 120)), 1.0, TABLE_SIZE)

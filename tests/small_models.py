@@ -6,16 +6,16 @@ from pathlib import Path
 
 from lessons import lesson, training_task
 from probe.assets.spec import ObjectSpec
-from probe.chat.pictures import jpeg
 from probe.toolshed.result import Status
 from probe.train.choose.chosen import read_selection, write_selection
 from probe.train.choose.evaluation import evaluation_of
 from probe.train.choose.selection import Recipe, select
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.folder import Form, write_dataset
-from probe.train.dataset.showing import Shown
+from probe.train.dataset.showing import EpisodePictures
 from probe.train.tune.tiny import make_tiny
 from probe.train.tune.tiny_parts import Shape
+from probe.transcripts.pictures import jpeg
 from tabletops import paint
 
 GRASPED: tuple[str, Status] = ("mug", "done")
@@ -50,9 +50,9 @@ def small_model(folder: Path, dataset: Path) -> Path:
     return folder / "tiny"
 
 
-def _shown(steps: int) -> Shown:
+def _shown(steps: int) -> EpisodePictures:
     later = [_picture(10 * n) for n in range(1, steps)]
-    return Shown((_picture(250),), (*later, None) if steps else ())
+    return EpisodePictures((_picture(250),), (*later, None) if steps else ())
 
 
 def _picture(shade: int) -> bytes:

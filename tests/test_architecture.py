@@ -70,14 +70,14 @@ def test_mujoco_is_kept_out(checkout: Path, folder: str):
     assert "mujoco" in output
 
 
-def test_fastmcp_is_kept_to_the_doors(checkout: Path):
+def test_fastmcp_is_kept_to_the_interfaces(checkout: Path):
     line = "import fastmcp\n\nServer = fastmcp.FastMCP"
     plant(checkout, "cli/planted", line)
-    plant(checkout, "doors/planted", line)
+    plant(checkout, "interfaces/planted", line)
     status, output = run(checkout, "ruff", "check")
     assert status != 0
     assert "src/probe/cli/planted.py" in output
-    assert "src/probe/doors/planted.py" not in output
+    assert "src/probe/interfaces/planted.py" not in output
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from probe.checksum import has_sum, with_sum, without_sum
-from probe.cli.unsummed import tell_unsummed
+from probe.cli.checksum_notice import tell_unsummed
 from probe.episodes.files import line_of, read_records, record_of
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.record import EpisodeRecord, Seconds

@@ -12,11 +12,11 @@ from pathlib import Path
 from command import probe, refusal
 from verdict import Attack
 
-from probe.audit.kept import AUDIT
+from probe.audit.audit_file import AUDIT
 from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import RECORDS, SUITE
-from probe.episodes.luck import Noise
-from probe.episodes.record import EpisodeRecord, Seconds, Step, Table
+from probe.episodes.noise import Noise
+from probe.episodes.record import EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call
 from probe.scene.scene import Scene
 from probe.tasks.suite import Suite, selection
@@ -50,7 +50,7 @@ def _target_moved(record: EpisodeRecord, task: Task) -> EpisodeRecord:
     """From the first grasp on the target lies where nothing put it."""
     first = next(n for n, it in enumerate(record.steps) if it.call.name == "grasp_and_remove")
     steps = tuple(
-        replace(it, after=Table(_moved(it.after.scene, task.targets[0]), it.after.joints))
+        replace(it, after=TableState(_moved(it.after.scene, task.targets[0]), it.after.joints))
         if number >= first
         else it
         for number, it in enumerate(record.steps)
@@ -61,8 +61,8 @@ def _target_moved(record: EpisodeRecord, task: Task) -> EpisodeRecord:
 def _without_a_thing(record: EpisodeRecord, task: Task) -> EpisodeRecord:
     gone = task.targets[0]
 
-    def bare(table: Table) -> Table:
-        return Table(table.scene.without(gone), table.joints)
+    def bare(table: TableState) -> TableState:
+        return TableState(table.scene.without(gone), table.joints)
 
     steps = tuple(replace(step, after=bare(step.after)) for step in record.steps)
     return replace(record, start=bare(record.start), steps=steps)

@@ -22,7 +22,7 @@ from rich.progress import track
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.cli.surroundings import library
+from probe.cli.resources import library
 from probe.files import encode, write_bytes
 from probe.report.contact_sheet import contact_sheet
 

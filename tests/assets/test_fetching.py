@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from probe.assets.fetching.download import download
-from probe.assets.fetching.places import place_of, places
+from probe.assets.fetching.sites import place_of, places
 from probe.assets.fetching.unpack import unpack
 from probe.errors import BadData, DownloadFailed, OutputFailed, UnknownName
 

@@ -5,7 +5,7 @@ import pytest
 import trimesh
 
 from probe.assets.fitness import OPENING, holdable, unfit
-from probe.assets.resting import Rest, rest_of
+from probe.assets.mesh.resting import Rest, rest_of
 from probe.world.robot.gripper import MAX_OPENING
 
 

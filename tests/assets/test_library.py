@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from probe.assets.library import Library, open_library, warm
-from probe.assets.packing import pack_body, unpack_body
+from probe.assets.mesh.packing import pack_body, unpack_body
 from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, UnknownName

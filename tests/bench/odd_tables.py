@@ -11,8 +11,16 @@ from typing import Any
 
 from probe.episodes.turns import Call
 from probe.errors import ProbeError
-from probe.runs.table import TablePlace
-from probe.runs.table_talk import Asked, Leave, Left, Request, Response, Shown, Told
+from probe.runs.episode_worker import EpisodeWorkerSetup
+from probe.runs.worker_messages import (
+    CallResult,
+    EpisodeFinished,
+    EpisodeStarted,
+    FinishEpisode,
+    PointerRequest,
+    Request,
+    Response,
+)
 
 PATIENCE = 300.0
 """Seconds that a table hangs."""
@@ -21,33 +29,33 @@ PATIENCE = 300.0
 class Curious:
     """Asks where with each find_object; leaving, it tells the calls that were made at it."""
 
-    def __init__(self, place: TablePlace) -> None:
+    def __init__(self, place: EpisodeWorkerSetup) -> None:
         self._place = place
         self._calls: list[str] = []
 
     def do(self, request: Request) -> Response:
-        if isinstance(request, Leave):
-            return Left(" ".join(self._calls).encode(), None)
+        if isinstance(request, FinishEpisode):
+            return EpisodeFinished(" ".join(self._calls).encode(), None)
         if not isinstance(request, Call):
-            return Shown(())
+            return EpisodeStarted(())
         self._calls.append(request.name)
         said = ""
         if request.name == "find_object":
             assert self._place.asking is not None
-            self._place.asking.send(Asked((), "where?"))
+            self._place.asking.send(PointerRequest((), "where?"))
             said = str(self._place.asking.recv())
-        return Told(said, None, False)
+        return CallResult(said, None, False)
 
 
 @dataclass(frozen=True)
-class CuriousPlace(TablePlace):
+class CuriousPlace(EpisodeWorkerSetup):
     @contextmanager
     def __call__(self) -> Generator[Callable[[Request], Response]]:
         yield Curious(self).do
 
 
 @dataclass(frozen=True)
-class HangingPlace(TablePlace):
+class HangingPlace(EpisodeWorkerSetup):
     """Sits down, and never comes back from a call."""
 
     @contextmanager
@@ -55,13 +63,13 @@ class HangingPlace(TablePlace):
         def do(request: Request) -> Response:
             if isinstance(request, Call):
                 time.sleep(PATIENCE)
-            return Shown(())
+            return EpisodeStarted(())
 
         yield do
 
 
 @dataclass(frozen=True)
-class StillbornPlace(TablePlace):
+class StillbornPlace(EpisodeWorkerSetup):
     """Dies while it is set up."""
 
     @contextmanager
@@ -71,7 +79,7 @@ class StillbornPlace(TablePlace):
 
 
 @dataclass(frozen=True)
-class UnfitPlace(TablePlace):
+class UnfitPlace(EpisodeWorkerSetup):
     """Can't be set up, and leaves a file beside the records each time."""
 
     @contextmanager

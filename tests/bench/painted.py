@@ -12,14 +12,14 @@ from types import SimpleNamespace
 from typing import Any
 
 from probe.assets.library import open_library
-from probe.bench.plan import Plan
+from probe.bench.plan import ModelRunPlan
 from probe.episodes.episode import Episode
 from probe.episodes.grading import question_of
 from probe.episodes.turns import Call
 from probe.perception.oracle import Oracle
+from probe.runs.episode_worker import EpisodeWorker, EpisodeWorkerSetup
 from probe.runs.plan import Job
-from probe.runs.table import TableKeeper, TablePlace
-from probe.runs.table_talk import Sit
+from probe.runs.worker_messages import StartEpisode
 from probe.scene.scene import Scene
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import demo_suite
@@ -66,7 +66,7 @@ class Told:
         return self._station.joints()
 
 
-class PaintedKeeper(TableKeeper):
+class PaintedKeeper(EpisodeWorker):
     """The same two things on every table; a record tells of the task's."""
 
     def _open(self, job: Job) -> Episode:
@@ -86,7 +86,7 @@ class PaintedKeeper(TableKeeper):
 
 
 @dataclass(frozen=True)
-class PaintedPlace(TablePlace):
+class PaintedPlace(EpisodeWorkerSetup):
     """A process with painted tables; its cache is the file that says how often it dies."""
 
     @contextmanager
@@ -95,11 +95,11 @@ class PaintedPlace(TablePlace):
         yield PaintedKeeper(self, things, None).do  # type: ignore[arg-type]
 
 
-def shown(plan: Plan, calls: Sequence[Call]) -> tuple[bytes, list[bytes | None]]:
+def shown(plan: ModelRunPlan, calls: Sequence[Call]) -> tuple[bytes, list[bytes | None]]:
     """What a table in this process shows: with the question, and after each call."""
     place = PaintedPlace(plan.order("m", ""), plan.library, plan.cache)
     with place() as do:
-        (first,) = do(Sit(Job(plan.tasks[0], 0))).pictures
+        (first,) = do(StartEpisode(Job(plan.tasks[0], 0))).pictures
         return first, [do(call).picture for call in calls]
 
 
@@ -111,8 +111,8 @@ def demo(count: int = 6) -> Suite:
     return Suite("small", tasks, {id: mark for id, mark in whole.objects.items() if id in ids})
 
 
-def plan(out: Path, arm: Any, suite: Suite, **more: Any) -> Plan:
+def plan(out: Path, arm: Any, suite: Suite, **more: Any) -> ModelRunPlan:
     """One run of each task, at two tables."""
     settings: dict[str, Any] = {"epochs": 1, "workers": 2, "cache": out / "deaths"} | more
     library = partial(open_library, "procedural", None, out / "cache")
-    return Plan(arm, suite, suite.tasks, out, library, **settings)
+    return ModelRunPlan(arm, suite, suite.tasks, out, library, **settings)

@@ -14,13 +14,13 @@ from inspect_ai.model import get_model
 from bench.painted import PaintedPlace
 from model_server import Reply
 from probe.bench.harness import harness_task
-from probe.bench.plan import Plan
-from probe.bench.seating import Seating
+from probe.bench.model_runner import ModelRunner
+from probe.bench.plan import ModelRunPlan
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
+from probe.episodes.participation import Participation
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.seat import Seat
-from probe.runs.table import TablePlace
+from probe.runs.episode_worker import EpisodeWorkerSetup
 
 NAME = "openai-api/local/scripted"
 
@@ -37,9 +37,11 @@ def replies_so_far(body: dict[str, Any]) -> int:
     return sum(message["role"] == "assistant" for message in body["messages"])
 
 
-def sit_in(plan: Plan, url: str, place: type[TablePlace] = PaintedPlace, **config: Any) -> EvalLog:
+def sit_in(
+    plan: ModelRunPlan, url: str, place: type[EpisodeWorkerSetup] = PaintedPlace, **config: Any
+) -> EvalLog:
     """Let the scripted model of a server take the seat."""
-    seating = Seating(plan, place)
+    seating = ModelRunner(plan, place)
     model = get_model(NAME, base_url=url, api_key="none", memoize=False)
     try:
         (log,) = evaluate(
@@ -59,7 +61,7 @@ def kept(out: Path) -> dict[str, EpisodeRecord]:
     return {record.task: record for record in read_records(out / RECORDS)}
 
 
-def seat_of(record: EpisodeRecord) -> Seat:
+def seat_of(record: EpisodeRecord) -> Participation:
     assert record.seat is not None
     return record.seat
 

@@ -12,13 +12,13 @@ from inspect_ai.model import CachePolicy, ChatMessageSystem, get_model
 from bench.sitting_in import NAME
 from model_server import Reply, serving
 from probe.bench.conversation import in_words
-from probe.bench.listening import Listener
-from probe.bench.tally import Tally
-from probe.chat.messages import messages
-from probe.chat.prompts import reminder
-from probe.episodes.seat import Seat
+from probe.bench.model_conversation import ModelConversation
+from probe.bench.usage import EpisodeUsage
+from probe.episodes.participation import Participation
 from probe.tasks.suite_file import demo_suite
 from probe.toolshed.result import Answer
+from probe.transcripts.messages import messages
+from probe.transcripts.prompts import reminder
 from run_folders import episode
 
 FIND, COUNT = (
@@ -27,13 +27,13 @@ FIND, COUNT = (
 WORDS, POINT = reminder("direct"), reminder("direct", answered=True)
 
 
-def asked(task, *said: str) -> tuple[Answer | None, Listener]:
+def asked(task, *said: str) -> tuple[Answer | None, ModelConversation]:
     """What comes of replies, and the conversation."""
     cache = CachePolicy(expiry=None, scopes={"test": uuid4().hex})
     with serving(lambda number, body: Reply(said[number])) as server:
         model = get_model(NAME, base_url=server.url, api_key="none", memoize=False)
         first = [ChatMessageSystem(content="Answer.")]
-        listener = Listener(model, [], first, cache, None, Tally())
+        listener = ModelConversation(model, [], first, cache, None, EpisodeUsage())
         return anyio.run(in_words, listener, "direct", task, "pixels"), listener
 
 
@@ -54,7 +54,7 @@ def test_what_is_lacking_is_asked_for_once(task, said, reminded, answer):
     found, listener = asked(task, *said)
     assert found == answer
     assert [it.text for it in listener.messages if it.role == "user"] == reminded
-    seat = Seat("direct", replies=tuple(listener.replies))
+    seat = Participation("direct", replies=tuple(listener.replies))
     record = replace(episode(task), steps=(), seat=seat)
     assert [it.text for it in messages(record, [b""])[2:]] == [
         it.text for it in listener.messages[1:]

@@ -16,9 +16,9 @@ from probe.bench.dataset import CARD, row_of, write_dataset
 from probe.cli.export import export
 from probe.errors import BadData
 from probe.render.renderer import Renderer
-from probe.runs.plan import Job, Order
-from probe.runs.table import TableKeeper, TablePlace
-from probe.runs.table_talk import Shown, Sit
+from probe.runs.episode_worker import EpisodeWorker, EpisodeWorkerSetup
+from probe.runs.plan import Job, RunOrder
+from probe.runs.worker_messages import EpisodeStarted, StartEpisode
 from probe.tasks.suite_file import CANARY, write_suite
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
@@ -58,10 +58,12 @@ def test_pictures_are_the_files_that_direct_mode_sends(tmp_path, monkeypatch):
     assert table[0]["image"].size == (1024, 1024)
     library = partial(open_library, "procedural", None, tmp_path / "cache")
     with Renderer() as renderer:
-        keeper = TableKeeper(TablePlace(Order("m", arm="direct"), library), library(), renderer)
+        keeper = EpisodeWorker(
+            EpisodeWorkerSetup(RunOrder("m", arm="direct"), library), library(), renderer
+        )
         for row, task in zip(found, suite.tasks, strict=True):
-            shown = keeper.do(Sit(Job(task, 0)))
-            assert isinstance(shown, Shown)
+            shown = keeper.do(StartEpisode(Job(task, 0)))
+            assert isinstance(shown, EpisodeStarted)
             assert shown.pictures == (row["image"]["bytes"],)
             assert Pillow.open(io.BytesIO(row["image"]["bytes"])).format == "JPEG"
     with pytest.raises(BadData, match="Choose a new folder"):

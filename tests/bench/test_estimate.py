@@ -14,12 +14,12 @@ from probe.bench.estimate import PICTURE_TOKENS, estimate
 from probe.bench.models import known_models, settings_of
 from probe.bench.prices import read_prices
 from probe.cli.dry_run import would_ask
-from probe.cli.seats import Seats, take_seats
+from probe.cli.model_run import ModelRunOptions, take_seats
 from probe.episodes.conditions import AS_FROZEN
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS
-from probe.episodes.luck import NO_NOISE
-from probe.episodes.seat import Seat
+from probe.episodes.noise import NO_NOISE
+from probe.episodes.participation import Participation
 from probe.errors import BadData
 from probe.tasks.suite_file import demo_suite
 from probe.tasks.task import Task
@@ -27,7 +27,7 @@ from probe.types import Shard
 from run_folders import episode
 
 SUITE = demo_suite()
-SEATS = Seats(
+SEATS = ModelRunOptions(
     library=partial(open_all, None, Path("nowhere")),
     model="gpt-5.4", arm="agentic", epochs=3, points=None, pointer="oracle", endpoint=None,
     prices=None, noise=NO_NOISE, conditions=AS_FROZEN, shard=Shard(), workers=4,
@@ -36,7 +36,7 @@ PRICES = "gpt-5.4:\n  tokens_in: 2\n  tokens_out: 10\n"
 
 
 def in_the_seat(task: Task, model: str = "gpt-5.4", arm: str = "agentic", **more: Any):
-    return replace(episode(task, agent=model, **more), seat=Seat(arm))
+    return replace(episode(task, agent=model, **more), seat=Participation(arm))
 
 
 def test_a_reply_in_words_costs_its_pictures_once():

@@ -14,7 +14,7 @@ from bench.sitting_in import FIND, answer, kept, replies_so_far, seat_of, sit_in
 from model_server import Reply, serving
 from policy_server import task_of
 from probe.bench.harness import harness_task
-from probe.bench.seating import Seating
+from probe.bench.model_runner import ModelRunner
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
@@ -122,7 +122,7 @@ def test_other_protocols(tmp_path, name, base, arguments, which):
         url = server.url.removesuffix("/v1") + base
         model = get_model(name, base_url=url, api_key="none", memoize=False, **arguments)
         asked = plan(tmp_path, "agentic", demo(1))
-        seating = Seating(asked, PaintedPlace)
+        seating = ModelRunner(asked, PaintedPlace)
         (log,) = evaluate(
             harness_task(asked, seating), model=model, display="none", max_retries=0,
             log_dir=str(tmp_path / "logs"), max_tokens=1000,

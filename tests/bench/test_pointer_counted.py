@@ -12,22 +12,24 @@ from bench.sitting_in import NAME
 from model_server import Reply, serving
 from probe.bench.pointing import Pointing
 from probe.bench.prices import Price
-from probe.bench.tally import Tally
-from probe.runs.table_talk import Asked, Unanswered
+from probe.bench.usage import EpisodeUsage
+from probe.runs.worker_messages import NoReply, PointerRequest
 
 pytestmark = pytest.mark.filterwarnings("default")
 
-MUG, BALL = Asked((), "Point at the mug."), Asked((), "Point at the ball.")
+MUG, BALL = PointerRequest((), "Point at the mug."), PointerRequest((), "Point at the ball.")
 
 
-def ask_all(replies: list[Reply], questions: list[Asked]) -> tuple[list[str | Unanswered], Tally]:
-    tally = Tally()
+def ask_all(
+    replies: list[Reply], questions: list[PointerRequest]
+) -> tuple[list[str | NoReply], EpisodeUsage]:
+    tally = EpisodeUsage()
     cache = CachePolicy(expiry=None, scopes={"test": uuid.uuid4().hex})
     with serving(lambda number, body: replies[min(number, len(replies) - 1)]) as server:
         model = get_model(NAME, base_url=server.url, api_key="none", memoize=False, max_retries=0)
         pointing = Pointing(model, tally, cache, Price(tokens_in=2, tokens_out=10))
 
-        async def ask() -> list[str | Unanswered]:
+        async def ask() -> list[str | NoReply]:
             return [await pointing(question) for question in questions]
 
         return anyio.run(ask), tally
@@ -50,7 +52,7 @@ def test_an_empty_reply_is_the_models_own_failing():
 
 def test_no_reply_is_ours_and_noted_without_the_request():
     (said,), tally = ask_all([Reply(status=400)], [MUG])
-    assert isinstance(said, Unanswered)
+    assert isinstance(said, NoReply)
     assert "400" in said.reason and "status 400" in said.reason
     assert "Point at the mug." not in said.reason
     assert tally.faults[-1].startswith("pointing 1: none, ")

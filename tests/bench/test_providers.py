@@ -15,7 +15,7 @@ from bench.painted import PaintedPlace, demo, plan, shown
 from bench.sitting_in import FIND, GRASP, answer, kept
 from model_server import Reply, serving
 from probe.bench.harness import harness_task
-from probe.bench.seating import Seating
+from probe.bench.model_runner import ModelRunner
 from probe.episodes.turns import Call
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
@@ -87,7 +87,7 @@ def test_pictures_arrive_after_each_call(tmp_path, name, base, arguments, turns)
     with serving(script) as server:
         url = server.url.removesuffix("/v1") + base
         model = get_model(name, base_url=url, api_key="none", memoize=False, **arguments)
-        seating = Seating(plan(tmp_path, "agentic", SUITE), PaintedPlace)
+        seating = ModelRunner(plan(tmp_path, "agentic", SUITE), PaintedPlace)
         evaluate(
             harness_task(seating._plan, seating), model=model, display="none",
             log_dir=str(tmp_path / "logs"), max_tokens=1000,

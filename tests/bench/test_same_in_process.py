@@ -15,10 +15,10 @@ from probe.assets.library import open_library
 from probe.assets.tables import load_table
 from probe.episodes.files import line_of, read_records
 from probe.episodes.folder import RECORDS
-from probe.episodes.luck import NOISES
+from probe.episodes.noise import NOISES
 from probe.episodes.play import play
 from probe.render.renderer import Renderer
-from probe.runs.table import TablePlace
+from probe.runs.episode_worker import EpisodeWorkerSetup
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
@@ -39,7 +39,7 @@ def test_a_policy_over_the_wire_gives_the_same_bytes(tmp_path):
         order = plan(tmp_path / "out", "agentic", SUITE, cache=None, workers=1, epochs=2)
         order = replace(order, library=library, called="scripted", noise=NOISES["paper"])
         with serving(Policy("scripted", SUITE, things, renderer)) as server:
-            sit_in(order, server.url, TablePlace)
+            sit_in(order, server.url, EpisodeWorkerSetup)
     records = {(it.task, it.run): it for it in read_records(tmp_path / "out" / RECORDS)}
     assert records.keys() == direct.keys()
     for key, record in records.items():

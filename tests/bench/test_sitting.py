@@ -8,15 +8,15 @@ import anyio
 import pytest
 
 from bench.odd_tables import CuriousPlace, HangingPlace, StillbornPlace
-from probe.bench.tables import Sitting, TableLost, Tables
-from probe.episodes.seat import Seat
+from probe.bench.process_pool import Assignment, EpisodeProcessLost, EpisodeProcessPool
+from probe.episodes.participation import Participation
 from probe.episodes.turns import Call
 from probe.errors import WorkerDied
-from probe.runs.table_talk import Asked, Leave
+from probe.runs.worker_messages import FinishEpisode, PointerRequest
 
 pytestmark = pytest.mark.slow
 
-WHERE = Asked((), "where?")
+WHERE = PointerRequest((), "where?")
 ANY: Any = None
 SILENCE, PATIENCE = 12.0, 300.0
 """Seconds: more than a busy machine takes to start a process, and more than three times that."""
@@ -28,16 +28,16 @@ class LimitReached(Exception):
 
 def test_a_limit_reached_while_pointing_leaves_a_table_that_can_be_left():
     """The record is that of the calls before; the one that came to nothing isn't in it."""
-    asked: list[Asked] = []
+    asked: list[PointerRequest] = []
 
-    async def ask(what: Asked) -> str:
+    async def ask(what: PointerRequest) -> str:
         asked.append(what)
         if len(asked) == 2:
             raise LimitReached
         return "there"
 
     async def sitting_down() -> bytes:
-        tables = Tables(CuriousPlace(ANY, ANY), 1, pointing=True)
+        tables = EpisodeProcessPool(CuriousPlace(ANY, ANY), 1, pointing=True)
         async with tables.seat(ask) as sitting:
             await sitting.sit(ANY)
             assert (await sitting.call(Call("find_object"))).text == "there"
@@ -52,17 +52,20 @@ def test_a_limit_reached_while_pointing_leaves_a_table_that_can_be_left():
     assert asked == [WHERE] * 3
 
 
-async def _in_time(sitting: Sitting) -> bytes:
+async def _in_time(sitting: Assignment) -> bytes:
     with anyio.fail_after(60):
-        return (await sitting.leave(Leave(Seat("agentic")))).line
+        return (await sitting.leave(FinishEpisode(Participation("agentic")))).line
 
 
 def test_a_table_that_hangs_is_lost_and_not_waited_for():
     async def sitting_down() -> None:
-        tables = Tables(HangingPlace(ANY, ANY), 1, silence=SILENCE)
+        tables = EpisodeProcessPool(HangingPlace(ANY, ANY), 1, silence=SILENCE)
         async with tables.seat(_nobody) as sitting:
             await sitting.sit(ANY)
-            with anyio.fail_after(PATIENCE), pytest.raises(TableLost, match="said nothing"):
+            with (
+                anyio.fail_after(PATIENCE),
+                pytest.raises(EpisodeProcessLost, match="said nothing"),
+            ):
                 await sitting.call(Call("push"))
             assert len(sitting.failures) == 3
 
@@ -71,7 +74,7 @@ def test_a_table_that_hangs_is_lost_and_not_waited_for():
 
 def test_tables_that_die_before_they_are_set_up_stop_everything():
     async def sitting_down() -> None:
-        tables = Tables(StillbornPlace(ANY, ANY), 1)
+        tables = EpisodeProcessPool(StillbornPlace(ANY, ANY), 1)
         async with tables.seat(_nobody) as sitting:
             await sitting.sit(ANY)
 
@@ -79,5 +82,5 @@ def test_tables_that_die_before_they_are_set_up_stop_everything():
         anyio.run(sitting_down)
 
 
-async def _nobody(asked: Asked) -> str:
+async def _nobody(asked: PointerRequest) -> str:
     raise AssertionError

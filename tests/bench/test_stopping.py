@@ -11,8 +11,8 @@ from bench.odd_tables import UnfitPlace
 from bench.painted import demo, plan
 from bench.sitting_in import sit_in
 from model_server import Reply, serving
-from probe.bench.evaluation import Chosen, evaluate
-from probe.bench.stopping import MUTE, Patience
+from probe.bench.evaluation import Participants, evaluate
+from probe.bench.stopping import MUTE, SilenceLimit
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.errors import MissingExtra, ModelFailed
@@ -24,7 +24,7 @@ NOWHERE = "http://127.0.0.1:9/v1"
 
 
 def test_patience_ends_with_episodes_in_a_row():
-    patience = Patience()
+    patience = SilenceLimit()
     for _ in range(2):
         for _ in range(MUTE - 1):
             patience.heard(True, "refused")
@@ -38,14 +38,14 @@ def test_patience_ends_with_episodes_in_a_row():
 @pytest.mark.slow
 def test_a_server_that_isnt_there_costs_seconds(tmp_path):
     with pytest.raises(ModelFailed, match="mine doesn't answer.*--endpoint"):
-        evaluate(plan(tmp_path, "agentic", SUITE), Chosen("mine", NOWHERE), "none")
+        evaluate(plan(tmp_path, "agentic", SUITE), Participants("mine", NOWHERE), "none")
     assert not (tmp_path / RECORDS).exists()
 
 
 def test_an_unknown_pointer_is_named_before_anything_is_asked(tmp_path):
     asked = replace(plan(tmp_path, "agentic", SUITE), pointer="role")
     with pytest.raises(ModelFailed, match="oracel can't be asked"):
-        evaluate(asked, Chosen("mockllm/model", pointer="oracel"), "none")
+        evaluate(asked, Participants("mockllm/model", pointer="oracel"), "none")
     assert not (tmp_path / RECORDS).exists()
 
 
@@ -53,7 +53,7 @@ def test_a_client_that_isnt_installed_is_named(tmp_path):
     if find_spec("xai_sdk") is not None:
         pytest.skip("xAI's client is installed")
     with pytest.raises(MissingExtra, match=r"grok/grok-4.3 needs .*'\.\[bench,grok\]'"):
-        evaluate(plan(tmp_path, "agentic", SUITE), Chosen("grok/grok-4.3"), "none")
+        evaluate(plan(tmp_path, "agentic", SUITE), Participants("grok/grok-4.3"), "none")
     assert not (tmp_path / RECORDS).exists()
 
 
@@ -61,7 +61,7 @@ def test_what_the_harness_says_is_told_without_its_markup(tmp_path, monkeypatch)
     """It dresses the missing key's name up in brackets, for a terminal."""
     monkeypatch.delenv("OPENAI_API_KEY", raising=False)
     with pytest.raises(ModelFailed, match="OPENAI_API_KEY") as told:
-        evaluate(plan(tmp_path, "agentic", SUITE), Chosen("openai/gpt-5.4"), "none")
+        evaluate(plan(tmp_path, "agentic", SUITE), Participants("openai/gpt-5.4"), "none")
     assert "[bold" not in str(told.value) and "[/" not in str(told.value)
 
 

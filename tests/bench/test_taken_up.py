@@ -7,12 +7,12 @@ from dataclasses import replace
 import pytest
 
 from bench.painted import demo, plan
+from probe.bench.model_runner import ModelRunner
 from probe.bench.plan import missing_of, taken_up
-from probe.bench.seating import Seating
 from probe.bench.tasks import agentic, direct
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, reserved, start_folder
-from probe.episodes.seat import Seat
+from probe.episodes.participation import Participation
 from probe.errors import BadData
 from probe.tasks.suite_file import demo_suite
 from run_folders import episode
@@ -42,7 +42,7 @@ def test_a_folder_that_another_run_is_at_is_left_as_it_is(tmp_path):
 
 def test_a_seating_keeps_others_out_until_it_is_closed(tmp_path):
     asked = plan(tmp_path, "agentic", SUITE, epochs=3)
-    first, second = Seating(asked), Seating(asked)
+    first, second = ModelRunner(asked), ModelRunner(asked)
     assert first.take_up(order_of(asked)) == 6
     with pytest.raises(BadData, match="another run"):
         second.take_up(order_of(asked))
@@ -58,7 +58,9 @@ def test_what_is_missing_is_counted_in_the_records(tmp_path):
     one, two = SUITE.tasks
     told = [episode(one, agent="m"), episode(one, agent="else"), episode(two, agent="m")]
     lost = replace(told[2], run=1, end="fault", fault="no reply")
-    write_records(tmp_path / RECORDS, [replace(it, seat=Seat("agentic")) for it in (*told, lost)])
+    write_records(
+        tmp_path / RECORDS, [replace(it, seat=Participation("agentic")) for it in (*told, lost)]
+    )
     assert missing_of(asked, order_of(asked)) == 2
 
 

@@ -9,8 +9,8 @@ import pytest
 from inspect_ai.model import get_model
 
 from probe.bench.wire import tool_infos
-from probe.chat.tools import as_sent
-from probe.episodes.seat import Points
+from probe.episodes.participation import Points
+from probe.transcripts.tools import as_sent
 
 
 @pytest.mark.filterwarnings("default")  # the client is never closed

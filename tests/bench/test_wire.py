@@ -20,8 +20,8 @@ from bench.sitting_in import (
 )
 from model_server import Reply, serving
 from probe.bench.prices import Price
-from probe.chat.messages import messages
 from probe.toolshed.tools import tool_schemas
+from probe.transcripts.messages import messages
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 

@@ -15,15 +15,15 @@ from pages import Page
 from probe.agents.scripted import Scripted
 from probe.assets.library import open_library
 from probe.assets.tables import load_table
-from probe.audit.kept import AUDIT, Verdict, hashes_of_lines, keep
+from probe.audit.audit_file import AUDIT, ReplayVerdict, hashes_of_lines, keep
 from probe.cli.audit import NotAsRecorded, audit
 from probe.cli.report import write_run_report
 from probe.cli.rescore import rescore
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS
-from probe.episodes.luck import NOISES
+from probe.episodes.noise import NOISES
 from probe.episodes.play import play
-from probe.episodes.record import EpisodeRecord, Seconds, Table
+from probe.episodes.record import EpisodeRecord, Seconds, TableState
 from probe.errors import BadData
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -50,7 +50,7 @@ def test_numbers_of_replays_that_mean_nothing_are_refused(tmp_path, count):
 
 def test_what_differed_once_is_said_again_and_fails(tmp_path, capsys):
     out = write_folder(tmp_path, honest())
-    differs = Verdict(outcome="differs", reason="step 3: after")
+    differs = ReplayVerdict(outcome="differs", reason="step 3: after")
     keep(out, dict.fromkeys(hashes_of_lines(out), differs), results=1)
     with pytest.raises(NotAsRecorded, match="1 of 1 replays differ from what is recorded"):
         audit(out, replay="all")
@@ -86,7 +86,7 @@ def test_scores_and_reports_say_how_far_they_are_audited(tmp_path, capsys):
     rescore(out)
     assert f"{out}: not audited." in " ".join(capsys.readouterr().out.split())
     assert "not audited" in Page(write_run_report([out]).read_text()).section("scores")
-    keep(out, dict.fromkeys(hashes_of_lines(out), Verdict(outcome="equal")), results=4)
+    keep(out, dict.fromkeys(hashes_of_lines(out), ReplayVerdict(outcome="equal")), results=4)
     words = "audited: 4 of 4 replayed, all equal"
     assert words in Page(write_run_report([out]).read_text()).section("scores")
     capsys.readouterr()
@@ -117,7 +117,7 @@ def invented(record: EpisodeRecord) -> EpisodeRecord:
     grasped = next(n for n, step in enumerate(record.steps) if step.call.name.startswith("grasp"))
     for number in range(grasped, len(record.steps)):
         after = record.steps[number].after
-        table = Table(moved(after.scene, target), after.joints)
+        table = TableState(moved(after.scene, target), after.joints)
         record = with_step(record, number, after=table)
     return record
 

@@ -14,7 +14,7 @@ import pytest
 from lessons import BY_KIND, FIRST_SEED
 from model_server import Reply, serving
 from probe.assets.library import open_library
-from probe.certify.parts import Parts, Place
+from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.train.collect.batches import TASKS, batches
 
 PATIENCE = 240.0
@@ -36,8 +36,8 @@ def collect(out: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
 @pytest.mark.slow
 @pytest.mark.parametrize(("failures", "missing"), [(1, 0), (99, 1)])
 def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, missing):
-    Parts(tmp_path / TASKS).keep(
-        Place("count", 2_000_000), TASK, open_library("procedural", None, cache)
+    BuildFolder(tmp_path / TASKS).keep(
+        TaskSlot("count", 2_000_000), TASK, open_library("procedural", None, cache)
     )
     refused = list[int]()
 

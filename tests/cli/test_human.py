@@ -9,7 +9,7 @@ import pytest
 from probe.cli.human import taken_up
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import RECORDS, arm_of_folder
-from probe.episodes.luck import NO_NOISE, NOISES
+from probe.episodes.noise import NO_NOISE, NOISES
 from probe.episodes.remarks import REMARKS, Remark, add_remark, read_remarks
 from probe.errors import BadData
 from run_folders import DEMO, episode

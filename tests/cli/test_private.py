@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from probe.certify.salt import Salt
 from probe.cli.shortcuts import shortcuts
 from probe.cli.suite import build
 from probe.cli.suite_verify import Unverified, verify
 from probe.errors import BadData
+from probe.generation.salt import Salt
 from probe.tasks.suite import selection
 from probe.tasks.suite_file import demo_suite, digest_of, write_suite
 

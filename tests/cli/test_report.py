@@ -13,8 +13,8 @@ from probe.cli.rescore import rescore
 from probe.episodes.folder import RECORDS
 from probe.episodes.ordered import note_ordered
 from probe.errors import BadData
-from probe.report.darkroom import Darkroom
 from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes
+from probe.report.scene_renderer import SceneRenderer
 from probe.tasks.suite_file import write_suite
 from run_folders import DEMO, episode, write_run
 
@@ -185,7 +185,7 @@ def test_a_report_that_was_stopped_draws_what_is_lacking_and_nothing_else(tmp_pa
     before = {path: path.read_bytes() for path in others}
     plain = lacking.read_bytes()
     lacking.unlink()
-    with Darkroom(DEMO, lambda: open_library("procedural", None, cache)) as room:
+    with SceneRenderer(DEMO, lambda: open_library("procedural", None, cache)) as room:
         played = gather([run], DEMO, room, run)
     assert {path: path.read_bytes() for path in others} == before
     assert lacking.read_bytes() != plain

@@ -10,7 +10,7 @@ from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, _lines, rescore
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
-from probe.episodes.record import EpisodeRecord, Table
+from probe.episodes.record import EpisodeRecord, TableState
 from probe.errors import BadData
 from probe.scores.roster import roster_of
 from probe.scores.row_files import read_csv, read_json_lines
@@ -24,7 +24,7 @@ DEMO = demo_suite()
 
 
 def episode(task, letter: str, **changes) -> EpisodeRecord:
-    start = Table(task.scene, (0.0,) * 6)
+    start = TableState(task.scene, (0.0,) * 6)
     record = EpisodeRecord(
         task.id, "anna", 0, question_of(task), start, (), Answer(letter), "answered"
     )

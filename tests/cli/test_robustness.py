@@ -12,7 +12,7 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.folder import SUITE
 from probe.episodes.grading import question_of
 from probe.episodes.ordered import note_ordered
-from probe.episodes.record import EpisodeRecord, Table
+from probe.episodes.record import EpisodeRecord, TableState
 from probe.errors import BadData
 from probe.runs.variation import VARIATION
 from probe.tasks.grading import Score
@@ -32,7 +32,7 @@ def episodes(conditions: Conditions, wrong: int) -> list[EpisodeRecord]:
             "scripted",
             0,
             question_of(task),
-            Table(task.scene, (0.0,) * 6),
+            TableState(task.scene, (0.0,) * 6),
             (),
             Answer("A" if number >= wrong else "B"),
             "answered",

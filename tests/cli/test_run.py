@@ -7,22 +7,22 @@ import pytest
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS, SUITE
-from probe.episodes.luck import NOISES
+from probe.episodes.noise import NOISES
 from probe.episodes.ordered import read_ordered
-from probe.episodes.record import EpisodeRecord, Table
+from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.turns import Question
 from probe.errors import BadData
-from probe.runs.plan import Order
+from probe.runs.plan import RunOrder
 from probe.runs.run import begun
 from probe.scene.scene import Scene
 from probe.tasks.suite_file import demo_suite, write_suite
 
-EMPTY = Table(Scene(0, "oak", ()), (0.0,) * 6)
+EMPTY = TableState(Scene(0, "oak", ()), (0.0,) * 6)
 RECORD = EpisodeRecord("t-1", "random", 0, Question("What?", ()), EMPTY, (), None, "stopped", None)
 DEMO = demo_suite()
 
 
-def begin(out, order=Order("random")):  # noqa: B008 - a value
+def begin(out, order=RunOrder("random")):  # noqa: B008 - a value
     with begun(out, DEMO, order) as beginning:
         return beginning
 
@@ -39,8 +39,8 @@ def test_a_folder_of_another_suite_is_refused(tmp_path):
 @pytest.mark.parametrize(
     ("order", "words"),
     [
-        (Order("random", noise=NOISES["paper"]), "another noise"),
-        (Order("random", conditions=Conditions(ideal="grasp")), r"other conditions \(none\)"),
+        (RunOrder("random", noise=NOISES["paper"]), "another noise"),
+        (RunOrder("random", conditions=Conditions(ideal="grasp")), r"other conditions \(none\)"),
     ],
 )
 def test_other_settings_are_refused_before_anything_is_written(tmp_path, order, words):
@@ -51,9 +51,9 @@ def test_other_settings_are_refused_before_anything_is_written(tmp_path, order, 
 
 
 def test_a_folder_says_how_many_runs_were_ordered(tmp_path):
-    begin(tmp_path, Order("random", runs=3))
-    begin(tmp_path, Order("scripted"))
-    begin(tmp_path, Order("random", runs=2))
+    begin(tmp_path, RunOrder("random", runs=3))
+    begin(tmp_path, RunOrder("scripted"))
+    begin(tmp_path, RunOrder("random", runs=2))
     assert read_ordered(tmp_path) == {("random", ""): 3, ("scripted", ""): 1}
 
 
@@ -80,6 +80,6 @@ def test_half_a_record_is_set_aside_and_run_again(tmp_path):
 
 def test_two_runs_do_not_share_a_folder(tmp_path):
     there = pytest.raises(BadData, match="another run is at work there")
-    with begun(tmp_path, DEMO, Order("random")), there:
+    with begun(tmp_path, DEMO, RunOrder("random")), there:
         begin(tmp_path)
     assert len(begin(tmp_path).jobs) == len(DEMO.tasks)

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from probe.certify.parts import Line
-from probe.cli.screen import Table, bar, say, say_above, track
+from probe.cli.screen import ScreenTable, bar, say, say_above, track
 from probe.episodes.record import EpisodeRecord
+from probe.generation.build_folder import CandidateLog
 from probe.scores.row_files import read_csv, write_csv
 from probe.tasks.suite import Suite
 from probe.tasks.task import Option, Task
@@ -91,7 +91,7 @@ def test_no_command_lets_escape_sequences_through(folder, command, status):
 
 def test_tables_lines_and_bars_show_what_stands_there(capsysbinary, monkeypatch):
     monkeypatch.setenv("COLUMNS", "400")
-    table = Table("a", "b", title=HOSTILE)
+    table = ScreenTable("a", "b", title=HOSTILE)
     table.add(HOSTILE, f"two\nlines {HOSTILE}")
     table.show()
     say(HOSTILE, 3)
@@ -114,6 +114,6 @@ def test_rows_hold_no_formula_and_come_back(tmp_path):
 
 
 def test_a_line_of_a_log_comes_back():
-    line = Line("find", 3, "kept", None, "=1+1", 2.0)
+    line = CandidateLog("find", 3, "kept", None, "=1+1", 2.0)
     assert str(line).split("\t")[4] == "'=1+1"
-    assert Line.parse(str(line)) == line
+    assert CandidateLog.parse(str(line)) == line

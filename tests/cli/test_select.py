@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from lessons import FIRST_SEED, begin_collection, lesson, suite_of, training_task, write_batch
-from probe.assets.split import Split, write_split
+from probe.assets.pools.split import Split, write_split
 from probe.cli.select import select
 from probe.errors import BadData
 from probe.tasks.suite_file import write_suite

@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from probe.trials.work import read_trials
+from probe.tool_bench.work import read_trials
 
 pytestmark = pytest.mark.slow
 

@@ -14,9 +14,9 @@ from pathlib import Path
 import probe  # first: it decides how NumPy sums
 from probe.assets.library import Library
 from probe.cli.agents import make_agent
-from probe.cli.surroundings import everything
+from probe.cli.resources import everything
 from probe.episodes.files import line_of
-from probe.episodes.luck import NOISES
+from probe.episodes.noise import NOISES
 from probe.episodes.play import play, score
 from probe.episodes.turns import Agent, Call, Question, Turn
 from probe.render.photograph import load_scene, photograph

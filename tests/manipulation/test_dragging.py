@@ -9,7 +9,7 @@ import pytest
 from manipulation.views import Block, view
 from probe.manipulation.dragging import drags
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pushing import Push
+from probe.manipulation.pushing import PlannedPush
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
 from probe.scene.layout import BASKET_POSITION
@@ -22,7 +22,7 @@ BEHIND = Block(-0.13, 0.05, (0.2, 0.3, 0.12))
 RIGHT = np.array([1.0, 0.0, 0.0])
 
 
-def first_drags(blocks: Sequence[Block], own: int = 1) -> list[Push]:
+def first_drags(blocks: Sequence[Block], own: int = 1) -> list[PlannedPush]:
     """Of a thing made of the first few blocks."""
     frame, masks = view(blocks)
     terrain = survey(frame, BASKET_POSITION)
@@ -30,7 +30,7 @@ def first_drags(blocks: Sequence[Block], own: int = 1) -> list[Push]:
     return list(islice(drags(target, terrain, HandShape(HAND), RIGHT), 5))
 
 
-def tips(push: Push) -> Array:
+def tips(push: PlannedPush) -> Array:
     half = HAND.pad_half
     low = HAND.pad_reach(0.0) + half[2]
     corners = [[x, y, low] for x in (-half[0], half[0]) for y in (-2 * half[1], 2 * half[1])]

@@ -7,7 +7,7 @@ import pytest
 
 from manipulation.views import Block, view
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pushing import Push, pushes
+from probe.manipulation.pushing import PlannedPush, pushes
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
 from probe.scene.layout import BASKET_POSITION
@@ -20,14 +20,14 @@ CLUTTER = (Block(-0.09, 0.05, (0.03, 0.05, 0.04)), Block(0.02, 0.13, (0.09, 0.03
 ALONG = [np.array(v, float) for v in ([1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0])]
 
 
-def first_pushes(along: Array, *blocks: Block) -> list[Push]:
+def first_pushes(along: Array, *blocks: Block) -> list[PlannedPush]:
     frame, masks = view(blocks)
     terrain = survey(frame, BASKET_POSITION)
     target = target_of(frame, masks[0], terrain)
     return list(islice(pushes(target, terrain, HandShape(HAND), along, 0.1), 5))
 
 
-def tips(push: Push) -> Array:
+def tips(push: PlannedPush) -> Array:
     half = HAND.pad_half
     low = HAND.pad_reach(0.0) + half[2]
     corners = [[x, y, low] for x in (-half[0], half[0]) for y in (-2 * half[1], 2 * half[1])]

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from probe.manipulation.looking import tracked
-from probe.manipulation.registration import Motions, Surface, fit, register
+from probe.manipulation.registration import Motions, OrientedPoints, fit, register
 from probe.manipulation.terrain import lifted
 from probe.scene.layout import TABLE_SIZE, top_camera
 from probe.scene.scene import PlacedObject
@@ -48,7 +48,7 @@ def test_a_thing_that_tipped_is_found_where_it_leans(degrees: int, turn: int) ->
 
 def test_points_that_lie_on_the_surface_stay_there() -> None:
     frame, mask = look(book(), POST)
-    surface = Surface.of(frame, mask)
+    surface = OrientedPoints.of(frame, mask)
     points = lifted(frame, mask)[::40]
     still = Motions(np.eye(3)[None], np.zeros((1, 3)), points.mean(axis=0))
     assert fit(surface, points, still, 0.001)[0][0] == 1.0
@@ -58,7 +58,7 @@ def test_points_that_lie_on_the_surface_stay_there() -> None:
 
 def test_what_would_hide_what_is_seen_counts_against_a_place() -> None:
     frame, mask = look(book(), POST)
-    surface = Surface.of(frame, mask)
+    surface = OrientedPoints.of(frame, mask)
     points = lifted(frame, mask)[::40]
     raised = Motions(np.eye(3)[None], np.array([[0.0, 0.0, 0.02]]), points.mean(axis=0))
     shown, hiding = fit(surface, points, raised, 0.004)

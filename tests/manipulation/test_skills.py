@@ -9,7 +9,7 @@ import pytest
 import trimesh
 
 from bodies import at, box_item, shelf, spec_of
-from probe.assets.mesh import Body, ConvexPiece
+from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.manipulation.grasp import GraspResult, grasp_and_remove
 from probe.manipulation.push import LONGEST, push
 from probe.render.renderer import Renderer

@@ -4,7 +4,7 @@ import numpy as np
 
 from manipulation.views import Block, view
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pushing import Push
+from probe.manipulation.pushing import PlannedPush
 from probe.manipulation.starts import close, starts
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
@@ -18,7 +18,7 @@ RIGHT = np.array([1.0, 0.0, 0.0])
 ELSEWHERE = Pose((9.0, 9.0, 9.0), (1.0, 0.0, 0.0, 0.0))
 
 
-def tried(*unlike: Pose) -> list[Push]:
+def tried(*unlike: Pose) -> list[PlannedPush]:
     frame, masks = view([BOX, FENCE])
     terrain = survey(frame, BASKET_POSITION)
     target = target_of(frame, masks[0], terrain)

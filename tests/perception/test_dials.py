@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from probe.errors import BadData
-from probe.perception.dials import Dialled, Dials, luck
+from probe.perception.dials import Dials, NoisyDetector, luck
 from probe.perception.oracle import NoLabels, Oracle
 from probe.perception.things import Thing, Words
 from probe.types import Frame, Pose
@@ -28,7 +28,7 @@ def poses(blocks=BLOCKS) -> Mapping[int, Pose]:
 
 def seen(dials: Dials, seed=0, run=0, blocks=BLOCKS, where=None) -> tuple[Thing, ...]:
     at = where or poses(blocks)
-    oracle = Dialled(Oracle(SPECS), dials, lambda: at, seed, run, [GHOST])
+    oracle = NoisyDetector(Oracle(SPECS), dials, lambda: at, seed, run, [GHOST])
     return oracle.detect(painted(tuple(blocks)))
 
 
@@ -49,7 +49,7 @@ def test_without_errors_it_is_the_oracle():
 @given(st.integers(0, 10**9), st.integers(0, 9))
 def test_asking_again_returns_the_same_errors(seed, run):
     dials = Dials(0.4, 0.4, 0.4, 0.4)
-    oracle = Dialled(Oracle(SPECS), dials, poses, seed, run, [GHOST])
+    oracle = NoisyDetector(Oracle(SPECS), dials, poses, seed, run, [GHOST])
     first = told(oracle.detect(paint(BLOCKS)))
     oracle.detect(paint(BLOCKS[:3]))
     assert told(oracle.detect(paint(BLOCKS))) == first
@@ -140,4 +140,4 @@ def test_rates_out_of_bounds_are_refused():
 def test_frames_of_a_real_camera_are_refused():
     frame = replace(paint(BLOCKS), labels=None)
     with pytest.raises(NoLabels):
-        Dialled(Oracle(SPECS), Dials(missed=0.5), poses, 0).detect(frame)
+        NoisyDetector(Oracle(SPECS), Dials(missed=0.5), poses, 0).detect(frame)

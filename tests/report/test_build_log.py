@@ -1,7 +1,7 @@
 import pytest
 
-from probe.certify.parts import Line
 from probe.errors import BadData
+from probe.generation.build_folder import CandidateLog
 from probe.report.build_log import Candidates, count_candidates, read_build_log
 
 LINES = [
@@ -14,7 +14,7 @@ LINES = [
 
 
 def test_candidates_are_counted_by_type_and_check():
-    count, size = count_candidates(Line.parse(line) for line in LINES)
+    count, size = count_candidates(CandidateLog.parse(line) for line in LINES)
     assert count == Candidates("count", 4, 1, 0, 2, 52.5, (("cover", 2), ("solvable", 1)))
     assert size == Candidates("size", 1, 1, 1, 1, 10.5, ())
 

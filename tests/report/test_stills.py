@@ -8,9 +8,9 @@ from PIL import Image
 
 from probe.assets.library import open_library
 from probe.errors import BadData
-from probe.report.darkroom import Darkroom
+from probe.report.scene_renderer import SceneRenderer
 from probe.report.stills import PICTURE_PX, Still, develop, file_of, stills_of
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.scene.visibility import Visibility
 from probe.tasks.task import Mark
 from run_folders import DEMO, episode
@@ -20,13 +20,13 @@ MARKS = (Mark("A", 1, (300, 400)),)
 STILL = Still(TASK.scene)
 
 
-def nowhere() -> Darkroom:
+def nowhere() -> SceneRenderer:
     """A darkroom that can't draw."""
 
     def closed():
         raise AssertionError("nothing should be drawn")
 
-    return Darkroom(DEMO, closed)
+    return SceneRenderer(DEMO, closed)
 
 
 def test_an_agents_pictures_are_marked_at_the_start_and_outlined_where_it_found_something():
@@ -79,8 +79,8 @@ def test_the_thing_found_is_outlined_in_a_small_picture(tmp_path, cache):
     seen = TASK.certificate.visibility
     clear = max(seen, key=lambda number: seen[number].visible_px)
     assert isinstance(seen[clear], Visibility)
-    with Darkroom(DEMO, lambda: open_library("procedural", None, cache)) as room:
-        labels = room.frame(TASK, TASK.scene, Sight(), rgb=False).labels
+    with SceneRenderer(DEMO, lambda: open_library("procedural", None, cache)) as room:
+        labels = room.frame(TASK, TASK.scene, Viewpoint(), rgb=False).labels
         assert labels is not None
         v, u = (int(n) for n in np.argwhere(labels == clear)[0])
         plain, found = (
@@ -96,6 +96,6 @@ def test_the_thing_found_is_outlined_in_a_small_picture(tmp_path, cache):
     assert (changed & ~near[8:-8, 8:-8]).mean() < 0.001
 
 
-def drawn(path: Path, room: Darkroom, still: Still):
+def drawn(path: Path, room: SceneRenderer, still: Still):
     develop(still, TASK, path, room, [])
     return np.asarray(Image.open(io.BytesIO(path.read_bytes())))

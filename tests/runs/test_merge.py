@@ -6,9 +6,9 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import ARM, RECORDS, SUITE, arm_of_folder
 from probe.episodes.grading import question_of
-from probe.episodes.luck import NOISES
+from probe.episodes.noise import NOISES
 from probe.episodes.ordered import note_ordered, read_ordered
-from probe.episodes.record import EpisodeRecord, Table
+from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.remarks import Remark, add_remark, read_remarks
 from probe.errors import BadData
 from probe.runs.merge import merge_folders
@@ -19,7 +19,7 @@ DEMO = demo_suite()
 
 def record(task: int, **changes) -> EpisodeRecord:
     asked = DEMO.tasks[task]
-    table = Table(asked.scene, (0.0,) * 6)
+    table = TableState(asked.scene, (0.0,) * 6)
     made = EpisodeRecord(asked.id, "a", 0, question_of(asked), table, (), None, "stopped")
     return replace(made, **changes)
 

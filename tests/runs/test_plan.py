@@ -1,6 +1,6 @@
 import pytest
 
-from probe.runs.plan import Order
+from probe.runs.plan import RunOrder
 from probe.tasks.suite_file import demo_suite
 from probe.types import Shard
 
@@ -9,14 +9,14 @@ TASKS = demo_suite().tasks
 
 @pytest.mark.parametrize("count", [1, 2, 3, 7])
 def test_shards_are_the_whole_without_overlap(count):
-    parts = [Order("a", 2, shard=Shard(n, count)).jobs(TASKS) for n in range(count)]
+    parts = [RunOrder("a", 2, shard=Shard(n, count)).jobs(TASKS) for n in range(count)]
     found = [(job.task.id, job.run) for part in parts for job in part]
     assert sorted(found) == sorted((task.id, run) for task in TASKS for run in (0, 1))
     assert max(map(len, parts)) - min(map(len, parts)) <= 1
 
 
 def test_what_is_done_moves_nothing_to_another_shard():
-    order = Order("a", shard=Shard(1, 2))
+    order = RunOrder("a", shard=Shard(1, 2))
     jobs = order.jobs(TASKS)
     first = jobs[0].task.id
     assert order.jobs(TASKS, {(first, "a", "", 0), (TASKS[0].id, "a", "", 0)}) == jobs[1:]

@@ -13,10 +13,10 @@ from probe.episodes.conditions import Conditions
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
 from probe.runs.jitter import jitter
-from probe.runs.sights import camera_of, sight_of
 from probe.runs.vary import vary
+from probe.runs.viewpoints import camera_of, sight_of
 from probe.scene.layout import top_camera
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.tasks.suite_file import demo_suite
 from probe.tasks.task import Certificate, Mark
 
@@ -95,7 +95,7 @@ def test_what_would_fall_is_left_as_it_is():
 
 
 def test_the_usual_sight_is_the_default():
-    assert sight_of(TASK, Conditions(), None) == Sight()
+    assert sight_of(TASK, Conditions(), None) == Viewpoint()
 
 
 def test_light_is_drawn_for_each_task():

@@ -13,16 +13,16 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.grading import question_of
-from probe.episodes.record import Table
-from probe.runs.plan import Job, Order
+from probe.episodes.record import TableState
+from probe.runs.plan import Job, RunOrder
 from probe.runs.run import work
-from probe.runs.work import Workplace, stopped
+from probe.runs.work import WorkerSetup, stopped
 from probe.station.ur5 import Ur5
 from probe.tasks.suite_file import demo_suite
 from probe.types import Pose
 
 TASK = demo_suite().tasks[0]
-ORDER = Order("anna", conditions=Conditions(ideal="grasp"))
+ORDER = RunOrder("anna", conditions=Conditions(ideal="grasp"))
 NOWHERE = cast(Any, None)
 
 
@@ -39,7 +39,7 @@ class Broken:
 
 def test_an_episode_that_fails_is_tried_three_times(tmp_path):
     broken = Broken()
-    place = Workplace(ORDER, NOWHERE, broken.agent)
+    place = WorkerSetup(ORDER, NOWHERE, broken.agent)
     (tmp_path / RECORDS).write_bytes(place._line(NOWHERE, NOWHERE, Job(TASK, 2)))
     assert broken.asked == [("anna", TASK.id, 2)] * 3
     (record,) = read_records(tmp_path / RECORDS)
@@ -63,13 +63,13 @@ def test_an_episode_that_kills_its_workers_is_recorded_as_missing(tmp_path):
     }
 
 
-class Unwritable(Workplace):
+class Unwritable(WorkerSetup):
     """Its episodes end with a thing that is nowhere."""
 
     def played(self, job, things, renderer):
         record = stopped(job, self.order)
         placed = replace(TASK.scene.objects[0], pose=Pose((math.nan, 0.0, 0.0)))
-        return replace(record, start=Table(replace(TASK.scene, objects=(placed,)), ()))
+        return replace(record, start=TableState(replace(TASK.scene, objects=(placed,)), ()))
 
 
 def test_a_record_that_cannot_be_written_down_is_a_fault(tmp_path):

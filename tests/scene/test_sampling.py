@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from probe.assets.spec import ObjectSpec
 from probe.errors import Unsatisfiable
-from probe.scene.sampling import Pile, draw_drop, draw_objects, draw_pile
+from probe.scene.sampling import PileSettings, draw_drop, draw_objects, draw_pile
 from probe.scene.seeds import generator
 from probe.types import Pose
 
@@ -54,7 +54,7 @@ SIZES = st.tuples(*[st.floats(0.02, 0.3)] * 3)
 @given(st.integers(0, 10_000), st.lists(SIZES, min_size=2, max_size=15), st.integers(0, 9))
 def test_what_is_buried_falls_first_and_something_flat_lands_on_it(seed, sizes, buried):
     specs = [replace(LIBRARY[n], size=size) for n, size in enumerate(sizes)]
-    falls = draw_pile(specs, Pile(0.1, buried), np.random.default_rng(seed))
+    falls = draw_pile(specs, PileSettings(0.1, buried), np.random.default_rng(seed))
     assert sorted(index for index, _ in falls) == list(range(len(specs)))
     pairs = min(buried, len(specs) // 2)
     smallest = sorted(range(len(specs)), key=lambda n: -np.prod(sizes[n]))[len(specs) - pairs :]
@@ -69,7 +69,7 @@ def test_what_is_buried_falls_first_and_something_flat_lands_on_it(seed, sizes, 
 @pytest.mark.parametrize("pile", [(0.0, 0), (0.3, 0), (float("nan"), 0), (0.1, -1)])
 def test_a_pile_that_cannot_be_is_refused(pile):
     with pytest.raises(Unsatisfiable):
-        Pile(*pile)
+        PileSettings(*pile)
 
 
 def test_generators_depend_on_seed_and_purpose_alone():

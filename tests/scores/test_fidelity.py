@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from probe.episodes.record import EpisodeRecord, Step, Table
+from probe.episodes.record import EpisodeRecord, Step, TableState
 from probe.episodes.turns import Call, Question
 from probe.scene.scene import PlacedObject, Scene
 from probe.scores.fidelity import Fidelity, fidelity
@@ -21,7 +21,7 @@ def scene(**moved) -> Scene:
 
 
 def record(end: Scene, *calls: tuple[str, Status]) -> EpisodeRecord:
-    start, after = (Table(it, (0.0,) * 6) for it in (scene(), end))
+    start, after = (TableState(it, (0.0,) * 6) for it in (scene(), end))
     steps = tuple(Step(Call.of(name), status, "", None, after) for name, status in calls)
     last = Step(Call.of("perceive_scene"), "done", "", None, after)
     return EpisodeRecord(
@@ -83,13 +83,13 @@ def test_what_was_named_is_compared_with_what_is_in_the_basket(end, calls, found
 
 def test_one_that_falls_from_the_edge_is_disturbed_however_near_it_ends():
     start = scene(_4=(0.0, 0.0, -0.019))
-    fell = replace(record(scene(_4=(0.0, 0.0, -0.021))), start=Table(start, ()))
+    fell = replace(record(scene(_4=(0.0, 0.0, -0.021))), start=TableState(start, ()))
     assert fidelity(fell, (1,)).others_disturbed == 1
 
 
 def test_only_the_end_counts():
     late = record(scene(_1=BASKET), GRASP)
-    early = replace(late.steps[0], after=Table(scene(_1=BASKET, _3=(0.3, 0.1, 0.0)), ()))
+    early = replace(late.steps[0], after=TableState(scene(_1=BASKET, _3=(0.3, 0.1, 0.0)), ()))
     assert fidelity(replace(late, steps=(early, late.steps[1])), (1,)).others_disturbed == 0
 
 

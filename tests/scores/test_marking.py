@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 
 from probe.episodes.conditions import Conditions
-from probe.episodes.record import EpisodeRecord, Seconds, Step, Table
-from probe.episodes.seat import Seat
+from probe.episodes.participation import Participation
+from probe.episodes.record import EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question
 from probe.scene.visibility import Visibility
 from probe.scores.marking import Usage, roster_of_tasks, row_of, stratum_of
@@ -17,7 +17,7 @@ from probe.tasks.task import Certificate
 from probe.toolshed.result import Answer
 from task_examples import FIND, SCENE
 
-START = Table(SCENE, (0.0,) * 6)
+START = TableState(SCENE, (0.0,) * 6)
 
 
 def step(name: str, status: str = "done") -> Step:
@@ -79,7 +79,7 @@ def test_a_row_says_what_the_record_and_the_score_say():
 
 
 def test_what_a_model_used_is_in_its_record():
-    seat = Seat("agentic", tokens_in=10, tokens_out=20, cost=0.25)
+    seat = Participation("agentic", tokens_in=10, tokens_out=20, cost=0.25)
     row = row_of(FIND, replace(RECORD, seat=seat), MISSED, suite="v1", arm="agentic")
     assert (row.tokens_in, row.tokens_out, row.cost) == (10, 20, 0.25)
 
@@ -159,7 +159,7 @@ def test_reduce_says_how_it_was_done(correct, strict):
     gone = replace(
         SCENE.objects[0], pose=replace(SCENE.objects[0].pose, position=(-0.55, -0.44, 0))
     )
-    end = Table(replace(SCENE, objects=(gone, *SCENE.objects[1:])), START.joints)
+    end = TableState(replace(SCENE, objects=(gone, *SCENE.objects[1:])), START.joints)
     done = replace(RECORD, steps=(replace(step("grasp_and_remove"), after=end),), seconds=Seconds())
     score = Score(correct, correct, "right" if correct else "wrong")
     answered = replace(done, answer=Answer("B" if correct else "A"))

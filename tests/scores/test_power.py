@@ -3,7 +3,7 @@ import math
 import pytest
 from statsmodels.stats.power import TTestPower
 
-from probe.scores.power import Outlook, detectable_gap, expected_error
+from probe.scores.power import PowerAssumptions, detectable_gap, expected_error
 
 SUITE = {"find": 28, "compare": 24, "size": 28, "count": 21, "reduce": 23, "beneath": 26}
 
@@ -24,7 +24,7 @@ def test_many_degrees_of_freedom_need_2_8_standard_errors():
 
 def test_the_error_of_equal_types_by_hand():
     # Variance of a task's difference: 2 * 0.25 * (0.6 * 0.5 + 0.4 / 2) = 0.25.
-    outlook = Outlook(accuracy=0.5, icc=0.6, alike=0.5, runs=2)
+    outlook = PowerAssumptions(accuracy=0.5, icc=0.6, alike=0.5, runs=2)
     error, freedom = expected_error({"find": 25}, outlook)
     assert (error, freedom) == (pytest.approx(0.1), pytest.approx(24))
     error, freedom = expected_error({"find": 25, "size": 25}, outlook)
@@ -32,14 +32,14 @@ def test_the_error_of_equal_types_by_hand():
 
 
 def test_what_makes_a_difference_harder_to_see():
-    base = Outlook(accuracy=0.5, icc=0.5, alike=0.5, runs=3)
+    base = PowerAssumptions(accuracy=0.5, icc=0.5, alike=0.5, runs=3)
     harder = [
-        Outlook(accuracy=0.5, icc=0.5, alike=0.0, runs=3),
-        Outlook(accuracy=0.5, icc=0.5, alike=0.5, runs=1),
+        PowerAssumptions(accuracy=0.5, icc=0.5, alike=0.0, runs=3),
+        PowerAssumptions(accuracy=0.5, icc=0.5, alike=0.5, runs=1),
     ]
     easier = [
-        Outlook(accuracy=0.9, icc=0.5, alike=0.5, runs=3),
-        Outlook(accuracy=0.5, icc=0.5, alike=1.0, runs=3),
+        PowerAssumptions(accuracy=0.9, icc=0.5, alike=0.5, runs=3),
+        PowerAssumptions(accuracy=0.5, icc=0.5, alike=1.0, runs=3),
     ]
     middle = expected_error(SUITE, base)[0]
     assert all(expected_error(SUITE, it)[0] > middle for it in harder)
@@ -48,5 +48,7 @@ def test_what_makes_a_difference_harder_to_see():
 
 def test_luck_alone_is_binomial():
     # Runs unrelated to tasks: a difference of two means of 3 * 28 episodes.
-    error, _ = expected_error({"find": 28}, Outlook(accuracy=0.3, icc=0.0, alike=0.0, runs=3))
+    error, _ = expected_error(
+        {"find": 28}, PowerAssumptions(accuracy=0.3, icc=0.0, alike=0.0, runs=3)
+    )
     assert error == pytest.approx(math.sqrt(2 * 0.3 * 0.7 / (3 * 28)))

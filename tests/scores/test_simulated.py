@@ -8,7 +8,7 @@ from probe.scores.arms import arm_effect
 from probe.scores.icc import icc
 from probe.scores.intervals import bootstrap, student
 from probe.scores.pairs import no_difference_p
-from probe.scores.power import Outlook, detectable_gap, expected_error
+from probe.scores.power import PowerAssumptions, detectable_gap, expected_error
 from probe.scores.simulated import draw_chances, draw_units, two_arms
 from probe.scores.units import strata_of
 
@@ -81,7 +81,7 @@ def test_four_in_five_suites_show_the_detectable_gap_and_few_show_none():
     rng, sims = RNG(5), 600
     # The accuracy whose variance is the mean of that of the three types.
     spread = np.mean([value * (1 - value) for value in MIDDLING.values()])
-    outlook = Outlook(0.5 + np.sqrt(0.25 - spread), icc=0.5, alike=0.5, runs=3)
+    outlook = PowerAssumptions(0.5 + np.sqrt(0.25 - spread), icc=0.5, alike=0.5, runs=3)
     gap = detectable_gap(*expected_error(SIZES, outlook))
     alike = np.array([[1.0, 0.5], [0.5, 1.0]])
     found = np.zeros(2)

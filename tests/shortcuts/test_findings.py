@@ -3,12 +3,12 @@
 import pytest
 from scipy import stats
 
-from probe.shortcuts.findings import Tally, allowed, detectable, judge
+from probe.shortcuts.findings import HitCount, allowed, detectable, judge
 from probe.shortcuts.table import leaks, markdown
 
 
-def tally(right: int, n: int, by: str = "rule", kind: str = "find") -> Tally:
-    return Tally(kind, by, right, n, *allowed(kind))
+def tally(right: int, n: int, by: str = "rule", kind: str = "find") -> HitCount:
+    return HitCount(kind, by, right, n, *allowed(kind))
 
 
 def test_the_rules_of_the_benchmark():

@@ -6,7 +6,16 @@ from dataclasses import replace
 
 import pytest
 
-from probe.shortcuts.imaginary import LORE, Draw, compare, count, examples, find, offer, size
+from probe.shortcuts.imaginary import (
+    LORE,
+    ImaginaryTask,
+    compare,
+    count,
+    examples,
+    find,
+    offer,
+    size,
+)
 from probe.shortcuts.investigation import investigate
 from probe.shortcuts.table import leaks
 
@@ -17,7 +26,7 @@ def found(tasks) -> set[str]:
     return {finding.tally.by for finding in leaks(investigate(tasks, LORE))}
 
 
-def often(draw: Draw) -> bool:
+def often(draw: ImaginaryTask) -> bool:
     return draw.rng.random() < 0.5
 
 
@@ -28,7 +37,7 @@ def test_nothing_is_found_where_nothing_is(make, seed):
 
 
 def test_the_smallest_is_right_too_often():
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         if often(draw) and draw.right < 4:
             named = draw.options[:4]
             least = min(named, key=lambda name: max(LORE.by_name[name].size))
@@ -40,7 +49,7 @@ def test_the_smallest_is_right_too_often():
 
 
 def test_one_letter_is_right_too_often():
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         if draw.rng.random() < 0.25:
             answer = "None of the above" if draw.right == 4 else draw.options[draw.right]
             rest = [text for text in draw.options[:4] if text != answer]
@@ -54,7 +63,7 @@ def test_one_letter_is_right_too_often():
 
 
 def test_a_wording_tells_the_letter():
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         if often(draw):
             draw.question = f"{('What', 'Which', 'Name what', 'Say', 'Tell')[draw.right]} is it"
 
@@ -64,7 +73,7 @@ def test_a_wording_tells_the_letter():
 
 
 def test_a_wording_tells_that_it_is_none():
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         if draw.right == 4:
             draw.question = f"{draw.question}, if any"
 
@@ -82,7 +91,7 @@ def test_what_is_seen_is_all_there_is():
 
 @pytest.mark.parametrize("wanted", ["area_px", "overlapped"])
 def test_what_shows_of_the_marked_things_tells(wanted):
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         a, b = (getattr(draw.things[n], wanted) for n in (0, 1))
         lead = (a - b) * (-1 if draw.form == "smaller" else 1) * (1 if wanted == "area_px" else -1)
         if draw.rng.random() < 0.7:
@@ -94,7 +103,7 @@ def test_what_shows_of_the_marked_things_tells(wanted):
 
 
 def test_the_patch_tells_which_is_darker():
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         a, b = (draw.things[n].lab[0] for n in (0, 1))
         if draw.form == "darker" and draw.rng.random() < 0.9:
             draw.right = 0 if a < b else 1
@@ -106,7 +115,7 @@ def test_the_patch_tells_which_is_darker():
 def test_what_is_half_hidden_has_the_colour_of_the_right_option():
     red, blue = (41.0, 58.0, 38.0), (39.0, 6.0, -46.0)
 
-    def leak(draw: Draw) -> None:
+    def leak(draw: ImaginaryTask) -> None:
         # One thing only is half hidden, and its colour is that of the right option alone.
         draw.things = [thing for thing in draw.things if thing.name]
         candidates = ["red mug", "blue brick", "blue egg", "blue die", "blue pawn"]

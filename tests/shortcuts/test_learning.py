@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from probe.agents.learnt import most_likely
+from probe.agents.question_classifier import most_likely
 from probe.episodes.grading import question_of
 from probe.shortcuts.learning import learn
 from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, Option, Task

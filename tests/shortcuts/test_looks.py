@@ -8,7 +8,7 @@ from importlib import import_module
 import pytest
 
 from probe.assets.library import Library, open_library
-from probe.certify.first_look import FirstLook
+from probe.generation.first_look import FirstLook
 from probe.shortcuts.looks import examples_of
 from probe.tasks.suite import part
 from probe.tasks.suite_file import demo_suite

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from probe.certify.first_look import FirstLook
+from probe.generation.first_look import FirstLook
 from probe.scene.visibility import Visibility
 from probe.shortcuts.families import FAMILIES, features
 from probe.shortcuts.imaginary import LORE, compare, count, examples, find, size

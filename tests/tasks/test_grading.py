@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from probe.scene.scene import PlacedObject, Scene
-from probe.tasks.grading import Answer, LastView, Score, distance_px, grade, whereabouts
+from probe.tasks.grading import FinalAnswer, LastView, Score, distance_px, grade, whereabouts
 from probe.types import Pose
 from task_examples import FIND, SCENE, with_answer
 
@@ -35,34 +35,42 @@ WRONG = Score(False, False, "wrong")
 @pytest.mark.parametrize(
     ("answer", "seen", "score"),
     [
-        (Answer("B", (115, 50)), last(), RIGHT),
-        (Answer("B", (98.0, 50)), last(), RIGHT),  # two pixels beside the edge
-        (Answer("B", (97.9, 50)), last(), Score(False, True, "missed")),
-        (Answer("B", (132.0, 50)), last(), RIGHT),
-        (Answer("B", (132.1, 50)), last(), Score(False, True, "missed")),
-        (Answer("B", (98.5, 38.5)), last(), Score(False, True, "missed")),  # 2.1 px off a corner
-        (Answer("B", (98.6, 38.6)), last(), RIGHT),
-        (Answer("B", (math.nan, 50)), last(), Score(False, True, "missed")),
-        (Answer("B", (math.inf, 50)), last(), Score(False, True, "missed")),
-        (Answer("B"), last(), Score(False, True, "no point")),
-        (Answer("C", (115, 50)), last(), WRONG),
-        (Answer("E", (115, 50)), last(), WRONG),
-        (Answer(None), last(), Score(False, False, "unanswered")),
-        (Answer(None, (115, 50)), last(), Score(False, False, "unanswered")),
+        (FinalAnswer("B", (115, 50)), last(), RIGHT),
+        (FinalAnswer("B", (98.0, 50)), last(), RIGHT),  # two pixels beside the edge
+        (FinalAnswer("B", (97.9, 50)), last(), Score(False, True, "missed")),
+        (FinalAnswer("B", (132.0, 50)), last(), RIGHT),
+        (FinalAnswer("B", (132.1, 50)), last(), Score(False, True, "missed")),
+        (
+            FinalAnswer("B", (98.5, 38.5)),
+            last(),
+            Score(False, True, "missed"),
+        ),  # 2.1 px off a corner
+        (FinalAnswer("B", (98.6, 38.6)), last(), RIGHT),
+        (FinalAnswer("B", (math.nan, 50)), last(), Score(False, True, "missed")),
+        (FinalAnswer("B", (math.inf, 50)), last(), Score(False, True, "missed")),
+        (FinalAnswer("B"), last(), Score(False, True, "no point")),
+        (FinalAnswer("C", (115, 50)), last(), WRONG),
+        (FinalAnswer("E", (115, 50)), last(), WRONG),
+        (FinalAnswer(None), last(), Score(False, False, "unanswered")),
+        (FinalAnswer(None, (115, 50)), last(), Score(False, False, "unanswered")),
         # Stale: right when the target was still there, but it has been moved since.
-        (Answer("B", (115, 50)), last(columns=slice(150, 180)), Score(False, True, "missed")),
-        (Answer("B", (165, 50)), last(columns=slice(150, 180)), RIGHT),
+        (FinalAnswer("B", (115, 50)), last(columns=slice(150, 180)), Score(False, True, "missed")),
+        (FinalAnswer("B", (165, 50)), last(columns=slice(150, 180)), RIGHT),
         # In the basket, on the floor.
-        (Answer("B", (115, 50)), last(position=(-0.5, -0.45, 0.02)), Score(False, True, "lost")),
-        (Answer("B", (115, 50)), last(position=(0.9, 0.0, -0.75)), Score(False, True, "lost")),
+        (
+            FinalAnswer("B", (115, 50)),
+            last(position=(-0.5, -0.45, 0.02)),
+            Score(False, True, "lost"),
+        ),
+        (FinalAnswer("B", (115, 50)), last(position=(0.9, 0.0, -0.75)), Score(False, True, "lost")),
         # 24 and 25 visible pixels.
         (
-            Answer("B", (101, 41)),
+            FinalAnswer("B", (101, 41)),
             last(slice(40, 44), slice(100, 106)),
             Score(False, True, "covered"),
         ),
-        (Answer("B", (101, 41)), last(slice(40, 45), slice(100, 105)), RIGHT),
-        (Answer("B", (115, 50)), last(labels_of=3), Score(False, True, "covered")),
+        (FinalAnswer("B", (101, 41)), last(slice(40, 45), slice(100, 105)), RIGHT),
+        (FinalAnswer("B", (115, 50)), last(labels_of=3), Score(False, True, "covered")),
     ],
 )
 def test_find_where_the_target_is_listed(answer, seen, score):
@@ -71,8 +79,8 @@ def test_find_where_the_target_is_listed(answer, seen, score):
 
 @pytest.mark.parametrize("point", [None, (0, 0), (115, 50)])
 def test_find_where_none_is_listed_ignores_points(point):
-    assert grade(with_answer("E"), Answer("E", point), last()) == RIGHT
-    assert grade(with_answer("E"), Answer("B", point), last()) == WRONG
+    assert grade(with_answer("E"), FinalAnswer("E", point), last()) == RIGHT
+    assert grade(with_answer("E"), FinalAnswer("B", point), last()) == WRONG
 
 
 @pytest.mark.parametrize("kind", ["beneath", "count"])
@@ -80,9 +88,9 @@ def test_find_where_none_is_listed_ignores_points(point):
 def test_other_types_look_at_the_letter_alone(kind, position):
     task = replace(FIND, kind=kind)
     seen = last(position=position)
-    assert grade(task, Answer("B"), seen) == RIGHT
-    assert grade(task, Answer("A", (115, 50)), seen) == WRONG
-    assert grade(task, Answer(None), seen).outcome == "unanswered"
+    assert grade(task, FinalAnswer("B"), seen) == RIGHT
+    assert grade(task, FinalAnswer("A", (115, 50)), seen) == WRONG
+    assert grade(task, FinalAnswer(None), seen).outcome == "unanswered"
 
 
 @pytest.mark.parametrize(

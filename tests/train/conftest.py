@@ -9,12 +9,12 @@ import pytest
 
 from lessons import lesson, training_task
 from probe.assets.spec import ObjectSpec
-from probe.chat.pictures import jpeg
-from probe.train.choose.chosen import Chosen, read_selection, write_selection
+from probe.train.choose.chosen import LoadedSelection, read_selection, write_selection
 from probe.train.choose.evaluation import evaluation_of
 from probe.train.choose.selection import Recipe, select
-from probe.train.dataset.examples import Example, example_of
-from probe.train.dataset.showing import Shown
+from probe.train.dataset.examples import TrainingExample, example_of
+from probe.train.dataset.showing import EpisodePictures
+from probe.transcripts.pictures import jpeg
 from tabletops import paint
 
 LESSONS = [
@@ -30,14 +30,14 @@ def picture(shade: int) -> bytes:
     return jpeg(rgb[:64, :64] * 0 + shade)
 
 
-def shown_in(it) -> Shown:
+def shown_in(it) -> EpisodePictures:
     """A first picture and one with each result but the last, all of them different."""
     later = [picture(10 * n) for n, _ in enumerate(it.record.steps[:-1], start=1)]
-    return Shown((picture(250),), (*later, None) if it.record.steps else ())
+    return EpisodePictures((picture(250),), (*later, None) if it.record.steps else ())
 
 
 @pytest.fixture
-def examples() -> list[Example]:
+def examples() -> list[TrainingExample]:
     return [example_of(it.task, it.record, shown_in(it)) for it in LESSONS]
 
 
@@ -56,7 +56,7 @@ def selection(tmp_path) -> Callable[[], Path]:
 
 
 @pytest.fixture
-def chosen(selection) -> Chosen:
+def chosen(selection) -> LoadedSelection:
     return read_selection(selection())
 
 

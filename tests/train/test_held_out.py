@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from probe.agents.learnt import Learnt
+from probe.agents.question_classifier import QuestionClassifier
 from probe.errors import BadData
-from probe.train.floors import floors
+from probe.train.baselines import floors
 from probe.train.held_out import markdown, standings
 from run_folders import DEMO
 from score_rows import faulty, roster, row
@@ -88,7 +88,7 @@ def test_there_must_be_something_to_be_best_at():
 
 
 def test_question_only_is_silent_about_what_it_never_learnt():
-    learnt = {"count": Learnt(tasks=9, weights={"@1": 1.0})}
+    learnt = {"count": QuestionClassifier(tasks=9, weights={"@1": 1.0})}
     rows = [it for it in floors(DEMO, [], learnt) if it.agent == "question-only"]
     assert {it.answer for it in rows if it.kind == "count"} == {"B"}
     assert {it.answer for it in rows if it.kind != "count"} == {None}

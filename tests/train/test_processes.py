@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-from probe.train.tune.diary import read_diary
 from probe.train.tune.fine_tuning import train
+from probe.train.tune.training_log import read_diary
 from probe.train.tune.tuning import Tuning
 from small_models import small_dataset, small_model
 

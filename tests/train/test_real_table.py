@@ -9,16 +9,16 @@ import pytest
 
 from lessons import BY_KIND
 from probe.assets.library import open_library
-from probe.chat.messages import messages
-from probe.chat.pictures import jpeg
 from probe.episodes.files import line_of, record_of
 from probe.episodes.play import open_episode
 from probe.render.renderer import Renderer
-from probe.report.darkroom import Darkroom
-from probe.runs.plan import Job, Order
+from probe.report.scene_renderer import SceneRenderer
+from probe.runs.plan import Job, RunOrder
 from probe.tasks.suite import part
-from probe.train.collect.teacher import TEACHER, Classroom, teacher_for
+from probe.train.collect.teacher import TEACHER, TeacherWorker, teacher_for
 from probe.train.dataset.showing import OtherPerception, shown
+from probe.transcripts.messages import messages
+from probe.transcripts.pictures import jpeg
 from run_folders import DEMO
 
 pytestmark = pytest.mark.slow
@@ -34,9 +34,9 @@ def library(cache):
 @pytest.fixture(scope="module")
 def taught(library):
     """The teacher's record with tools, in thousandths."""
-    order = Order(TEACHER, arm="agentic", points="0-1000")
+    order = RunOrder(TEACHER, arm="agentic", points="0-1000")
     with Renderer() as renderer:
-        place = Classroom(order, library, teacher_for("0-1000"))
+        place = TeacherWorker(order, library, teacher_for("0-1000"))
         return place.played(Job(TASK, 0), library(), renderer)
 
 
@@ -56,7 +56,7 @@ def test_its_pictures_are_those_that_the_tools_gave(taught, library):
         episode = open_episode(TASK, TEACHER, things, table, renderer)
         first = episode.record.question.picture
         came = [episode.step(step.call).result.picture for step in taught.steps]
-    with Darkroom(part(DEMO, TASK), library) as darkroom:
+    with SceneRenderer(part(DEMO, TASK), library) as darkroom:
         drawn = shown(TASK, taught, darkroom)
         with pytest.raises(OtherPerception, match="Collect with --pointer oracle"):
             seat = replace(taught.seat, arm="agentic, pointer self")
@@ -68,8 +68,8 @@ def test_its_pictures_are_those_that_the_tools_gave(taught, library):
 
 
 def test_without_tools_it_is_silent_where_the_evidence_is_hidden(library):
-    order = Order(TEACHER, arm="direct")
+    order = RunOrder(TEACHER, arm="direct")
     with Renderer() as renderer:
-        place = Classroom(order, library, teacher_for("pixels"))
+        place = TeacherWorker(order, library, teacher_for("pixels"))
         record = place.played(Job(TASK, 0), library(), renderer)
     assert (record.end, record.answer, record.steps, record.arm) == ("stopped", None, (), "direct")

@@ -17,11 +17,11 @@ from bench.sitting_in import kept, seat_of, sit_in
 from probe.train.choose.efficiency import reminded
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.rows import trl_row
-from probe.train.dataset.showing import Shown
+from probe.train.dataset.showing import EpisodePictures
 from probe.train.dataset.table import write_table
 from probe.train.serve.replying import read_reply
 from probe.train.serve.serving import application
-from probe.train.serve.speaking import Said, Speaker
+from probe.train.serve.speaking import GeneratedReply, ServedModel
 from probe.train.tune.collating import IGNORED
 from probe.train.tune.loading import collator_for
 from small_models import small_dataset, small_model
@@ -47,7 +47,7 @@ EPISODES = {
 }
 
 
-class Overheard(Speaker):
+class Overheard(ServedModel):
     """Says what it is told to say; keeps what it was given."""
 
     def begin(self, replies):
@@ -61,7 +61,7 @@ class Overheard(Speaker):
         if said.calls and said.words:
             # As vLLM does, by its source.
             said = replace(said, words=f"{said.words}\n")
-        return Said(said, asked["input_ids"].shape[1], 5, cut=False)
+        return GeneratedReply(said, asked["input_ids"].shape[1], 5, cut=False)
 
 
 @contextmanager
@@ -115,7 +115,7 @@ def trained_on(record, body, points, speaker, folder):
         next(pictures, None) if step.call.name != "answer_question" else None
         for step in record.steps
     )
-    example = example_of(SUITE.tasks[0], record, Shown(first, later), points)
+    example = example_of(SUITE.tasks[0], record, EpisodePictures(first, later), points)
     write_table(folder / "rows.parquet", [trl_row(example)])
     rows = Dataset.from_parquet(str(folder / "rows.parquet"), cache_dir=str(folder / "cache"))
     return collator_for(speaker._processor)([rows[0]])

@@ -14,10 +14,10 @@ import pytest
 from probe.errors import BadData, MissingExtra, OutputFailed
 from probe.train.dataset.manifest import Manifest, write_manifest
 from probe.train.tune import libraries
-from probe.train.tune.diary import read_diary
 from probe.train.tune.fine_tuning import train
 from probe.train.tune.loading import NoModel, UnknownTemplate, load
 from probe.train.tune.run_card import Run
+from probe.train.tune.training_log import read_diary
 from probe.train.tune.tuning import Tuning
 from small_models import small_dataset, small_model
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from probe.agents.hiders import hider
+from probe.agents.cover_nouns import hider
 from probe.agents.moves import Outcome, Plan, Way, look, move_away
+from probe.agents.phrases import Reason, Say, silent
 from probe.agents.reading import Graph, Seen
-from probe.agents.speech import Say, Why, silent
 from probe.toolshed.toolshed import MANIPULATIONS
 
 LARGE_PX = 120
@@ -58,7 +58,7 @@ class Search:
         if not candidates:
             return False
         chosen = max(candidates, key=self._promise)
-        yield from self.clear(chosen, Why(self._attraction(chosen)))
+        yield from self.clear(chosen, Reason(self._attraction(chosen)))
         return True
 
     def may_clear(self, seen: Seen) -> bool:
@@ -66,7 +66,7 @@ class Search:
         most = _HIDERS_TRIES if hider(seen.name or "") else _TRIES
         return len(self._tried[seen.name or ""]) < most and self.spent < MANIPULATIONS
 
-    def clear(self, seen: Seen, why: Why) -> Plan[None]:
+    def clear(self, seen: Seen, why: Reason) -> Plan[None]:
         """Move a thing away, or what lies on it and keeps it there, and look again.
 
         Args:
@@ -75,7 +75,7 @@ class Search:
         """
         obstacle = self._obstacle(seen)
         if obstacle is not None:
-            seen, why = obstacle, Why("obstacle", seen.name or "")
+            seen, why = obstacle, Reason("obstacle", seen.name or "")
         name, way = seen.name or "", self._way(seen.name or "")
         self.spent += 1
         words = self._reasons(name, way, why)
@@ -127,7 +127,7 @@ class Search:
         movable = [s for s in movable if self.may_clear(s)]
         return min(movable, key=lambda each: len(self.graph.over(each)), default=None)
 
-    def _reasons(self, name: str, way: Way, why: Why) -> str:
+    def _reasons(self, name: str, way: Way, why: Reason) -> str:
         """Why a thing is moved, and why in this way."""
         tried = self._tried[name]
         how = f"{way} {tried[-1][1]}" if tried else way

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan
+from probe.agents.phrases import Reason
 from probe.agents.reading import Graph, Seen
-from probe.agents.speech import Why
-from probe.agents.texts import marks_in
+from probe.agents.text_features import marks_in
 from probe.episodes.turns import Question
 
 Both = tuple[Seen | None, Seen | None]
@@ -97,11 +97,11 @@ class _Marked:
         here = self.here
         return here is not None and here.name is not None and not graph.over(here)
 
-    def _why(self, seen: Seen, graph: Graph) -> Why:
+    def _why(self, seen: Seen, graph: Graph) -> Reason:
         if self.here is None:
-            return Why("mark place", letter=self.letter)
+            return Reason("mark place", letter=self.letter)
         lying = seen.number in graph.over(self.here)
-        return Why("mark on" if lying else "mark touching", letter=self.letter)
+        return Reason("mark on" if lying else "mark touching", letter=self.letter)
 
     def _over(self, search: Search) -> list[Seen]:
         """What lies on it, or else what touches it or is where its mark was."""

@@ -7,6 +7,7 @@ from typing import Literal, TypeVar
 
 import numpy as np
 
+from probe.agents.phrases import Say
 from probe.agents.reading import (
     Graph,
     Outcome,
@@ -16,8 +17,7 @@ from probe.agents.reading import (
     read_handle,
     worked,
 )
-from probe.agents.speech import Say
-from probe.agents.texts import is_none
+from probe.agents.text_features import is_none
 from probe.episodes.turns import Call, Question
 from probe.scene.layout import PICTURE_PX, VIEW_SIZE
 

@@ -11,8 +11,8 @@ import numpy as np
 from probe.agents.clearing import Search
 from probe.agents.marks import Both, uncover_both
 from probe.agents.moves import Plan, Way, answer
+from probe.agents.phrases import Say, silent
 from probe.agents.reading import Seen
-from probe.agents.speech import Say, silent
 from probe.episodes.turns import Question
 
 _MIDDLE = 50

@@ -9,8 +9,8 @@ import numpy as np
 
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan, Way, answer, none_of_them
+from probe.agents.phrases import Reason, Say, silent
 from probe.agents.reading import Box, Graph, Seen, same
-from probe.agents.speech import Say, Why, silent
 from probe.episodes.turns import Question
 
 _MARGIN_PX = 40
@@ -20,7 +20,7 @@ _MARGIN_PX = 40
 def uncover(
     question: Question,
     names: Sequence[str],
-    why: Why,
+    why: Reason,
     first: Way,
     rng: np.random.Generator,
     *,
@@ -170,7 +170,7 @@ def _clear_around(search: Search, place: Box, known: set[str | None]) -> Plan[bo
     here = [seen for seen in here if search.may_clear(seen)]
     if not here:
         return False
-    yield from search.clear(max(here, key=lambda seen: seen.area), Why("place"))
+    yield from search.clear(max(here, key=lambda seen: seen.area), Reason("place"))
     return True
 
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from probe.agents.moves import Plan, Way
 from probe.agents.pairs import compare, size
+from probe.agents.phrases import Reason, Say, silent
 from probe.agents.plans import count, find, uncover
-from probe.agents.speech import Say, Why, silent
 from probe.episodes.turns import Call, Question, Turn
 
 Kind = Literal["beneath", "compare", "count", "find", "reduce", "size"]
@@ -69,12 +69,12 @@ class Scripted:
     def _planned(self, question: Question) -> Plan[None]:
         first, rng, bold, say = self._first, self._rng, self._bold, self._say
         if self._kind == "beneath":
-            cover = Why("cover")
+            cover = Reason("cover")
             return uncover(question, [self._subject], cover, first, rng, bold=bold, say=say)
         if self._kind == "count":
             return count(question, self._subject, first, rng, bold=bold, say=say)
         if self._kind == "reduce":
-            names, named = self._subject.split(", "), Why("named")
+            names, named = self._subject.split(", "), Reason("named")
             return uncover(question, names, named, first, rng, bold=bold, say=say)
         if self._kind == "size":
             return size(question, self._form, first, rng, bold=bold, say=say)

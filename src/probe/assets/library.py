@@ -11,12 +11,12 @@ from typing import Literal
 
 from rich.progress import track
 
-from probe.assets import scan_pool
 from probe.assets.cache import Cache
-from probe.assets.fingerprint import Fingerprint, fingerprint
-from probe.assets.mesh import Body
-from probe.assets.own_pool import own_body, own_specs
-from probe.assets.procedural_pool import procedural_body, procedural_specs
+from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
+from probe.assets.mesh.mesh import Body
+from probe.assets.pools import scans
+from probe.assets.pools.own import own_body, own_specs
+from probe.assets.pools.procedural import procedural_body, procedural_specs
 from probe.assets.spec import ObjectSpec, Origin
 from probe.assets.tables import TableMaterial, load_table
 from probe.errors import BadData, UnknownName
@@ -82,7 +82,7 @@ class Library:
             elif spec.origin == "own":
                 body = own_body(object_id, own_folder(self.own), cache)
             else:
-                body = scan_pool.scan_body(object_id, scans_folder(self.assets), cache)
+                body = scans.scan_body(object_id, scans_folder(self.assets), cache)
         self._kept[object_id] = body
         if len(self._kept) > KEPT:
             del self._kept[next(iter(self._kept))]
@@ -119,7 +119,7 @@ def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None 
     if pool in ("procedural", "own+procedural", "all"):
         specs += procedural_specs(kept)
     if pool == "scans" or (pool == "all" and assets is not None):
-        specs += scan_pool.scan_specs(scans_folder(assets), kept)
+        specs += scans.scan_specs(scans_folder(assets), kept)
     mine: tuple[ObjectSpec, ...] = ()
     if pool in ("own", "own+procedural"):
         mine = own_specs(own_folder(own))

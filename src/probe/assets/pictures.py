@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from probe.assets.shaping import MAX_TEXTURE_PX
+from probe.assets.mesh.shaping import MAX_TEXTURE_PX
 from probe.errors import BadMesh
 
 KINDS = ("PNG", "JPEG", "WEBP", "BMP", "TGA", "TIFF")

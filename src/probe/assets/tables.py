@@ -12,7 +12,7 @@ import numpy as np
 from PIL import Image
 
 from probe.assets.cache import Cache, content_key
-from probe.assets.mesh import Surface
+from probe.assets.mesh.mesh import Material
 from probe.assets.recipes import recipe
 from probe.assets.tabletops import tops
 from probe.assets.tabletops.noise import normals_of
@@ -61,9 +61,11 @@ class TableMaterial:
     roughness_map: Array | None = None
 
     @property
-    def surface(self) -> Surface:
+    def surface(self) -> Material:
         """How it takes light, as a mesh has it."""
-        return Surface(self.texture, self.roughness, self.metallic, self.normal, self.roughness_map)
+        return Material(
+            self.texture, self.roughness, self.metallic, self.normal, self.roughness_map
+        )
 
 
 def table_ids(assets: Path | None) -> tuple[str, ...]:

@@ -6,13 +6,13 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from probe.audit.kept import Verdict, earlier, hashes_of_lines, keep
+from probe.audit.audit_file import ReplayVerdict, earlier, hashes_of_lines, keep
 from probe.audit.replaying import Claim, Replayer, unable
 from probe.episodes.folder import reserved
 from probe.episodes.record import EpisodeRecord
 from probe.runs.checks.folder import read_checked
-from probe.runs.crew import Lost, carry_out
 from probe.runs.variation import read_variation
+from probe.runs.worker_pool import LostJob, carry_out
 from probe.tasks.suite import Suite, spaced
 from probe.tasks.suite_file import packaged_suite, packaged_suites
 from probe.tasks.task import Task
@@ -30,7 +30,7 @@ class Audit:
 
     out: Path
     claims: tuple[Claim, ...]
-    verdicts: dict[str, Verdict] = field(default_factory=dict[str, Verdict])
+    verdicts: dict[str, ReplayVerdict] = field(default_factory=dict[str, ReplayVerdict])
 
     def lacking(self, count: int | None) -> list[Claim]:
         """Of so many claims, evenly spaced, or of all, those without a verdict."""
@@ -60,13 +60,13 @@ def begin(out: Path, suite: Suite) -> Audit:
     audit = Audit(out, claims, earlier(out))
     for claim in claims:
         if reason := unable(claim.record):
-            audit.verdicts[claim.line] = Verdict(outcome="not replayable", reason=reason)
+            audit.verdicts[claim.line] = ReplayVerdict(outcome="not replayable", reason=reason)
     return audit
 
 
 def replay_claims(
     audit: Audit, claims: Sequence[Claim], place: Replayer, workers: int
-) -> Generator[tuple[Claim, Verdict]]:
+) -> Generator[tuple[Claim, ReplayVerdict]]:
     """Replay some claims; yields each with its verdict once that is written down.
 
     Raises:
@@ -92,10 +92,10 @@ def whose(record: EpisodeRecord) -> str:
     return f"{record.task}, run {record.run} of {record.agent}{arm}"
 
 
-def _verdict(result: bytes | Lost) -> Verdict:
-    if isinstance(result, Lost):
-        return Verdict(outcome="not replayable", reason=result.reason)
-    return Verdict.model_validate_json(result)
+def _verdict(result: bytes | LostJob) -> ReplayVerdict:
+    if isinstance(result, LostJob):
+        return ReplayVerdict(outcome="not replayable", reason=result.reason)
+    return ReplayVerdict.model_validate_json(result)
 
 
 def _bases(out: Path, suite: Suite) -> dict[str, Task]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from probe.audit.kept import hash_of
+from probe.audit.audit_file import hash_of
 from probe.errors import BadData
 from probe.files import write_text
 

@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library
-from probe.audit.kept import Verdict
+from probe.audit.audit_file import ReplayVerdict
 from probe.episodes.play import set_table
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import differences, replay
@@ -65,11 +65,11 @@ class Replayer:
         try:
             check_objects(part(self.suite, claim.task), things)
             reason = _difference(claim, things, renderer)
-            verdict = Verdict(outcome="differs" if reason else "equal", reason=reason)
+            verdict = ReplayVerdict(outcome="differs" if reason else "equal", reason=reason)
         except Exception as error:
             # Whatever a record does to the tools is told of this record alone.
             reason = f"{type(error).__name__}: {error}"
-            verdict = Verdict(outcome="not replayable", reason=reason)
+            verdict = ReplayVerdict(outcome="not replayable", reason=reason)
         return verdict.model_dump_json().encode()
 
 

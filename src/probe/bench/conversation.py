@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from inspect_ai.model import ChatMessageAssistant
 
-from probe.bench.listening import Listener
-from probe.bench.tables import Sitting
+from probe.bench.model_conversation import ModelConversation
+from probe.bench.process_pool import Assignment
 from probe.bench.wire import call_of, result_message
-from probe.chat.answers import read_answer
-from probe.chat.coordinates import meant
-from probe.chat.messages import pictureless_first
-from probe.chat.prompts import Arm, reminder
-from probe.episodes.seat import Points, Reply
-from probe.runs.table_talk import Told
+from probe.episodes.participation import ModelReply, Points
+from probe.runs.worker_messages import CallResult
 from probe.tasks.task import Task
 from probe.toolshed.result import Answer
+from probe.transcripts.answers import read_answer
+from probe.transcripts.coordinates import meant
+from probe.transcripts.messages import pictureless_first
+from probe.transcripts.prompts import Arm, reminder
 
 
-async def with_tools(listener: Listener, sitting: Sitting, points: Points) -> None:
+async def with_tools(listener: ModelConversation, sitting: Assignment, points: Points) -> None:
     """Let a model call tools until the episode ends; it is reminded once in a row to call one.
 
     Raises:
@@ -32,14 +32,16 @@ async def with_tools(listener: Listener, sitting: Sitting, points: Points) -> No
             if await _carried_out(said, listener, sitting, points):
                 return
             continue
-        listener.replies.append(Reply(0, said.text))
+        listener.replies.append(ModelReply(0, said.text))
         if reminded:
             return
         reminded = True
         listener.say(reminder("agentic"))
 
 
-async def in_words(listener: Listener, arm: Arm, task: Task, points: Points) -> Answer | None:
+async def in_words(
+    listener: ModelConversation, arm: Arm, task: Task, points: Points
+) -> Answer | None:
     """What a model answers that has no tools; it is reminded once, of the point too.
 
     Raises:
@@ -49,7 +51,7 @@ async def in_words(listener: Listener, arm: Arm, task: Task, points: Points) -> 
     answer: Answer | None = None
     for last in (False, True):
         said = await listener.reply()
-        listener.replies.append(Reply(0, said.text))
+        listener.replies.append(ModelReply(0, said.text))
         answer = read_answer(said.text, points, letters) or answer
         if last or (answer and not _lacks_point(task, answer)):
             break
@@ -63,17 +65,17 @@ def _lacks_point(task: Task, answer: Answer) -> bool:
 
 
 async def _carried_out(
-    said: ChatMessageAssistant, listener: Listener, sitting: Sitting, points: Points
+    said: ChatMessageAssistant, listener: ModelConversation, sitting: Assignment, points: Points
 ) -> bool:
     """Do the calls of a reply, one after another; whether the episode has ended."""
-    came: list[Told] = []
+    came: list[CallResult] = []
     calls = said.tool_calls or []
     for call in calls:
         words = "" if came else said.text
         came.append(await sitting.call(meant(call_of(call, words), points)))
         if came[-1].ended:
             break
-    listener.replies.append(Reply(len(came)))
+    listener.replies.append(ModelReply(len(came)))
     results = [result_message(call, told, points) for call, told in zip(calls, came, strict=False)]
     order = pictureless_first([told.picture for told in came])
     listener.messages += [results[index] for index in order]

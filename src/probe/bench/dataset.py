@@ -11,13 +11,13 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from probe.chat.messages import opening
 from probe.episodes.grading import question_of
-from probe.episodes.seat import Points
+from probe.episodes.participation import Points
 from probe.errors import MissingExtra
 from probe.files import write_bytes, write_text
 from probe.tasks.suite_file import CANARY
 from probe.tasks.task import Task
+from probe.transcripts.messages import opening
 
 CARD, TABLE = "README.md", "data/test-00000-of-00001.parquet"
 """Files of the folder: the card, which says where the table is, and the table."""

@@ -6,11 +6,11 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from probe.chat.prompts import Arm, system_prompt
-from probe.chat.tools import tools_for
-from probe.episodes.seat import Points
+from probe.episodes.participation import Points
 from probe.tasks.task import Task
 from probe.toolshed.toolshed import TURNS
+from probe.transcripts.prompts import Arm, system_prompt
+from probe.transcripts.tools import tools_for
 
 USUAL_TURNS = 12
 """Assumed calls in an episode with tools; the most is TURNS."""

@@ -16,10 +16,10 @@ from inspect_ai import eval as run_harness  # pyright: ignore[reportUnknownVaria
 from inspect_ai.model import GenerateConfig, Model, get_model
 
 from probe.bench.harness import PATIENCE, harness_task
-from probe.bench.plan import Plan, missing_of
+from probe.bench.model_runner import ROLE, ModelRunner
+from probe.bench.plan import ModelRunPlan, missing_of
 from probe.bench.prices import Price
 from probe.bench.reasons import said, unreached
-from probe.bench.seating import ROLE, Seating
 from probe.errors import MissingExtra, ModelFailed
 
 LOGS = "logs"
@@ -32,7 +32,7 @@ _SERVICE, _LOCAL = "openai-api/endpoint/", "openai-api/vllm/"
 
 
 @dataclass(frozen=True)
-class Chosen:
+class Participants:
     """Who takes part.
 
     Attributes:
@@ -50,7 +50,9 @@ class Chosen:
     pointer_price: Price | None = None
 
 
-def evaluate(plan: Plan, chosen: Chosen, display: Literal["rich", "plain", "none"]) -> int:
+def evaluate(
+    plan: ModelRunPlan, chosen: Participants, display: Literal["rich", "plain", "none"]
+) -> int:
     """Run what the folder lacks; returns how many episodes are missing in the end.
 
     Raises:
@@ -65,7 +67,7 @@ def evaluate(plan: Plan, chosen: Chosen, display: Literal["rich", "plain", "none
     pointer = _model(chosen, chosen.pointer) if chosen.pointer else None
     if pointer is not None and chosen.pointer_price is not None:
         plan = replace(plan, prices={**plan.prices, str(pointer): chosen.pointer_price})
-    seating = Seating(plan)
+    seating = ModelRunner(plan)
     order = plan.order(str(model), str(pointer or plan.pointer.removeprefix("oracle")))
     with closing(seating):
         # Before anything is asked; each sample would raise it otherwise.
@@ -113,7 +115,7 @@ async def _greet(model: Model) -> None:
         await model.generate("Say hello.", config=config)
 
 
-def _model(chosen: Chosen, name: str) -> Model:
+def _model(chosen: Participants, name: str) -> Model:
     """One of the models; none is shared between two event loops.
 
     At an endpoint are the one that acts, and who has a name that no provider stands before.

@@ -12,11 +12,11 @@ from inspect_ai.model import ChatMessageUser, GenerateConfig, get_model
 from inspect_ai.solver import Generate, Solver, TaskState, solver
 from inspect_ai.util import LimitExceededError
 
-from probe.bench.plan import Plan
-from probe.bench.played import Played
+from probe.bench.finished import FinishedEpisode
+from probe.bench.model_runner import ModelRunner
+from probe.bench.plan import ModelRunPlan
 from probe.bench.scoring import MISSING, RIGHT, STORE, WRONG, accuracy_by_type, graded
-from probe.bench.seating import Seating
-from probe.bench.stopping import Stopped
+from probe.bench.stopping import RunStopped
 from probe.texts import line
 
 _LOGGER = getLogger(__name__)
@@ -28,7 +28,7 @@ PATIENCE = 600
 """Seconds that one attempt at a reply may take."""
 
 
-def harness_task(plan: Plan, seating: Seating | None = None) -> HarnessTask:
+def harness_task(plan: ModelRunPlan, seating: ModelRunner | None = None) -> HarnessTask:
     """A task of the harness.
 
     Args:
@@ -37,7 +37,7 @@ def harness_task(plan: Plan, seating: Seating | None = None) -> HarnessTask:
     """
     return HarnessTask(
         dataset=MemoryDataset([_sample(plan, task.id) for task in plan.tasks], plan.suite.name),
-        solver=_seat(seating or Seating(plan)),
+        solver=_seat(seating or ModelRunner(plan)),
         scorer=graded(),
         metrics=[accuracy_by_type(len(plan.tasks), plan.epochs)],
         epochs=Epochs(plan.epochs, "mean"),
@@ -49,20 +49,20 @@ def harness_task(plan: Plan, seating: Seating | None = None) -> HarnessTask:
     )
 
 
-def _sample(plan: Plan, id: str) -> Sample:
+def _sample(plan: ModelRunPlan, id: str) -> Sample:
     task = next(task for task in plan.tasks if task.id == id)
     lines = [task.question, *(f"{option.letter}: {option.text}" for option in task.options)]
     metadata: dict[str, Any] = {"kind": task.kind, "arm": plan.arm}
     return Sample(input="\n".join(lines), target=task.answer, id=task.id, metadata=metadata)
 
 
-def _seat(seating: Seating) -> Solver:
+def _seat(seating: ModelRunner) -> Solver:
     @solver(name="probe_seat")
     def seat() -> Solver:
         async def solve(state: TaskState, generate: Generate) -> TaskState:
             try:
                 played = await seating.play(str(state.sample_id), state.epoch - 1, get_model())
-            except (Stopped, LimitExceededError):
+            except (RunStopped, LimitExceededError):
                 raise
             except Exception as error:  # a fault of ours; it mustn't take other samples with it
                 reason = line(f"{type(error).__name__}: {error}")
@@ -81,7 +81,7 @@ def _seat(seating: Seating) -> Solver:
     return seat()
 
 
-def _show(state: TaskState, played: Played) -> None:
+def _show(state: TaskState, played: FinishedEpisode) -> None:
     """The conversation and its worth, as the harness's log keeps them."""
     record, listener = played.record, played.listener
     if listener is not None and listener.messages:
@@ -94,7 +94,7 @@ def _show(state: TaskState, played: Played) -> None:
     state.store.set("end", record.end)
 
 
-def _worth(played: Played) -> dict[str, Any]:
+def _worth(played: FinishedEpisode) -> dict[str, Any]:
     record, score = played.record, played.score
     said = record.answer.choice if record.answer else None
     if score is None:

@@ -9,7 +9,7 @@ from importlib.resources import files
 import pydantic
 import yaml
 
-from probe.episodes.seat import Points
+from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.files import fault
 from probe.perception.points import Convention

@@ -11,7 +11,6 @@ from typing import Literal
 
 from probe.assets.library import Library
 from probe.bench.prices import Price, Prices
-from probe.chat.prompts import Arm
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.files import line_of, read_records, set_aside_cut
 from probe.episodes.folder import (
@@ -20,19 +19,20 @@ from probe.episodes.folder import (
     occupied,
     standing,
 )
-from probe.episodes.luck import NO_NOISE, Noise
+from probe.episodes.noise import NO_NOISE, Noise
 from probe.episodes.ordered import note_ordered
+from probe.episodes.participation import Points
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.seat import Points
 from probe.errors import BadData
 from probe.files import write_text
 from probe.perception.points import Convention
 from probe.reading import words
 from probe.runs.checks.folder import check_records
-from probe.runs.plan import Order
+from probe.runs.plan import RunOrder
 from probe.runs.run import check_settings
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
+from probe.transcripts.prompts import Arm
 
 Pointer = Literal["oracle", "self", "role"]
 """Who points for perception: nobody, the model itself, or the one in the role "pointer"."""
@@ -42,7 +42,7 @@ REPLIES = "replies.id"
 
 
 @dataclass(frozen=True)
-class Plan:
+class ModelRunPlan:
     """What is to be run; a model takes the seat later.
 
     Attributes:
@@ -79,7 +79,7 @@ class Plan:
     prices: Prices = field(default_factory=dict[str, Price])
     called: str | None = None
 
-    def order(self, model: str, pointer: str) -> Order:
+    def order(self, model: str, pointer: str) -> RunOrder:
         """Who acts, and under which conditions.
 
         Args:
@@ -88,7 +88,9 @@ class Plan:
         """
         arm = f"{self.arm}, pointer {pointer}" if pointer else self.arm
         agent = self.called or model
-        return Order(agent, self.epochs, self.noise, self.conditions, arm=arm, points=self.points)
+        return RunOrder(
+            agent, self.epochs, self.noise, self.conditions, arm=arm, points=self.points
+        )
 
 
 Done = Mapping[tuple[str, int], bytes]
@@ -96,7 +98,7 @@ Done = Mapping[tuple[str, int], bytes]
 
 
 @contextmanager
-def taken_up(plan: Plan, order: Order) -> Generator[tuple[Done, str]]:
+def taken_up(plan: ModelRunPlan, order: RunOrder) -> Generator[tuple[Done, str]]:
     """Make or take up the folder, for this process alone; nothing is changed if it is refused.
 
     Raises:
@@ -108,7 +110,7 @@ def taken_up(plan: Plan, order: Order) -> Generator[tuple[Done, str]]:
         yield take_up(plan, order)
 
 
-def check_folder(plan: Plan, order: Order) -> None:
+def check_folder(plan: ModelRunPlan, order: RunOrder) -> None:
     """See that a folder, if it is one, is about the same suite under the same conditions.
 
     Raises:
@@ -123,19 +125,19 @@ def check_folder(plan: Plan, order: Order) -> None:
         check_records(earlier, plan.suite, path)
 
 
-def missing_of(plan: Plan, order: Order) -> int:
+def missing_of(plan: ModelRunPlan, order: RunOrder) -> int:
     """How many episodes of a plan have no record that counts."""
     path = plan.out / RECORDS
     return lacking(plan, _done(read_records(path) if path.exists() else [], order))
 
 
-def lacking(plan: Plan, done: Done) -> int:
+def lacking(plan: ModelRunPlan, done: Done) -> int:
     """How many episodes of a plan are still to be done."""
     wanted = {(task.id, run) for task in plan.tasks for run in range(plan.epochs)}
     return len(wanted - done.keys())
 
 
-def take_up(plan: Plan, order: Order) -> tuple[Done, str]:
+def take_up(plan: ModelRunPlan, order: RunOrder) -> tuple[Done, str]:
     """Take up a folder of records, which no other process may write to meanwhile.
 
     Returns:
@@ -153,7 +155,7 @@ def take_up(plan: Plan, order: Order) -> tuple[Done, str]:
     return _done(earlier, order), _name_of_replies(plan.out / REPLIES)
 
 
-def _done(earlier: Sequence[EpisodeRecord], order: Order) -> Done:
+def _done(earlier: Sequence[EpisodeRecord], order: RunOrder) -> Done:
     mine = [it for it in earlier if (it.agent, it.arm) == (order.agent, order.arm)]
     return {(it.task, it.run): line_of(it) for it in standing(mine) if it.end != "fault"}
 

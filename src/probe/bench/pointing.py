@@ -6,12 +6,12 @@ from inspect_ai.log import transcript
 from inspect_ai.model import CachePolicy, ChatMessageUser, ContentImage, ContentText, Model
 from inspect_ai.util import LimitExceededError
 
-from probe.bench.as_sent import as_sent
 from probe.bench.prices import Price
+from probe.bench.raw_arguments import as_sent
 from probe.bench.reasons import said
-from probe.bench.tally import Tally
+from probe.bench.usage import EpisodeUsage
 from probe.bench.wire import data_uri
-from probe.runs.table_talk import Asked, Unanswered
+from probe.runs.worker_messages import NoReply, PointerRequest
 
 
 class Pointing:
@@ -24,12 +24,14 @@ class Pointing:
         price: Of its tokens.
     """
 
-    def __init__(self, model: Model, tally: Tally, cache: CachePolicy, price: Price | None) -> None:
+    def __init__(
+        self, model: Model, tally: EpisodeUsage, cache: CachePolicy, price: Price | None
+    ) -> None:
         self._model, self._tally = as_sent(model), tally
         self._cache, self._price = cache, price
-        self._known: dict[Asked, str] = {}
+        self._known: dict[PointerRequest, str] = {}
 
-    async def __call__(self, asked: Asked) -> str | Unanswered:
+    async def __call__(self, asked: PointerRequest) -> str | NoReply:
         """A reply, whatever it says: one that is empty is the model's own failing."""
         if asked in self._known:
             return self._known[asked]
@@ -43,7 +45,7 @@ class Pointing:
             self._tally.note_retries(which, seen)
             reason = said(error)
             self._tally.fault(which, f"none, {reason}")
-            return Unanswered(f"{self._model.name} gave no reply, {which}: {reason}")
+            return NoReply(f"{self._model.name} gave no reply, {which}: {reason}")
         self._tally.note_retries(which, seen)
         self._tally.count(which, output, self._price)
         if not output.completion.strip():
@@ -52,6 +54,6 @@ class Pointing:
         return output.completion
 
 
-def _message(asked: Asked) -> ChatMessageUser:
+def _message(asked: PointerRequest) -> ChatMessageUser:
     pictures = [ContentImage(image=data_uri(picture)) for picture in asked.pictures]
     return ChatMessageUser(content=[*pictures, ContentText(text=asked.text)])

@@ -13,12 +13,12 @@ from anyio import CapacityLimiter
 from anyio.to_thread import run_sync
 
 from probe.errors import ProbeError
-from probe.runs.crew import WorkerUnfit, death
-from probe.runs.table import TablePlace
-from probe.runs.table_talk import Asked, Request, Response, Unanswered
-from probe.runs.worker import Ready, serve
+from probe.runs.episode_worker import EpisodeWorkerSetup
+from probe.runs.worker import WorkerReady, serve
+from probe.runs.worker_messages import NoReply, PointerRequest, Request, Response
+from probe.runs.worker_pool import WorkerUnfit, death
 
-AskPointer = Callable[[Asked], Awaitable[str | Unanswered]]
+AskPointer = Callable[[PointerRequest], Awaitable[str | NoReply]]
 """Asks the model that points."""
 
 _SPAWN = get_context("spawn")
@@ -29,11 +29,11 @@ SILENCE = 1800.0
 and setting up for the first time minutes."""
 
 
-class TableDied(ProbeError):
+class EpisodeProcessDied(ProbeError):
     """A process with a table has died, or hangs; the message says how."""
 
 
-class TableProcess:
+class EpisodeProcess:
     """One process; whoever has it is alone with it.
 
     Args:
@@ -45,7 +45,7 @@ class TableProcess:
 
     def __init__(
         self,
-        place: TablePlace,
+        place: EpisodeWorkerSetup,
         *,
         pointing: bool,
         limiter: CapacityLimiter,
@@ -69,7 +69,7 @@ class TableProcess:
             WorkerUnfit: It can't.
             TableDied: It died before it could, or hangs.
         """
-        first = cast("Ready", await self._heard())
+        first = cast("WorkerReady", await self._heard())
         if first.problem:
             raise WorkerUnfit(first.problem)
 
@@ -82,13 +82,13 @@ class TableProcess:
         try:
             self._pipe.send(request)
         except OSError as error:
-            raise TableDied(self._how()) from error
-        while isinstance(heard := await self._heard(), Asked):
+            raise EpisodeProcessDied(self._how()) from error
+        while isinstance(heard := await self._heard(), PointerRequest):
             reply = await ask(heard)
             try:
                 self._asking.send(reply)
             except OSError as error:
-                raise TableDied(self._how()) from error
+                raise EpisodeProcessDied(self._how()) from error
         return cast("Response", heard)
 
     def kill(self) -> None:
@@ -107,12 +107,14 @@ class TableProcess:
         try:
             return await run_sync(self._hear, abandon_on_cancel=True, limiter=self._limiter)
         except (EOFError, OSError) as error:
-            raise TableDied(self._how()) from error
+            raise EpisodeProcessDied(self._how()) from error
 
     def _hear(self) -> object:
         said = wait(self._pipes, self._silence)
         if not said:
-            raise TableDied(f"A worker process said nothing for {self._silence:.0f} seconds")
+            raise EpisodeProcessDied(
+                f"A worker process said nothing for {self._silence:.0f} seconds"
+            )
         return (self._pipe if self._pipe in said else self._asking).recv()
 
     def _how(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from probe.errors import BadData, ModelFailed, OutputFailed, ProbeError, WorkerDied
-from probe.runs.crew import WorkerUnfit
+from probe.runs.worker_pool import WorkerUnfit
 
 MUTE = 8
 """After so many episodes one after another in which a model said nothing at all, a run stops."""
@@ -13,11 +13,11 @@ HOPELESS = (BadData, OutputFailed, WorkerUnfit, WorkerDied, ModelFailed)
 a model that never says anything. Whatever concerns one alone is in its record."""
 
 
-class Stopped(ProbeError):
+class RunStopped(ProbeError):
     """A run can't go on."""
 
 
-class Patience:
+class SilenceLimit:
     """With a model that says nothing."""
 
     def __init__(self) -> None:

@@ -12,15 +12,15 @@ from inspect_ai import task
 from probe.assets.folders import assets_folder, cache_folder, library_folder
 from probe.assets.library import open_all
 from probe.bench.harness import harness_task
-from probe.bench.plan import Plan, Pointer, check_folder
+from probe.bench.plan import ModelRunPlan, Pointer, check_folder
 from probe.bench.prices import read_prices
-from probe.chat.prompts import Arm
 from probe.episodes.conditions import Conditions, LightKind
-from probe.episodes.luck import NOISES, NoiseName
-from probe.episodes.seat import Points
+from probe.episodes.noise import NOISES, NoiseName
+from probe.episodes.participation import Points
 from probe.perception.points import Convention
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import find_suite
+from probe.transcripts.prompts import Arm
 
 # The harness puts a package's name before its tasks' names, but doesn't recognise one that is
 # installed from a checkout.
@@ -101,9 +101,9 @@ def _plan(
     points: Points,
     workers: int,
     prices: str | None,
-) -> Plan:
+) -> ModelRunPlan:
     asked = find_suite(suite)
-    return Plan(
+    return ModelRunPlan(
         arm,
         asked,
         asked.tasks,
@@ -117,7 +117,7 @@ def _plan(
     )
 
 
-def _fit(plan: Plan) -> HarnessTask:
+def _fit(plan: ModelRunPlan) -> HarnessTask:
     """The task, if its folder and objects are fit; each sample would find out by itself otherwise.
 
     Who acts isn't known yet, so that --points are compared with the first sample.

@@ -16,14 +16,14 @@ from inspect_ai.model import (
 )
 from inspect_ai.tool import ToolCall, ToolInfo, ToolParams
 
-from probe.bench.as_sent import is_object, unreadable_part
-from probe.chat.coordinates import told
-from probe.chat.messages import Message
-from probe.chat.tools import expressible, tools_for
-from probe.episodes.seat import Points
+from probe.bench.raw_arguments import is_object, unreadable_part
+from probe.episodes.participation import Points
 from probe.episodes.turns import Call
-from probe.runs.table_talk import Told
+from probe.runs.worker_messages import CallResult
 from probe.toolshed.tools import ToolSchema
+from probe.transcripts.coordinates import told
+from probe.transcripts.messages import Message
+from probe.transcripts.tools import expressible, tools_for
 
 
 def tool_infos(points: Points) -> list[ToolInfo]:
@@ -40,7 +40,7 @@ def first_messages(told_first: tuple[Message, Message]) -> list[ChatMessage]:
     return [*first, ChatMessageUser(content=content)]
 
 
-def result_message(call: ToolCall, came: Told, points: Points) -> ChatMessageTool:
+def result_message(call: ToolCall, came: CallResult, points: Points) -> ChatMessageTool:
     """What came of a call; a picture stands after its words."""
     text = ContentText(text=told(came.text, points))
     content: list[Content] = [text] if came.picture is None else [text, _image(came.picture)]

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, get_args
 
-from probe.agents.at_once import AtOnce, Rule, always, always_none, extreme, middle_number
-from probe.agents.learnt import most_likely, read_learnt
+from probe.agents.baselines import AtOnce, Rule, always, always_none, extreme, middle_number
+from probe.agents.question_classifier import most_likely, read_learnt
 from probe.agents.random import Random
 from probe.agents.scripted import Scripted
 from probe.assets.library import Library
-from probe.certify.first_look import visible_areas
 from probe.episodes.turns import Agent
 from probe.errors import BadData
+from probe.generation.first_look import visible_areas
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.tasks.task import Task

@@ -13,8 +13,8 @@ from probe.cli.assets_annotate import annotate, review
 from probe.cli.assets_fetch import fetch
 from probe.cli.assets_sheet import sheet
 from probe.cli.assets_split import split
-from probe.cli.screen import Column, Table, say
-from probe.cli.surroundings import Pool, library
+from probe.cli.resources import Pool, library
+from probe.cli.screen import Column, ScreenTable, say
 from probe.files import write_picture
 from probe.render.portraits import AROUND, GROUND, portrait
 from probe.render.renderer import Renderer
@@ -39,7 +39,7 @@ def list_objects(pool: Pool = "procedural") -> None:
         pool: Which objects; scans need PROBE_ASSETS.
     """
     names = ("name", "category", "colours", "kg", "size in cm")
-    table = Table(Column("id", no_wrap=True), *names)
+    table = ScreenTable(Column("id", no_wrap=True), *names)
     for spec in library(pool).specs:
         size = " x ".join(f"{100 * edge:.1f}" for edge in spec.size)
         colours = ", ".join(spec.colours)
@@ -62,7 +62,7 @@ def show(
     """
     objects = library(pool)
     spec, body = objects[object_id], objects.body(object_id)
-    facts = Table(head=False)
+    facts = ScreenTable(head=False)
     for name, value in vars(spec).items():
         facts.add(name, str(value))
     facts.add("triangles", str(len(body.mesh.faces)))

@@ -10,23 +10,23 @@ from typing import Annotated, Literal
 
 import tyro
 
-from probe.assets.importers.adding import Outcome, Target, add, objects_at
+from probe.assets.importers.adding import ImportOutcome, ImportTarget, add, objects_at
 from probe.assets.importers.checking import (
     Candidate,
-    Verdict,
+    FitnessVerdict,
     check,
     own_candidates,
     scan_candidates,
     sifted_at,
 )
-from probe.assets.importers.order import Order
-from probe.assets.importers.sifting import Passed
+from probe.assets.importers.options import ImportOptions
+from probe.assets.importers.selection import Passed
 from probe.assets.importers.source import Axis, Format
 from probe.assets.library import own_folder, scans_folder
 from probe.cli.assets_split import near_duplicates, show_pairs
 from probe.cli.numbers import check_numbers
-from probe.cli.screen import Column, Table, say, track
-from probe.cli.surroundings import assets_folder, cache_folder, library, library_folder
+from probe.cli.resources import assets_folder, cache_folder, library, library_folder
+from probe.cli.screen import Column, ScreenTable, say, track
 from probe.errors import BadData
 
 Unit = Literal["m", "cm", "mm"]
@@ -57,10 +57,10 @@ def add_objects(
         workers: Processes.
     """
     check_numbers({"--workers": workers})
-    order = Order(format, _METRES[unit] if unit else None, up, licence, source)
+    order = ImportOptions(format, _METRES[unit] if unit else None, up, licence, source)
     sources, passed = objects_at(path, order)
     _tell_passed(passed)
-    target = Target(library_folder(), cache_folder())
+    target = ImportTarget(library_folder(), cache_folder())
     running = add(sources, order, target, workers)
     outcomes = list(track(running, "Adding objects", total=len(sources)))
     _tell(outcomes, target.library)
@@ -88,7 +88,7 @@ def check_objects(
     candidates, passed = _candidates(what, unit, up)
     verdicts = list(track(check(candidates, workers), "Checking", total=len(candidates)))
     _tell_passed(passed)
-    table = Table(Column("object", overflow="fold"), "verdict", "remarks", "pieces", "s")
+    table = ScreenTable(Column("object", overflow="fold"), "verdict", "remarks", "pieces", "s")
     for verdict in sorted(verdicts, key=lambda verdict: verdict.label):
         cost = (str(verdict.pieces), f"{verdict.seconds:.1f}") if verdict.pieces else ("", "")
         table.add(verdict.label, verdict.refusal or "OK", "; ".join(verdict.remarks), *cost)
@@ -122,7 +122,7 @@ def _tell_passed(passed: Sequence[Passed]) -> None:
         say(f"{count} meshes are passed over, {reason}: {shown}{more}")
 
 
-def _sum_up(verdicts: Iterable[Verdict]) -> None:
+def _sum_up(verdicts: Iterable[FitnessVerdict]) -> None:
     known = list(verdicts)
     refused = sum(verdict.refusal is not None for verdict in known)
     say(f"{len(known)} objects: {len(known) - refused} OK, {refused} refused.")
@@ -139,9 +139,11 @@ def _tell_near(fresh: set[str], workers: int) -> None:
     show_pairs([pair for pair in pairs if fresh & {pair.one, pair.other}])
 
 
-def _tell(outcomes: list[Outcome], library: Path) -> None:
+def _tell(outcomes: list[ImportOutcome], library: Path) -> None:
     reason = Column("id, or reason", overflow="fold")
-    table = Table(Column("object", overflow="fold"), "", reason, Column("remarks", overflow="fold"))
+    table = ScreenTable(
+        Column("object", overflow="fold"), "", reason, Column("remarks", overflow="fold")
+    )
     for outcome in sorted(outcomes, key=lambda outcome: (outcome.status, outcome.label)):
         table.add(outcome.label, outcome.status, outcome.detail, "; ".join(outcome.remarks))
     table.show()

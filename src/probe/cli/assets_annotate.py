@@ -26,8 +26,8 @@ from probe.assets.spec import ObjectSpec
 from probe.cli.assets_review import draw_own, kept_views, with_own, with_twins
 from probe.cli.models import model_behind
 from probe.cli.numbers import check_numbers
+from probe.cli.resources import Pool, library, library_folder
 from probe.cli.screen import say, track
-from probe.cli.surroundings import Pool, library, library_folder
 from probe.errors import ModelFailed
 from probe.render.portraits import GROUND
 from probe.render.renderer import Renderer

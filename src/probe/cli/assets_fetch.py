@@ -8,9 +8,9 @@ from typing import Annotated
 import tyro
 
 from probe.assets.fetching.download import download
-from probe.assets.fetching.places import place_of, places
+from probe.assets.fetching.sites import place_of, places
 from probe.assets.fetching.unpack import unpack
-from probe.cli.screen import Column, Table, download_bar, say
+from probe.cli.screen import Column, ScreenTable, download_bar, say
 
 
 def fetch(
@@ -48,7 +48,9 @@ def fetch(
 
 
 def _list() -> None:
-    table = Table("name", Column("what", overflow="fold"), "licence", title="probe assets fetch")
+    table = ScreenTable(
+        "name", Column("what", overflow="fold"), "licence", title="probe assets fetch"
+    )
     for site, place in places().items():
         table.add(f"{site}/{place.examples[0]}", place.about, place.licence)
     table.show()

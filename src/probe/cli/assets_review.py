@@ -11,15 +11,15 @@ from PIL import Image
 
 from probe.assets.annotation.notes import Note, brought_up_to_date, from_entry, write_note
 from probe.assets.cache import content_key
-from probe.assets.entry import Entry
-from probe.assets.glb import load_glb
+from probe.assets.gltf.glb import load_glb
 from probe.assets.importers.reposing import reposed
 from probe.assets.importers.upright import other_axis
 from probe.assets.library import own_folder
-from probe.assets.mesh import TexturedMesh
-from probe.assets.own_pool import MESH, own_entries
+from probe.assets.mesh.mesh import TexturedMesh
+from probe.assets.pools.entry import LibraryEntry
+from probe.assets.pools.own import MESH, own_entries
+from probe.cli.resources import library_folder
 from probe.cli.screen import track
-from probe.cli.surroundings import library_folder
 from probe.errors import BadData
 from probe.files import encode, write_bytes, write_text
 from probe.render.portraits import AROUND, GROUND, portrait
@@ -112,7 +112,7 @@ def draw_own(out: Path) -> int:
     return len(entries)
 
 
-def _sittings(entry: Entry) -> list[_Sitting]:
+def _sittings(entry: LibraryEntry) -> list[_Sitting]:
     """The object, and the way it would lie with the other axis up where that is in doubt."""
     mesh = load_glb(library_folder() / entry.id / MESH)
     found = [_Sitting(entry.id, mesh, entry.size)]
@@ -126,15 +126,15 @@ def _sittings(entry: Entry) -> list[_Sitting]:
     return found
 
 
-def _is_drawn(out: Path, entry: Entry) -> bool:
+def _is_drawn(out: Path, entry: LibraryEntry) -> bool:
     stamp = _stamp(out, entry)
     return stamp.is_file() and stamp.read_text("utf-8") == _look(entry)
 
 
-def _stamp(out: Path, entry: Entry) -> Path:
+def _stamp(out: Path, entry: LibraryEntry) -> Path:
     return out / "pictures" / f".{entry.id}.drawn"
 
 
-def _look(entry: Entry) -> str:
+def _look(entry: LibraryEntry) -> str:
     """What pictures of an object depend on."""
     return content_key(entry.content, str(entry.turn_wxyz), str(entry.up_sure))

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.resources import Pool, library
 from probe.cli.screen import say
-from probe.cli.surroundings import Pool, library
 from probe.errors import UnknownName
 from probe.files import encode, write_bytes
 from probe.report.contact_sheet import contact_sheet, one_a_category

@@ -7,11 +7,11 @@ from pathlib import Path
 
 from probe.assets.importers.parallel import spread
 from probe.assets.library import Library
-from probe.assets.nearness import Fingerprint, NearPair, fingerprint, near_pairs
-from probe.assets.split import EVALUATION_SHARE, Split, read_split, split_objects, write_split
+from probe.assets.mesh.nearness import Fingerprint, NearPair, fingerprint, near_pairs
+from probe.assets.pools.split import EVALUATION_SHARE, Split, read_split, split_objects, write_split
 from probe.cli.numbers import check_numbers
-from probe.cli.screen import Column, Table, say, track
-from probe.cli.surroundings import Pool, library
+from probe.cli.resources import Pool, library
+from probe.cli.screen import Column, ScreenTable, say, track
 from probe.errors import WorkerDied
 
 SHOWN = 20
@@ -62,7 +62,7 @@ def show_pairs(pairs: Sequence[NearPair]) -> None:
     """Print the nearest pairs."""
     if not pairs:
         return
-    table = Table(Column("near-duplicates", overflow="fold"), "", "fit", "texture")
+    table = ScreenTable(Column("near-duplicates", overflow="fold"), "", "fit", "texture")
     for pair in pairs[:SHOWN]:
         table.add(pair.one, pair.other, f"{pair.fit:.3f}", f"{pair.texture:.2f}")
     table.show()

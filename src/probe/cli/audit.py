@@ -10,17 +10,17 @@ from typing import Annotated
 
 import tyro
 
+from probe.audit.audit_file import ReplayVerdict, counted, tally_of
 from probe.audit.auditing import Audit, begin, replay_claims, whose
-from probe.audit.kept import Verdict, counted, tally_of
 from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_manifest
 from probe.audit.replaying import Claim, Replayer
 from probe.audit.signing import sign as sign_manifest
 from probe.audit.signing import verify as verify_manifest
-from probe.cli.fitting import refuse_stray
+from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.numbers import check_numbers
+from probe.cli.option_conflicts import refuse_stray
+from probe.cli.resources import cache_folder, opener
 from probe.cli.screen import bar, say
-from probe.cli.surroundings import cache_folder, opener
-from probe.cli.unsummed import tell_unsummed
 from probe.episodes.folder import SUITE
 from probe.errors import BadData, ProbeError
 from probe.runs.variation import read_variation
@@ -142,5 +142,5 @@ def _print(audit: Audit) -> None:
             say(f"{count} can't be replayed: {reason}")
 
 
-def _reason(verdict: Verdict) -> str:
+def _reason(verdict: ReplayVerdict) -> str:
     return verdict.reason if verdict.outcome == "not replayable" else ""

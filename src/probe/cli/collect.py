@@ -9,17 +9,17 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.model_run import price_of
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import bar, say
-from probe.cli.seats import price_of
 from probe.cli.shards import parse_shard
 from probe.cli.teachers import hands_of
-from probe.cli.teaching import Site
+from probe.cli.teaching import TeachingSetup
 from probe.errors import BadData, Unfinished
 from probe.tasks.task import QuestionKind
 from probe.train.collect.aim import PAPER_COUNTS, Aim, Mode, in_proportion
-from probe.train.collect.batches import Harvest
-from probe.train.collect.collecting import Hands
+from probe.train.collect.batches import CollectedBatches
+from probe.train.collect.collecting import TeacherWorkers
 from probe.train.collect.collecting import collect as collected
 from probe.train.collect.making import FIRST_EPISODE
 from probe.train.collect.settings import claim
@@ -28,7 +28,7 @@ _PAPER = dict(PAPER_COUNTS)
 
 
 @dataclass(frozen=True)
-class Extent:
+class CollectionSize:
     """How much is collected, and in which arms.
 
     Attributes:
@@ -87,15 +87,15 @@ class Extent:
         return aim
 
 
-_SCRIPTED, _USUAL = Site(), Extent()
+_SCRIPTED, _USUAL = TeachingSetup(), CollectionSize()
 
 
 def collect(
     out: Path = Path("outputs/collected"),
     counts: dict[QuestionKind, int] = _PAPER,
     total: int | None = None,
-    site: Annotated[Site, tyro.conf.arg(name="")] = _SCRIPTED,
-    extent: Annotated[Extent, tyro.conf.arg(name="")] = _USUAL,
+    site: Annotated[TeachingSetup, tyro.conf.arg(name="")] = _SCRIPTED,
+    extent: Annotated[CollectionSize, tyro.conf.arg(name="")] = _USUAL,
 ) -> None:
     """Collect a teacher's episodes on fresh training tasks; goes on where an earlier run stopped.
 
@@ -122,9 +122,9 @@ def _check_price(prices: Path | None, model: str) -> None:
         raise BadData("--most-cost", "nobody knows what tokens cost", remedy)
 
 
-def _watched(out: Path, aim: Aim, hands: Hands) -> Harvest:
+def _watched(out: Path, aim: Aim, hands: TeacherWorkers) -> CollectedBatches:
     """Collect, with a bar of the successes that are wanted."""
-    so_far = Harvest()
+    so_far = CollectedBatches()
     with bar() as progress:
         line = progress.add_task("Collecting", total=aim.total)
         for step in collected(out, aim, hands):
@@ -133,7 +133,7 @@ def _watched(out: Path, aim: Aim, hands: Hands) -> Harvest:
     return so_far
 
 
-def _tell(out: Path, aim: Aim, so_far: Harvest) -> None:
+def _tell(out: Path, aim: Aim, so_far: CollectedBatches) -> None:
     reached = aim.reached(so_far)
     for kind in sorted(aim.counts):
         tried, right = so_far.tasks[kind], so_far.successes[kind]

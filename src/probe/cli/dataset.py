@@ -11,16 +11,16 @@ import tyro
 
 from probe.assets.cache import Cache
 from probe.cli.numbers import check_numbers
+from probe.cli.resources import Pool, opener
 from probe.cli.screen import say, track
-from probe.cli.surroundings import Pool, opener
-from probe.episodes.seat import Points
+from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.files import check_new
 from probe.scene.layout import PICTURE_PX
 from probe.tasks.suite import check_objects
-from probe.train.choose.chosen import Chosen, read_selection
-from probe.train.dataset.drawing import Studio, draw, pictures_of
-from probe.train.dataset.examples import Example, example_of
+from probe.train.choose.chosen import LoadedSelection, read_selection
+from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
+from probe.train.dataset.examples import TrainingExample, example_of
 from probe.train.dataset.folder import Form, write_dataset
 
 _SMALLEST_PX = 32
@@ -60,7 +60,7 @@ def dataset(
     things = opened()
     check_objects(chosen.suite, things)
     kept = out.with_name(f"{out.name}.pictures")
-    studio = Studio(chosen.suite, opened, Cache(kept), side)
+    studio = DrawingWorker(chosen.suite, opened, Cache(kept), side)
     drawn = draw(studio, chosen.episodes, workers)
     for _ in track(drawn, "Drawing", total=len(chosen.episodes)):
         pass
@@ -75,12 +75,14 @@ def dataset(
     )
 
 
-def _examples(chosen: Chosen, studio: Studio, points: Points) -> Iterator[Example]:
+def _examples(
+    chosen: LoadedSelection, studio: DrawingWorker, points: Points
+) -> Iterator[TrainingExample]:
     for task, record in track(chosen.episodes, "Writing"):
         yield example_of(task, record, pictures_of(studio, record), points)
 
 
-def _points_of(chosen: Chosen) -> Points:
+def _points_of(chosen: LoadedSelection) -> Points:
     """How the teachers counted, if all did so in the same way."""
     ways: set[Points] = {it.seat.points if it.seat else "pixels" for _, it in chosen.episodes}
     if len(ways) > 1:

@@ -7,15 +7,15 @@ from pathlib import Path
 from probe.bench.estimate import PICTURE_TOKENS, REPLY_TOKENS, Estimate, estimate
 from probe.bench.models import settings_of
 from probe.bench.prices import Price
+from probe.cli.model_run import ModelRunOptions, check_address, plan_of, price_of
 from probe.cli.screen import say
-from probe.cli.seats import Seats, check_address, plan_of, price_of
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.tasks.suite import Suite
 from probe.toolshed.toolshed import TURNS
 
 
-def would_ask(suite: Suite, seats: Seats, out: Path) -> None:
+def would_ask(suite: Suite, seats: ModelRunOptions, out: Path) -> None:
     """Say how much it is; asks nothing.
 
     Raises:
@@ -27,7 +27,7 @@ def would_ask(suite: Suite, seats: Seats, out: Path) -> None:
         say(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")
 
 
-def _tell(suite: Suite, seats: Seats, out: Path, price: Price | None) -> None:
+def _tell(suite: Suite, seats: ModelRunOptions, out: Path, price: Price | None) -> None:
     tasks = seats.tasks_of(suite)
     whole = len(tasks) * seats.epochs
     say(f"{len(tasks)} tasks, {seats.epochs} runs each: {whole} episodes.")
@@ -46,7 +46,7 @@ def _tell(suite: Suite, seats: Seats, out: Path, price: Price | None) -> None:
     )
 
 
-def _done(suite: Suite, seats: Seats, out: Path) -> set[tuple[str, int]]:
+def _done(suite: Suite, seats: ModelRunOptions, out: Path) -> set[tuple[str, int]]:
     """Episodes that the folder holds, by task and run."""
     path = out / RECORDS
     pointer = "self" if seats.pointer == "self" else settings_of(seats.pointer).id

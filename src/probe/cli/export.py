@@ -10,16 +10,16 @@ import tyro
 
 from probe.assets.library import Library
 from probe.bench.dataset import CARD, Row, row_of, write_dataset
-from probe.chat.pictures import jpeg
+from probe.cli.resources import cache_folder, everything
 from probe.cli.screen import say, track
-from probe.cli.surroundings import cache_folder, everything
-from probe.episodes.seat import Points
+from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.render.renderer import Renderer
 from probe.runs.stills import stills
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.tasks.suite import Suite, check_objects
 from probe.tasks.suite_file import find_suite
+from probe.transcripts.pictures import jpeg
 
 
 def export(
@@ -45,5 +45,5 @@ def export(
 def _rows(suite: Suite, things: Library, points: Points) -> Iterator[Row]:
     with Renderer(cache_folder() / "light") as renderer:
         for task in track(suite.tasks, "Drawing"):
-            (picture,) = stills("direct", task, Sight(), things, renderer)
+            (picture,) = stills("direct", task, Viewpoint(), things, renderer)
             yield row_of(task, jpeg(picture), points)

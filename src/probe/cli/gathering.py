@@ -13,9 +13,9 @@ from probe.cli.screen import track
 from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
-from probe.report.darkroom import Darkroom
+from probe.report.episodes import ReportEpisode
 from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes, addresses
-from probe.report.played import Played
+from probe.report.scene_renderer import SceneRenderer
 from probe.report.stills import Still, develop, file_of, stills_of
 from probe.scores.missing import settled
 from probe.scores.row import Row
@@ -68,12 +68,12 @@ def one_suite(runs: Sequence[Path]) -> Suite:
 def gather(
     runs: Sequence[Path],
     suite: Suite,
-    darkroom: Darkroom,
+    darkroom: SceneRenderer,
     out: Path,
     *,
     arm: str | None = None,
     single: bool = False,
-) -> tuple[Played, ...]:
+) -> tuple[ReportEpisode, ...]:
     """Every episode of the folders, in the order of the suite, its pictures in the report's folder.
 
     Args:
@@ -99,7 +99,7 @@ def gather(
     _draw(entries, suite, darkroom, out / PICTURES, [run / PICTURES for run in runs])
     counting = {id(row) for row in settled(entry.row for entry in entries)}
     return tuple(
-        Played(
+        ReportEpisode(
             entry.task,
             entry.record,
             entry.row,
@@ -110,7 +110,7 @@ def gather(
     )
 
 
-def _entries(run: Path, suite: Suite, darkroom: Darkroom, arm: str | None) -> list[_Entry]:
+def _entries(run: Path, suite: Suite, darkroom: SceneRenderer, arm: str | None) -> list[_Entry]:
     found = grade_folder(run, suite, darkroom)
     return [
         _Entry(task, record, row, stills_of(task, record))
@@ -144,7 +144,11 @@ def short_names(folders: Sequence[Path]) -> list[str]:
 
 
 def _draw(
-    entries: Sequence[_Entry], suite: Suite, darkroom: Darkroom, out: Path, kept: Sequence[Path]
+    entries: Sequence[_Entry],
+    suite: Suite,
+    darkroom: SceneRenderer,
+    out: Path,
+    kept: Sequence[Path],
 ) -> None:
     """Draw what isn't there yet; pictures of a folder that is reported on are taken over."""
     wanted = {

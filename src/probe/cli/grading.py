@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.resources import everything
 from probe.cli.screen import track
-from probe.cli.surroundings import everything
-from probe.cli.unsummed import tell_unsummed
 from probe.episodes.folder import SUITE, in_order
 from probe.episodes.record import EpisodeRecord
-from probe.report.darkroom import Darkroom
+from probe.report.scene_renderer import SceneRenderer
 from probe.runs.checks.folder import read_checked
 from probe.tasks.grading import Score
 from probe.tasks.suite import Suite
@@ -31,12 +31,12 @@ def graded(out: Path) -> list[Graded]:
         return grade_folder(out, suite, darkroom)
 
 
-def darkroom_of(suite: Suite) -> Darkroom:
+def darkroom_of(suite: Suite) -> SceneRenderer:
     """A place to draw a suite's tables in, with all objects that suites are made of."""
-    return Darkroom(suite, everything)
+    return SceneRenderer(suite, everything)
 
 
-def grade_folder(out: Path, suite: Suite, darkroom: Darkroom) -> list[Graded]:
+def grade_folder(out: Path, suite: Suite, darkroom: SceneRenderer) -> list[Graded]:
     """As `graded`, of a suite that has been read; each task's objects are loaded but once."""
     tasks = {task.id: task for task in suite.tasks}
     records = in_order(read_checked(out, suite), suite)

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.agents.learnt import WEIGHTS, Learnt, read_learnt
+from probe.agents.question_classifier import WEIGHTS, QuestionClassifier, read_learnt
 from probe.cli.grading import graded
 from probe.cli.rescore import rows_of
 from probe.cli.screen import say
@@ -21,7 +21,7 @@ from probe.scores.row import Row
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import QuestionKind
-from probe.train.floors import floors
+from probe.train.baselines import floors
 from probe.train.held_out import markdown, standings
 
 
@@ -59,7 +59,7 @@ def held_out(
     say(f"This is in {out}.")
 
 
-def _learnt(path: Path | None) -> Mapping[str, Learnt]:
+def _learnt(path: Path | None) -> Mapping[str, QuestionClassifier]:
     if path is None and not (files("probe.agents") / WEIGHTS).is_file():
         say("Question-only has learnt nothing yet: name a file with --learnt.")
         return {}

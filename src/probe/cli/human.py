@@ -14,12 +14,12 @@ import tyro
 
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
+from probe.cli.resources import cache_folder, everything
 from probe.cli.screen import say
-from probe.cli.surroundings import cache_folder, everything
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
 from probe.episodes.folder import RECORDS, check_suite, claim_arm, occupied
-from probe.episodes.luck import NOISES, Noise, NoiseName
+from probe.episodes.noise import NOISES, Noise, NoiseName
 from probe.episodes.play import open_episode
 from probe.episodes.remarks import REMARKS
 from probe.errors import BadData, MissingExtra
@@ -52,18 +52,18 @@ def human(
     """
     check_numbers({"--port": port, "--seats": seats})
     try:
-        from probe.doors.human.hall import Hall
-        from probe.doors.human.server import run
+        from probe.interfaces.human.server import run
+        from probe.interfaces.human.session_manager import SessionManager
     except ImportError as error:
         raise MissingExtra("The human seat", "human") from error
     tasks, things = find_suite(suite), everything()
     check_objects(tasks, things)
     # A polite end in any case: whoever is in the middle of a question can go on with it.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    workshop = Workshop(things, NOISES[noise])
+    workshop = HumanResources(things, NOISES[noise])
     with (
         taken_up(out, tasks, NOISES[noise]),
-        closing(Hall(tasks, out, workshop.furnish, seats)) as hall,
+        closing(SessionManager(tasks, out, workshop.furnish, seats)) as hall,
     ):
         try:
             run(hall, port, _tell)
@@ -105,7 +105,7 @@ def _tell(address: str) -> None:
 
 
 @dataclass(frozen=True)
-class Workshop:
+class HumanResources:
     """What tables are made of.
 
     Attributes:

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.screen import say
-from probe.cli.unsummed import tell_unsummed
 from probe.errors import BadData
 from probe.runs.merge import merge_folders
 

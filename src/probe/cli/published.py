@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from probe.cli.screen import Column, Table, say
+from probe.cli.screen import Column, ScreenTable, say
 from probe.scores.published import RUNS, Recount, printed_table, recount
 
 _WIDTH = 110
@@ -19,11 +19,11 @@ def published() -> None:
     say(*_lines(rows, sum(table.tasks.values())))
 
 
-def _table(rows: Sequence[Recount]) -> Table:
+def _table(rows: Sequence[Recount]) -> ScreenTable:
     names = ("", "arm", "printed", "of its cells", "by tasks", "follows", "gain", "of cells")
     words = ("", "arm", "follows")
     columns = [Column(name, justify="left" if name in words else "right") for name in names]
-    shown = Table(*columns, title="Average over six types, per cent", left=True)
+    shown = ScreenTable(*columns, title="Average over six types, per cent", left=True)
     for it in rows:
         row, gains = it.row, ("", "")
         if row.gain is not None and it.macro_gain is not None:

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.audit.kept import tally_of
+from probe.audit.audit_file import tally_of
 from probe.cli.gathering import gather, one_suite, short_names
 from probe.cli.grading import darkroom_of
 from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, headline_line, write_beside

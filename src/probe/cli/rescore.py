@@ -8,10 +8,10 @@ from typing import Annotated
 
 import tyro
 
-from probe.audit.kept import tally_of
+from probe.audit.audit_file import tally_of
 from probe.cli.agents import ARMS
 from probe.cli.grading import Graded, graded
-from probe.cli.screen import Table, say
+from probe.cli.screen import ScreenTable, say
 from probe.episodes.folder import SUITE, arm_of_folder
 from probe.episodes.ordered import Ordered, read_ordered
 from probe.scores.marking import roster_of_tasks, row_of
@@ -95,9 +95,9 @@ def headline_line(card: Scorecard) -> str:
     return f"{_name(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}, naive {naive}"
 
 
-def _table(card: Scorecard) -> Table:
+def _table(card: Scorecard) -> ScreenTable:
     columns = ("", "tasks", "runs", "right", "95 % interval", "chance", "naive", "beyond")
-    table = Table(*columns, title=_name(card.entrant), left=True)
+    table = ScreenTable(*columns, title=_name(card.entrant), left=True)
     for figure in (card.macro, *card.kinds, *card.parts):
         table.add(*_cells(figure))
     return table

@@ -11,13 +11,13 @@ import tyro
 
 from probe.cli.grading import graded
 from probe.cli.rescore import rows_of
-from probe.cli.screen import Table, say
+from probe.cli.screen import ScreenTable, say
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import write_text
 from probe.runs.variation import read_variation
 from probe.scores.marking import roster_of_tasks
-from probe.scores.robustness import Shift, shifts
+from probe.scores.robustness import ConditionEffect, shifts
 from probe.scores.row import Row
 from probe.tasks.suite_file import read_suite
 
@@ -51,7 +51,7 @@ def robustness(
         broken[label] = frozenset(variation.notes if variation else ())
     roster = roster_of_tasks(read_suite(plain / SUITE).tasks)
     made = shifts(rows, found, broken, roster)
-    text = pydantic.TypeAdapter(list[Shift]).dump_json(made, indent=1).decode()
+    text = pydantic.TypeAdapter(list[ConditionEffect]).dump_json(made, indent=1).decode()
     write_text(out, text + "\n")
     _table(made).show()
     for each in made:
@@ -69,8 +69,8 @@ def _graded(folder: Path) -> tuple[str, list[Row]]:
     return labels.pop(), rows_of(folder, name, found)
 
 
-def _table(made: Iterable[Shift]) -> Table:
-    table = Table("agent", "under", "n", "plain", "so", "points", "95 %", "p")
+def _table(made: Iterable[ConditionEffect]) -> ScreenTable:
+    table = ScreenTable("agent", "under", "n", "plain", "so", "points", "95 %", "p")
     for it in made:
         pair = it.pair
         table.add(
@@ -86,7 +86,7 @@ def _table(made: Iterable[Shift]) -> Table:
     return table
 
 
-def _line(it: Shift) -> str:
+def _line(it: ConditionEffect) -> str:
     """What must stand beside the table, in words."""
     alone = "" if it.certified is None else f", difference {100 * it.certified:+.1f} points"
     return (

@@ -7,24 +7,24 @@ from typing import Annotated
 
 import tyro
 
-from probe.agents.outside.sandbox import Sandbox
-from probe.chat.prompts import Arm
+from probe.agents.external.sandbox import Sandbox
 from probe.cli.agents import AgentName
 from probe.cli.dry_run import would_ask
-from probe.cli.fitting import check_pointer, refuse_stray
-from probe.cli.invited import who_acts
+from probe.cli.file_agents import who_acts
+from probe.cli.model_run import ModelRunOptions, take_seats
 from probe.cli.numbers import check_numbers
+from probe.cli.option_conflicts import check_pointer, refuse_stray
+from probe.cli.resources import everything, opener
 from probe.cli.running import check_whole, run_order
 from probe.cli.screen import say
-from probe.cli.seats import Seats, take_seats
 from probe.cli.shards import parse_shard
-from probe.cli.surroundings import everything, opener
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
-from probe.episodes.luck import NOISES, NoiseName
-from probe.episodes.seat import Points
-from probe.runs.plan import Order
+from probe.episodes.noise import NOISES, NoiseName
+from probe.episodes.participation import Points
+from probe.runs.plan import RunOrder
 from probe.tasks.suite_file import find_suite
+from probe.transcripts.prompts import Arm
 
 _TABLES = 4
 """Samples of a model at a time, if nobody says otherwise: models take their time."""
@@ -84,7 +84,7 @@ def run(
         })  # fmt: skip
         asked, things = find_suite(suite), everything()
         name, agent_of = who_acts(agent or "scripted", agent_name, sandbox, suite, out)
-        order = Order(name, runs or 1, NOISES[noise], conditions, part)
+        order = RunOrder(name, runs or 1, NOISES[noise], conditions, part)
         missing = run_order(asked, order, agent_of, things, out, workers or 1)
         total = len(order.jobs(asked.tasks))
     else:
@@ -93,7 +93,7 @@ def run(
             "--sandbox": None if sandbox == Sandbox() else sandbox,
         })  # fmt: skip
         check_pointer(pointer or "oracle", arm or "agentic", conditions)
-        seats = Seats(
+        seats = ModelRunOptions(
             library=opener(),
             model=model,
             arm=arm or "agentic",

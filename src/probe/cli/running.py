@@ -7,23 +7,23 @@ from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library, open_all
+from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.resources import cache_folder
 from probe.cli.screen import bar, say, say_above
-from probe.cli.surroundings import cache_folder
-from probe.cli.unsummed import tell_unsummed
-from probe.cli.varying import varied
+from probe.cli.variation import varied
 from probe.episodes.folder import RECORDS
 from probe.errors import Unfinished
-from probe.runs.plan import Order
-from probe.runs.run import Beginning, begun, work
+from probe.runs.plan import RunOrder
+from probe.runs.run import RunStart, begun, work
 from probe.runs.vary import changes_scenes
-from probe.runs.work import AgentOf, Workplace
+from probe.runs.work import AgentOf, WorkerSetup
 from probe.tasks.suite import Suite, check_objects
 
 AGAIN = "The same command tries them again."
 
 
 def run_order(
-    suite: Suite, order: Order, agent_of: AgentOf, things: Library, out: Path, workers: int = 1
+    suite: Suite, order: RunOrder, agent_of: AgentOf, things: Library, out: Path, workers: int = 1
 ) -> int:
     """Add the records that a folder doesn't hold yet, and the suite they are about.
 
@@ -45,7 +45,7 @@ def run_order(
     if changes_scenes(order.conditions):
         suite = varied(suite, order.conditions, things, out)
     library = partial(open_all, things.assets, things.cache, things.own)
-    place = Workplace(order, library, agent_of, cache_folder() / "light")
+    place = WorkerSetup(order, library, agent_of, cache_folder() / "light")
     faults = 0
     with begun(out, suite, order) as beginning:
         _tell(beginning, out)
@@ -72,7 +72,7 @@ def check_whole(missing: int, total: int) -> None:
         raise Unfinished(missing, total, "episodes", AGAIN)
 
 
-def _tell(beginning: Beginning, out: Path) -> None:
+def _tell(beginning: RunStart, out: Path) -> None:
     say(f"Records go to {out / RECORDS}; Ctrl-C stops, the same command goes on.")
     if beginning.cut:
         say(f"Its last record was cut off: moved to {beginning.cut}, and run again.")

@@ -11,8 +11,8 @@ import tyro
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
 from probe.cli.numbers import check_numbers
+from probe.cli.resources import Pool, assets_folder, cache_folder, library
 from probe.cli.screen import say, track
-from probe.cli.surroundings import Pool, assets_folder, cache_folder, library
 from probe.files import encode, write_bytes, write_picture
 from probe.render.illumination import Illumination
 from probe.render.lighting import light_of
@@ -24,11 +24,11 @@ from probe.report.pictures import depth_image, label_image
 from probe.scene.document import write_scene
 from probe.scene.layout import View, view_camera
 from probe.scene.lighting import AMBIENT, Lighting
-from probe.scene.sampling import DEFAULT_COUNT, TIGHT, Pile
+from probe.scene.sampling import DEFAULT_COUNT, TIGHT, PileSettings
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.types import Camera
-from probe.world.scenes import Drawn, draw_scene
+from probe.world.scenes import SettledScene, draw_scene
 
 
 def scene(
@@ -61,7 +61,7 @@ def scene(
         renderer: What draws colour; blender needs the extra of that name, and more time.
     """
     check_numbers({"--seed": seed, "--objects": objects, "--buried": buried, "--gallery": gallery})
-    things, pile = library(pool), Pile(reach, buried)
+    things, pile = library(pool), PileSettings(reach, buried)
     with Renderer(cache_folder() / "light", renderer) as drawing:
         studio = _Studio(drawing, view_camera(camera), light_of(Lighting(lighting), things.assets))
         if gallery == 0:
@@ -88,10 +88,10 @@ class _Studio:
 
 
 def _gallery(
-    out: Path, seeds: range, things: Library, count: int, pile: Pile, studio: _Studio
-) -> list[Drawn]:
+    out: Path, seeds: range, things: Library, count: int, pile: PileSettings, studio: _Studio
+) -> list[SettledScene]:
     """Draw and write many scenes and the page of them."""
-    drawn: list[Drawn] = []
+    drawn: list[SettledScene] = []
     entries: list[GalleryEntry] = []
     for seed in track(seeds, "Settling and drawing"):
         drawn.append(_settle(seed, things, count, pile))
@@ -101,7 +101,7 @@ def _gallery(
     return drawn
 
 
-def _settle(seed: int, things: Library, count: int, pile: Pile) -> Drawn:
+def _settle(seed: int, things: Library, count: int, pile: PileSettings) -> SettledScene:
     return draw_scene(seed, things, table_ids(assets_folder()), count, pile)
 
 

@@ -27,13 +27,13 @@ from rich.text import Text
 
 from probe.texts import line, visible
 
-__all__ = ["Column", "Table", "bar", "download_bar", "say", "say_above", "track", "warn"]
+__all__ = ["Column", "ScreenTable", "bar", "download_bar", "say", "say_above", "track", "warn"]
 
 Item = TypeVar("Item")
 _HOUR = 3600.0
 
 
-class Table(rich_table.Table):
+class ScreenTable(rich_table.Table):
     """A table whose cells and title are shown as they are."""
 
     def __init__(

@@ -8,13 +8,13 @@ from typing import Annotated
 
 import tyro
 
-from probe.assets.fingerprint import Fingerprint
-from probe.assets.split import read_split
-from probe.cli.near import near_groups, those_here
+from probe.assets.mesh.fingerprint import Fingerprint
+from probe.assets.pools.split import read_split
+from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.near_duplicates import near_groups, those_here
 from probe.cli.numbers import check_numbers
-from probe.cli.screen import Table, say
-from probe.cli.surroundings import cache_folder, everything
-from probe.cli.unsummed import tell_unsummed
+from probe.cli.resources import cache_folder, everything
+from probe.cli.screen import ScreenTable, say
 from probe.errors import BadData
 from probe.files import check_new
 from probe.tasks.suite import Suite
@@ -105,7 +105,7 @@ def _alike(
 
 
 def _print(document: SelectionDocument, episodes: int) -> None:
-    table = Table("type", "with tools", "without", "manipulations at most")
+    table = ScreenTable("type", "with tools", "without", "manipulations at most")
     for kind, arms in document.examples.items():
         most = document.limits.get(kind)
         cells = (str(arms["agentic"]), str(arms["direct"]), "" if most is None else str(most))

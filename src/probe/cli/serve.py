@@ -7,15 +7,15 @@ from pathlib import Path
 
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
+from probe.cli.resources import everything
 from probe.cli.screen import warn
-from probe.cli.surroundings import everything
-from probe.doors.session import Session
-from probe.doors.words import question_text
 from probe.episodes.episode import Episode
 from probe.episodes.folder import start_folder
 from probe.episodes.grading import question_of
 from probe.episodes.play import open_episode
 from probe.errors import MissingExtra, UnknownName
+from probe.interfaces.session import Session
+from probe.interfaces.words import question_text
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.tasks.suite import Suite, check_objects, part
@@ -42,7 +42,7 @@ def serve(
         agent: Who acts, for the record.
     """
     try:
-        from probe.doors.mcp_server import serve as serve_mcp
+        from probe.interfaces.mcp_server import serve as serve_mcp
     except ImportError as error:
         raise MissingExtra("Serving the tools", "serve") from error
     check_numbers({"--seed": seed})

@@ -10,7 +10,7 @@ import tyro
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say
 from probe.train.serve.serving import reserved, serve
-from probe.train.serve.speaking import Speaker
+from probe.train.serve.speaking import ServedModel
 
 
 def serve_model(
@@ -30,6 +30,6 @@ def serve_model(
     check_numbers({"--port": port})
     called = name or Path(model).name
     with reserved(port) as held:
-        speaker = Speaker(model)
+        speaker = ServedModel(model)
         say(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.")
         serve(speaker, called, held)

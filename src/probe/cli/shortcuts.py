@@ -8,14 +8,14 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.resources import cache_folder, everything
 from probe.cli.screen import say, track
-from probe.cli.surroundings import cache_folder, everything
 from probe.errors import BadData
 from probe.files import write_text
 from probe.shortcuts.investigation import investigate
 from probe.shortcuts.learning import learn as learn_weights
 from probe.shortcuts.looks import examples_of
-from probe.shortcuts.sample import Lore
+from probe.shortcuts.sample import CatalogueFacts
 from probe.shortcuts.table import leaks, markdown
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
@@ -42,7 +42,7 @@ def shortcuts(
     total = len({task.id for suite in read for task in suite.tasks})
     looking = examples_of(read, things, cache_folder())
     examples = list(track(looking, "Looking", total=total))
-    findings = investigate(examples, Lore(things.specs), learning=not rules_only)
+    findings = investigate(examples, CatalogueFacts(things.specs), learning=not rules_only)
     write_text(out, markdown(findings))
     for finding in leaks(findings):
         tally = finding.tally

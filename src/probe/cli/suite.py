@@ -10,29 +10,29 @@ from typing import Annotated
 import tyro
 
 from probe.assets.library import Library
-from probe.certify.build import (
-    Workshop,
+from probe.cli.feasibility import Incomplete, show_possible
+from probe.cli.numbers import check_numbers
+from probe.cli.resources import Pool, library, tables_for
+from probe.cli.screen import ScreenTable, bar, say
+from probe.cli.shards import parse_shard
+from probe.cli.shortcuts import learn, shortcuts
+from probe.cli.suite_certify import certify
+from probe.cli.suite_verify import verify
+from probe.errors import BadData, Unsatisfiable
+from probe.files import write_text
+from probe.generation.build import (
+    BuildResources,
     assemble,
     assemble_unsolved,
     fill,
     places_of,
     why_none,
 )
-from probe.certify.parts import Line, Making, Parts, Place
-from probe.certify.plan import ATTEMPTS
-from probe.certify.possible import possibilities
-from probe.certify.salt import Salt
-from probe.certify.salt_file import salt_of
-from probe.cli.numbers import check_numbers
-from probe.cli.possible import Incomplete, show_possible
-from probe.cli.screen import Table, bar, say
-from probe.cli.shards import parse_shard
-from probe.cli.shortcuts import learn, shortcuts
-from probe.cli.suite_certify import certify
-from probe.cli.suite_verify import verify
-from probe.cli.surroundings import Pool, library, tables_for
-from probe.errors import BadData, Unsatisfiable
-from probe.files import write_text
+from probe.generation.build_folder import BuildFolder, BuildSettings, CandidateLog, TaskSlot
+from probe.generation.feasibility import possibilities
+from probe.generation.plan import ATTEMPTS
+from probe.generation.salt import Salt
+from probe.generation.salt_file import salt_of
 from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
 from probe.tasks.suite_file import find_suite
@@ -82,18 +82,18 @@ def build(
     if first and not public:
         reason = "numbers public tasks; a private suite's follow from its salt"
         raise BadData("--first", reason, "Say --public too, or leave it out")
-    parts, things = Parts(out.with_suffix(".parts")), library(pool)
+    parts, things = BuildFolder(out.with_suffix(".parts")), library(pool)
     places = places_of(counts, first)
     if not places:
         raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
     part = parse_shard(shard)
     salt = salt_of(parts, public=public)
     commitment = salt.commitment if salt else None
-    parts.claim(Making(pool=pool, unchecked=unchecked, commitment=commitment))
+    parts.claim(BuildSettings(pool=pool, unchecked=unchecked, commitment=commitment))
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt)
     with Renderer() as renderer:
-        workshop = Workshop(things, tables_for(pool), renderer, unchecked, salt)
+        workshop = BuildResources(things, tables_for(pool), renderer, unchecked, salt)
         _fill([place for place in part.of(places) if place not in left_out], parts, workshop)
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
     made = [place for place in places if parts.task_path(place).exists()]
@@ -114,14 +114,16 @@ def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     Args:
         suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
     """
-    table = Table("task", "type", "question", "options", "answer")
+    table = ScreenTable("task", "type", "question", "options", "answer")
     for task in find_suite(suite).tasks:
         options = "\n".join(f"{option.letter} {option.text}" for option in task.options)
         table.add(task.id, task.kind, task.question, options, task.answer)
     table.show()
 
 
-def _hopeless(places: Sequence[Place], things: Library, salt: Salt | None) -> dict[Place, str]:
+def _hopeless(
+    places: Sequence[TaskSlot], things: Library, salt: Salt | None
+) -> dict[TaskSlot, str]:
     """Tell what can be made; places for which the library lacks the things, and why."""
     found = possibilities(places, things, salt)
     if found:
@@ -129,7 +131,7 @@ def _hopeless(places: Sequence[Place], things: Library, salt: Salt | None) -> di
     return {place: it.missing[0] for it in found for place in it.hopeless}
 
 
-def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
+def _fill(places: Sequence[TaskSlot], parts: BuildFolder, workshop: BuildResources) -> None:
     """Make tasks; a place for which none can be made doesn't end the others."""
     with bar() as progress:
         line = progress.add_task("Building", total=len(places))
@@ -144,9 +146,9 @@ def _fill(places: Sequence[Place], parts: Parts, workshop: Workshop) -> None:
 
 def _finish(
     out: Path,
-    places: Sequence[Place],
-    parts: Parts,
-    workshop: Workshop,
+    places: Sequence[TaskSlot],
+    parts: BuildFolder,
+    workshop: BuildResources,
     unsolved: Path | None,
 ) -> None:
     things, salt = workshop.library, workshop.salt
@@ -167,9 +169,11 @@ def _finish(
         say(salt.commitment)
 
 
-def _print_yield(lines: Iterable[Line]) -> None:
+def _print_yield(lines: Iterable[CandidateLog]) -> None:
     """Candidates by type, and by the check that rejected them."""
-    table = Table("type", "candidates", "kept", "seconds a kept one", "first attempt", "rejected")
+    table = ScreenTable(
+        "type", "candidates", "kept", "seconds a kept one", "first attempt", "rejected"
+    )
     for it in count_candidates(lines):
         table.add(
             it.kind,

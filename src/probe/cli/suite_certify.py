@@ -6,22 +6,22 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from probe.certify.people import (
+from probe.cli.gathering import NoRuns, one_suite
+from probe.cli.grading import Graded, darkroom_of, grade_folder
+from probe.cli.human import ARM
+from probe.cli.screen import ScreenTable, say
+from probe.episodes.folder import arm_of_folder, standing
+from probe.episodes.remarks import latest, read_remarks
+from probe.errors import BadData
+from probe.generation.human_answers import (
     Agreement,
-    Effort,
-    PeoplesVerdict,
-    Said,
+    HumanAnswer,
+    HumanEffort,
+    HumanVerdict,
     agreements,
     efforts,
     verdicts,
 )
-from probe.cli.gathering import NoRuns, one_suite
-from probe.cli.grading import Graded, darkroom_of, grade_folder
-from probe.cli.human import ARM
-from probe.cli.screen import Table, say
-from probe.episodes.folder import arm_of_folder, standing
-from probe.episodes.remarks import latest, read_remarks
-from probe.errors import BadData
 from probe.tasks.suite import Suite, selection
 from probe.tasks.suite_file import write_suite
 
@@ -69,9 +69,9 @@ def _check(folders: Sequence[Path], least: float, doubters: int) -> None:
             raise BadData(folder, "its records aren't people's", remedy)
 
 
-def _all_said(folders: Sequence[Path], suite: Suite) -> list[Said]:
+def _all_said(folders: Sequence[Path], suite: Suite) -> list[HumanAnswer]:
     """The first run that people finished of each task; later ones know too much."""
-    first: dict[tuple[str, str], Said] = {}
+    first: dict[tuple[str, str], HumanAnswer] = {}
     with darkroom_of(suite) as darkroom:
         for folder in folders:
             for graded in _standing(grade_folder(folder, suite, darkroom)):
@@ -87,10 +87,10 @@ def _standing(graded: Iterable[Graded]) -> list[Graded]:
     return [it for it in graded if id(it[1]) in counting and it[1].end != "fault"]
 
 
-def _said(graded: Graded) -> Said:
+def _said(graded: Graded) -> HumanAnswer:
     task, record, score = graded
     answer, seconds = record.answer, record.seconds
-    return Said(
+    return HumanAnswer(
         task=task.id,
         kind=task.kind,
         person=record.agent,
@@ -113,20 +113,20 @@ def _notes(folders: Sequence[Path]) -> dict[str, dict[str, str]]:
 
 
 def _print(
-    found: Sequence[PeoplesVerdict], agreed: Sequence[Agreement], took: Sequence[Effort]
+    found: Sequence[HumanVerdict], agreed: Sequence[Agreement], took: Sequence[HumanEffort]
 ) -> None:
-    table = Table("task", "people", "right", "verdict", "notes")
+    table = ScreenTable("task", "people", "right", "verdict", "notes")
     for it in found:
         notes = "\n".join(f"{who}: {note or '(no note)'}" for who, note in it.notes.items())
         table.add(it.task, str(it.people), str(it.right), it.reason, notes)
     table.show()
-    table = Table("agreement", "tasks", "pairs", "same letter", "Krippendorff's alpha")
+    table = ScreenTable("agreement", "tasks", "pairs", "same letter", "Krippendorff's alpha")
     for it in agreed:
         same = f"{it.same} ({it.same / it.pairs:.0%})" if it.pairs else "none"
         alpha = "undefined" if it.alpha is None else f"{it.alpha:.2f}"
         table.add(it.name, str(it.tasks), str(it.pairs), same, alpha)
     table.show()
-    table = Table("effort", "episodes", "right", "seconds", "turns", "manipulations")
+    table = ScreenTable("effort", "episodes", "right", "seconds", "turns", "manipulations")
     for it in took:
         spreads = (_spread(each) for each in (it.seconds, it.turns, it.manipulations))
         table.add(it.name, str(it.episodes), str(it.right), *spreads)

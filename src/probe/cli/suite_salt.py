@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from probe.certify.attempt import Attempt, origins
-from probe.certify.salt_file import read_salt
 from probe.errors import BadData
+from probe.generation.attempt import Attempt, origins
+from probe.generation.salt_file import read_salt
 from probe.tasks.suite import Suite
 
 

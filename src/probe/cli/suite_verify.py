@@ -10,22 +10,22 @@ from typing import Annotated
 import tyro
 
 from probe.assets.library import Library
-from probe.certify.attempt import Attempt
-from probe.certify.verify.balance import balances
-from probe.certify.verify.check import Depth, check, rebuild_problem
-from probe.certify.verify.salted import salt_problems
-from probe.certify.verify.text import read_anew
-from probe.certify.verify.verdict import CHECKS, Verdict, read_verdict, write_verdict
 from probe.cli.numbers import check_numbers
-from probe.cli.screen import Table, bar, say
+from probe.cli.resources import Pool, everything, library, tables_for
+from probe.cli.screen import ScreenTable, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.suite_salt import origins_by
-from probe.cli.surroundings import Pool, everything, library, tables_for
 from probe.errors import ProbeError
+from probe.generation.attempt import Attempt
 from probe.render.renderer import Renderer
 from probe.tasks.suite import Suite, check_objects, spaced
 from probe.tasks.suite_file import digest_of, find_suite
 from probe.tasks.task import Task
+from probe.verification.balance import balances
+from probe.verification.check import CheckDepth, check, rebuild_problem
+from probe.verification.salt import salt_problems
+from probe.verification.text import read_anew
+from probe.verification.verdict import CHECKS, TaskVerdict, read_verdict, write_verdict
 
 
 class Unverified(ProbeError):
@@ -88,12 +88,12 @@ def _verdicts(
     *,
     solve: bool,
     played: set[str],
-) -> list[Verdict]:
-    verdicts: list[Verdict] = []
+) -> list[TaskVerdict]:
+    verdicts: list[TaskVerdict] = []
     with bar() as progress:
         for task in progress.track(tasks, description="Verifying"):
             path = folder / f"{task.id}.json"
-            depth = Depth(solve=solve, history=task.id in played)
+            depth = CheckDepth(solve=solve, history=task.id in played)
             found = read_verdict(path) if path.exists() else None
             if found is None or not _stands(found, task, depth):
                 found = check(task, things, renderer, depth)
@@ -105,13 +105,13 @@ def _verdicts(
     return verdicts
 
 
-def _with_text(verdict: Verdict, task: Task, things: Library) -> Verdict:
+def _with_text(verdict: TaskVerdict, task: Task, things: Library) -> TaskVerdict:
     """A verdict from before there was a check of the text, with that check made."""
     problems = {"text": read_anew(task, things), **verdict.problems}
     return verdict.model_copy(update={"problems": problems})
 
 
-def _stands(verdict: Verdict, task: Task, depth: Depth) -> bool:
+def _stands(verdict: TaskVerdict, task: Task, depth: CheckDepth) -> bool:
     enough = verdict.solved >= depth.solve and bool(verdict.histories) >= depth.history
     return verdict.digest == digest_of(task) and enough
 
@@ -131,7 +131,7 @@ def _rebuilt(
 
 
 def _print(
-    suite: Suite, verdicts: Sequence[Verdict], changed: dict[str, str], rebuilt: int
+    suite: Suite, verdicts: Sequence[TaskVerdict], changed: dict[str, str], rebuilt: int
 ) -> None:
     _table(suite.name, verdicts).show()
     told = (_failures(verdicts), _balance_lines(suite), _history_lines(verdicts))
@@ -151,8 +151,8 @@ def _print_salt(suite: Suite, strange: Sequence[str]) -> None:
     say(*strange)
 
 
-def _table(name: str, verdicts: Sequence[Verdict]) -> Table:
-    table = Table("type", "tasks", "hold", *CHECKS, title=f"Suite {name}")
+def _table(name: str, verdicts: Sequence[TaskVerdict]) -> ScreenTable:
+    table = ScreenTable("type", "tasks", "hold", *CHECKS, title=f"Suite {name}")
     for kind in sorted({verdict.kind for verdict in verdicts}):
         mine = [verdict for verdict in verdicts if verdict.kind == kind]
         cells = [_passed(check, mine) for check in CHECKS]
@@ -160,7 +160,7 @@ def _table(name: str, verdicts: Sequence[Verdict]) -> Table:
     return table
 
 
-def _failures(verdicts: Sequence[Verdict]) -> Iterator[str]:
+def _failures(verdicts: Sequence[TaskVerdict]) -> Iterator[str]:
     for verdict in verdicts:
         for name, problems in verdict.problems.items():
             for problem in problems:
@@ -174,20 +174,20 @@ def _balance_lines(suite: Suite) -> Iterator[str]:
         yield f"{balance.kind}, {balance.of}: {counts}{odd}"
 
 
-def _history_lines(verdicts: Sequence[Verdict]) -> Iterator[str]:
+def _history_lines(verdicts: Sequence[TaskVerdict]) -> Iterator[str]:
     played = sum(verdict.histories for verdict in verdicts)
     if played:
         share = f"{sum(verdict.reachable for verdict in verdicts)} of {played}"
         yield f"The evidence was within reach after {share} random histories."
 
 
-def _observer_lines(verdicts: Sequence[Verdict]) -> Iterator[str]:
+def _observer_lines(verdicts: Sequence[TaskVerdict]) -> Iterator[str]:
     for kind in sorted({verdict.kind for verdict in verdicts}):
         said = [v.observed for v in verdicts if v.kind == kind and v.observed is not None]
         if said:
             yield f"{kind}: the observer, who only looks, is right in {sum(said)} of {len(said)}."
 
 
-def _passed(check: str, verdicts: Sequence[Verdict]) -> str:
+def _passed(check: str, verdicts: Sequence[TaskVerdict]) -> str:
     made = [verdict for verdict in verdicts if check in verdict.problems]
     return f"{sum(not v.problems[check] for v in made)}/{len(made)}" if made else "-"

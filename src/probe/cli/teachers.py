@@ -8,46 +8,46 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from probe.certify.parts import Parts
-from probe.chat.prompts import Arm
-from probe.cli.seats import Seats, take_seats
-from probe.cli.surroundings import cache_folder, tables_for
-from probe.cli.teaching import Site
-from probe.episodes.luck import NOISES
-from probe.report.darkroom import Darkroom
-from probe.runs.plan import Order
+from probe.cli.model_run import ModelRunOptions, take_seats
+from probe.cli.resources import cache_folder, tables_for
+from probe.cli.teaching import TeachingSetup
+from probe.episodes.noise import NOISES
+from probe.generation.build_folder import BuildFolder
+from probe.report.scene_renderer import SceneRenderer
+from probe.runs.plan import RunOrder
 from probe.runs.run import begun, work
 from probe.tasks.suite import Suite
 from probe.train.collect.batches import TASKS
-from probe.train.collect.collecting import Hands, Play
-from probe.train.collect.making import Studio, make_tasks
-from probe.train.collect.teacher import TEACHER, Classroom, teacher_for
+from probe.train.collect.collecting import Play, TeacherWorkers
+from probe.train.collect.making import TaskWorker, make_tasks
+from probe.train.collect.teacher import TEACHER, TeacherWorker, teacher_for
+from probe.transcripts.prompts import Arm
 from probe.types import Shard
 
 _ROUNDS = 3
 """How often episodes of a model that fail on our side are asked for."""
 
 
-def hands_of(site: Site, out: Path) -> Hands:
+def hands_of(site: TeachingSetup, out: Path) -> TeacherWorkers:
     """Who does the work in a folder."""
     light = cache_folder() / "light"
-    studio = Studio(Parts(out / TASKS), site.training, tables_for(site.pool), light)
+    studio = TaskWorker(BuildFolder(out / TASKS), site.training, tables_for(site.pool), light)
     things = site.training()
-    return Hands(
+    return TeacherWorkers(
         make=partial(make_tasks, studio, workers=site.workers),
         play=_scripted(site) if site.model is None else _seated(site, site.model),
         library=things,
-        darkroom=lambda suite: Darkroom(suite, lambda: things),
+        darkroom=lambda suite: SceneRenderer(suite, lambda: things),
     )
 
 
-def _scripted(site: Site) -> Play:
-    order = Order(TEACHER, 1, NOISES[site.noise], site.conditions, points=site.counting)
+def _scripted(site: TeachingSetup) -> Play:
+    order = RunOrder(TEACHER, 1, NOISES[site.noise], site.conditions, points=site.counting)
 
     def play(suite: Suite, arm: Arm, runs: int, out: Path) -> Iterable[str]:
         mine = replace(order, arm=arm, runs=runs)
         teachers, light = teacher_for(site.counting), cache_folder() / "light"
-        place = Classroom(mine, site.training, teachers, light)
+        place = TeacherWorker(mine, site.training, teachers, light)
         with begun(out, suite, mine) as beginning:
             jobs = beginning.jobs
             with closing(work(out, jobs, place, site.workers)) as results:
@@ -58,8 +58,8 @@ def _scripted(site: Site) -> Play:
     return play
 
 
-def _seated(site: Site, model: str) -> Play:
-    seats = Seats(
+def _seated(site: TeachingSetup, model: str) -> Play:
+    seats = ModelRunOptions(
         library=site.training,
         model=model,
         arm="agentic",

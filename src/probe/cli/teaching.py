@@ -7,17 +7,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from probe.bench.models import settings_of
-from probe.cli.surroundings import Pool, opener
+from probe.cli.resources import Pool, opener
 from probe.episodes.conditions import Conditions, LightKind
-from probe.episodes.luck import NoiseName
-from probe.episodes.seat import Points
+from probe.episodes.noise import NoiseName
+from probe.episodes.participation import Points
 from probe.train.collect.making import Training
-from probe.train.collect.settings import Settings
+from probe.train.collect.settings import CollectionSettings
 from probe.train.collect.teacher import TEACHER
 
 
 @dataclass(frozen=True)
-class Site:
+class TeachingSetup:
     """Who teaches, with which objects, and under which conditions.
 
     Attributes:
@@ -58,7 +58,7 @@ class Site:
         """In what episodes differ from tasks."""
         return Conditions(lighting=self.lighting)
 
-    def settings(self, shard: str, first: int) -> Settings:
+    def settings(self, shard: str, first: int) -> CollectionSettings:
         """What must stay the same in a folder.
 
         Args:
@@ -70,7 +70,7 @@ class Site:
             # Opening it says what is wrong with it, if something is.
             self.training()
             mark = hashlib.sha256(self.split.read_bytes()).hexdigest()[:16]
-        return Settings(
+        return CollectionSettings(
             agent=self.model or TEACHER,
             pool=self.pool,
             split=mark,

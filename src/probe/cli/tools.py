@@ -8,15 +8,15 @@ import tyro
 
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
-from probe.cli.screen import Table, bar, say
+from probe.cli.resources import Pool, library
+from probe.cli.screen import ScreenTable, bar, say
 from probe.cli.shards import parse_shard
-from probe.cli.surroundings import Pool, library
-from probe.episodes.luck import NOISES, NoiseName
+from probe.episodes.noise import NOISES, NoiseName
 from probe.render.renderer import Renderer
 from probe.report.tools_page import Failure, write_tools_page
-from probe.trials.summary import Summary, drawn_anew, summarise
-from probe.trials.trial import Tool, Trial
-from probe.trials.work import Settings, carry_out, picture_path, read_trials, start
+from probe.tool_bench.summary import Summary, drawn_anew, summarise
+from probe.tool_bench.trial import Tool, ToolTrial
+from probe.tool_bench.work import ToolBenchSettings, carry_out, picture_path, read_trials, start
 
 app = tyro.extras.SubcommandApp()
 PAGE = "index.html"
@@ -57,7 +57,7 @@ def bench(
     part = parse_shard(shard)
     level = NOISES[noise]
     error = level.grasp if sigma is None else sigma
-    settings = Settings(
+    settings = ToolBenchSettings(
         pool=pool,
         grasp_noise=error,
         push_noise=level.push,
@@ -76,7 +76,7 @@ def bench(
     _report(out, settings, things)
 
 
-def _report(out: Path, settings: Settings, things: Library) -> None:
+def _report(out: Path, settings: ToolBenchSettings, things: Library) -> None:
     trials = read_trials(out)
     summaries: list[Summary] = []
     for tool in ("grasp", "push"):
@@ -95,7 +95,7 @@ def _report(out: Path, settings: Settings, things: Library) -> None:
     say(f"The page with pictures of {len(failures)} failures is {out / PAGE}")
 
 
-def _failure(trial: Trial, things: Library) -> Failure:
+def _failure(trial: ToolTrial, things: Library) -> Failure:
     asked = "" if trial.distance is None else f" {100 * trial.distance:.0f} cm {trial.direction}"
     went = "" if trial.ratio is None else f", went {100 * trial.ratio:.0f} % of it"
     name = things[trial.object_id].name
@@ -104,7 +104,7 @@ def _failure(trial: Trial, things: Library) -> Failure:
 
 
 def _print(summary: Summary) -> None:
-    table = Table("rate", "share", "of n", "95 % by scene", title=summary.tool)
+    table = ScreenTable("rate", "share", "of n", "95 % by scene", title=summary.tool)
     for rate in summary.rates:
         interval = f"{rate.low:.0%} to {rate.high:.0%}"
         table.add(rate.name, f"{rate.share:.1%}", f"{rate.held} of {rate.n}", interval)

@@ -10,9 +10,9 @@ import tyro
 
 from probe.cli.screen import say
 from probe.tasks.task import QuestionKind
-from probe.train.tune.diary import read_diary
 from probe.train.tune.fine_tuning import train as trained
 from probe.train.tune.run_card import told_curve
+from probe.train.tune.training_log import read_diary
 from probe.train.tune.tuning import Tuning
 
 _PAPER = Tuning()

@@ -13,7 +13,7 @@ from probe.scene.document import Position, Rotation
 from probe.scene.layout import top_camera
 from probe.scene.lighting import Lighting
 from probe.scene.perturb import CameraName
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.types import Pose
 
 Rate = Annotated[float, pydantic.Field(ge=0, le=1)]
@@ -69,16 +69,16 @@ class SightDocument(_Document):
     yaw: float
 
     @staticmethod
-    def of(sight: Sight) -> SightDocument | None:
+    def of(sight: Viewpoint) -> SightDocument | None:
         """The document of a sight; None for the usual one."""
-        if sight == Sight():
+        if sight == Viewpoint():
             return None
         pose, light = sight.camera.world_from_camera, sight.lighting
         return SightDocument(
             position=pose.position, wxyz=pose.wxyz, lighting=light.name, yaw=light.yaw
         )
 
-    def sight(self) -> Sight:
+    def sight(self) -> Viewpoint:
         """The sight it describes."""
         camera = replace(top_camera(), world_from_camera=Pose(self.position, self.wxyz))
-        return Sight(camera, Lighting(self.lighting, self.yaw))
+        return Viewpoint(camera, Lighting(self.lighting, self.yaw))

@@ -7,13 +7,13 @@ from typing import Annotated, Literal
 import pydantic
 
 from probe.episodes.conditions_document import ConditionsDocument, SightDocument
-from probe.episodes.luck import Noise
-from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
-from probe.episodes.seat_document import SeatDocument
+from probe.episodes.noise import Noise
+from probe.episodes.participation_document import ParticipationDocument
+from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question
 from probe.scene.document import SceneDocument
 from probe.scene.layout import PICTURE_PX
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.result import Answer, Status
 
 Pixel = Annotated[int, pydantic.Field(ge=0, lt=PICTURE_PX)]
@@ -89,7 +89,7 @@ class EpisodeDocument(_Document):
     conditions: ConditionsDocument = ConditionsDocument()
     sight: SightDocument | None = None
     # None of agents that are no models, and in records of before there were any.
-    seat: SeatDocument | None = None
+    seat: ParticipationDocument | None = None
 
     @staticmethod
     def of(record: EpisodeRecord, *, timed: bool = True) -> EpisodeDocument:
@@ -110,7 +110,7 @@ class EpisodeDocument(_Document):
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
             conditions=ConditionsDocument.of(record.conditions),
             sight=SightDocument.of(record.sight),
-            seat=record.seat and SeatDocument.of(record.seat),
+            seat=record.seat and ParticipationDocument.of(record.seat),
         )
 
     def record(self) -> EpisodeRecord:
@@ -129,7 +129,7 @@ class EpisodeDocument(_Document):
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
             noise=Noise(self.noise.grasp, self.noise.push),
             conditions=self.conditions.conditions(),
-            sight=self.sight.sight() if self.sight else Sight(),
+            sight=self.sight.sight() if self.sight else Viewpoint(),
             seat=self.seat and self.seat.seat(),
         )
 
@@ -160,9 +160,9 @@ def _steps(document: EpisodeDocument) -> tuple[Step, ...]:
     return tuple(steps)
 
 
-def _table_document(table: Table) -> TableDocument:
+def _table_document(table: TableState) -> TableDocument:
     return TableDocument(scene=SceneDocument.of(table.scene), joints=table.joints)
 
 
-def _table(document: TableDocument) -> Table:
-    return Table(document.scene.scene(), document.joints)
+def _table(document: TableDocument) -> TableState:
+    return TableState(document.scene.scene(), document.joints)

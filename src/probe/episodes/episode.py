@@ -6,8 +6,8 @@ import time
 from dataclasses import replace
 from typing import Protocol
 
-from probe.episodes.luck import NO_NOISE, Noise
-from probe.episodes.record import End, EpisodeRecord, Seconds, Step, Table
+from probe.episodes.noise import NO_NOISE, Noise
+from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question, Turn
 from probe.errors import ProbeError
 from probe.scene.scene import Scene
@@ -21,7 +21,7 @@ FAILED = "Something failed that is not your doing; the episode has ended."
 """What an agent reads of a failure of ours; the record alone says what it was."""
 
 
-class Witness(Protocol):
+class StateReader(Protocol):
     """Sees the table as it really is, for the record; no tool and no agent gets to it."""
 
     def snapshot(self) -> Scene:
@@ -51,7 +51,7 @@ class Episode:
         task: str,
         question: Question,
         toolshed: Toolshed,
-        witness: Witness,
+        witness: StateReader,
         *,
         agent_name: str,
         run: int = 0,
@@ -118,8 +118,8 @@ class Episode:
         )
 
 
-def _table(witness: Witness) -> Table:
-    return Table(witness.snapshot(), tuple(float(angle) for angle in witness.joints()))
+def _table(witness: StateReader) -> TableState:
+    return TableState(witness.snapshot(), tuple(float(angle) for angle in witness.joints()))
 
 
 def _storable(call: Call) -> Call:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Question
 from probe.errors import ProbeError
-from probe.tasks.grading import Answer, LastView, Score, grade, looks_at_end
+from probe.tasks.grading import FinalAnswer, LastView, Score, grade, looks_at_end
 from probe.tasks.marks import drawn
 from probe.tasks.task import LETTERS, Letter, Task
 from probe.types import Array
@@ -50,9 +50,9 @@ def needs_labels(task: Task, record: EpisodeRecord) -> bool:
     return looks_at_end(task, _answer(record))
 
 
-def _answer(record: EpisodeRecord) -> Answer:
+def _answer(record: EpisodeRecord) -> FinalAnswer:
     said = record.answer
-    return Answer(_letter(said.choice), said.point_px) if said else Answer(None)
+    return FinalAnswer(_letter(said.choice), said.point_px) if said else FinalAnswer(None)
 
 
 def _letter(choice: str) -> Letter | None:

@@ -19,7 +19,7 @@ from probe.render.photograph import labels_of, load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.tasks.marks import drawn
 from probe.tasks.task import Task
 from probe.types import Array, Camera, Frame
@@ -49,10 +49,10 @@ class OracleView:
 
 
 def oracle_view(
-    task: Task, library: Library, renderer: Renderer, sight: Sight | None = None
+    task: Task, library: Library, renderer: Renderer, sight: Viewpoint | None = None
 ) -> OracleView:
     """Draw a task's evidence, as always or in another sight; replaces what was loaded before."""
-    sight = sight or Sight()
+    sight = sight or Viewpoint()
     load_scene(renderer, task.scene, library, library.table(task.scene.table))
     light = light_of(sight.lighting, library.assets)
     first = photograph(renderer, task.scene, camera=sight.camera, light=light)

@@ -10,8 +10,8 @@ from probe.assets.tables import TableMaterial
 from probe.episodes.conditions import AS_FROZEN, NO_DIALS, Conditions
 from probe.episodes.episode import Episode
 from probe.episodes.grading import grade_episode, question_of
-from probe.episodes.ideal import IdealGrasp
-from probe.episodes.luck import NO_NOISE, Lucky, Noise
+from probe.episodes.ideal_grasp import IdealGrasp
+from probe.episodes.noise import NO_NOISE, Noise, NoisySkills
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Agent
@@ -20,7 +20,7 @@ from probe.render.lighting import light_of
 from probe.render.photograph import labels_of, load_scene
 from probe.render.renderer import Renderer
 from probe.scene.layout import BASKET_POSITION
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.station.simulated import SimulatedStation
 from probe.tasks.grading import Score
 from probe.tasks.task import Task
@@ -40,7 +40,7 @@ def set_table(
     perceiver: Perceiver = ideal,
     noise: Noise = NO_NOISE,
     conditions: Conditions = AS_FROZEN,
-    sight: Sight | None = None,
+    sight: Viewpoint | None = None,
     run: int = 0,
 ) -> tuple[Toolshed, SimulatedStation]:
     """A task's table, fresh, with the tools over it and the station that the record watches.
@@ -58,7 +58,7 @@ def set_table(
         run: Of the episode's runs; each has its own luck.
     """
     load_scene(renderer, task.scene, library, table)
-    sight = sight or Sight()
+    sight = sight or Viewpoint()
     light = light_of(sight.lighting, library.assets)
     station = SimulatedStation(World(task.scene, library), renderer, sight.camera, light)
     words = {item.instance: library[item.object_id] for item in task.scene.objects}
@@ -67,7 +67,7 @@ def set_table(
         return {placed.instance: placed.pose for placed in station.snapshot().objects}
 
     perception = _perceiver(perceiver, conditions, task, library, run)(words, poses)
-    skills: Skills = Lucky(manipulation, noise, task.seed, run)
+    skills: Skills = NoisySkills(manipulation, noise, task.seed, run)
     if conditions.ideal == "grasp":
         skills = IdealGrasp(skills, station)
     tools = Toolshed(
@@ -92,7 +92,7 @@ def play(
     run: int = 0,
     noise: Noise = NO_NOISE,
     conditions: Conditions = AS_FROZEN,
-    sight: Sight | None = None,
+    sight: Viewpoint | None = None,
     *,
     pictures: bool = False,
 ) -> EpisodeRecord:
@@ -111,7 +111,7 @@ def play(
         sight: As for set_table.
         pictures: Whether the agent looks at any; what the tools say doesn't depend on it.
     """
-    sight = sight or Sight()
+    sight = sight or Viewpoint()
     tools, station = set_table(
         task,
         library,
@@ -148,7 +148,7 @@ def open_episode(
     run: int = 0,
     noise: Noise = NO_NOISE,
     conditions: Conditions = AS_FROZEN,
-    sight: Sight | None = None,
+    sight: Viewpoint | None = None,
     perceiver: Perceiver = ideal,
 ) -> Episode:
     """A fresh episode with pictures, for somebody who acts from outside; see play().

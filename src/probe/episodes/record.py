@@ -6,18 +6,18 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from probe.episodes.conditions import AS_FROZEN, Conditions
-from probe.episodes.luck import NO_NOISE, Noise
-from probe.episodes.seat import Seat
+from probe.episodes.noise import NO_NOISE, Noise
+from probe.episodes.participation import Participation
 from probe.episodes.turns import Call, Question
 from probe.scene.scene import Scene
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.result import Answer, Status
 
 End = Literal["answered", "stopped", "out_of_turns", "fault"]
 
 
 @dataclass(frozen=True)
-class Table:
+class TableState:
     """How things stand: every object's pose, and the arm's joints in radians."""
 
     scene: Scene
@@ -40,7 +40,7 @@ class Step:
     status: Status
     text: str
     point_px: tuple[int, int] | None
-    after: Table
+    after: TableState
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class EpisodeRecord:
     agent: str
     run: int
     question: Question
-    start: Table
+    start: TableState
     steps: tuple[Step, ...]
     answer: Answer | None
     end: End
@@ -84,8 +84,8 @@ class EpisodeRecord:
     seconds: Seconds = Seconds()
     noise: Noise = NO_NOISE
     conditions: Conditions = AS_FROZEN
-    sight: Sight = field(default_factory=Sight)
-    seat: Seat | None = None
+    sight: Viewpoint = field(default_factory=Viewpoint)
+    seat: Participation | None = None
 
     @property
     def arm(self) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from probe.episodes.episode import Episode, Witness
+from probe.episodes.episode import Episode, StateReader
 from probe.episodes.files import line_of
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.run import run_episode
@@ -52,7 +52,7 @@ class Recorded:
         return self._calls[len(history)] if len(history) < len(self._calls) else None
 
 
-def replay(record: EpisodeRecord, toolshed: Toolshed, witness: Witness) -> EpisodeRecord:
+def replay(record: EpisodeRecord, toolshed: Toolshed, witness: StateReader) -> EpisodeRecord:
     """Do an episode's calls again.
 
     Args:

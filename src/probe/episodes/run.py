@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from probe.episodes.episode import Episode, Witness
+from probe.episodes.episode import Episode, StateReader
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Agent, Question, Turn
 from probe.toolshed.toolshed import Toolshed
@@ -13,7 +13,7 @@ def run_episode(
     question: Question,
     agent: Agent,
     toolshed: Toolshed,
-    witness: Witness,
+    witness: StateReader,
     *,
     agent_name: str,
     run: int = 0,

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from probe.manipulation.clearance import MARGINS, Room
+from probe.manipulation.clearance import MARGINS, Clearance
 from probe.manipulation.closing import close
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pairs import Hands, around, opposed
+from probe.manipulation.pairs import HandPoses, around, opposed
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.station.station import Hand
@@ -56,14 +56,14 @@ def propose(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     hands = around(opposed(target, hand.max_opening - _SPARE))
     found: list[Grasp] = []
     for number, margin in enumerate(MARGINS):
-        room = Room.of(shape, margin, terrain, target)
+        room = Clearance.of(shape, margin, terrain, target)
         found += _fitting(room, hands, target, -_TIGHT_COST * number)
         if len(found) >= _WANTED:
             break
     return sorted(found, key=lambda grasp: -grasp.merit)
 
 
-def _fitting(room: Room, hands: Hands, target: Target, bonus: float) -> list[Grasp]:
+def _fitting(room: Clearance, hands: HandPoses, target: Target, bonus: float) -> list[Grasp]:
     """The best few grasps that fit at one margin."""
     hands = room.deepest(hands)
     hands, merits = close(hands, target, room.shape.hand.pad_half, room.shape.hand.max_opening / 2)
@@ -82,7 +82,7 @@ def _fitting(room: Room, hands: Hands, target: Target, bonus: float) -> list[Gra
     return found
 
 
-def grasp_of(room: Room, hands: Hands, index: int, merit: float) -> Grasp:
+def grasp_of(room: Clearance, hands: HandPoses, index: int, merit: float) -> Grasp:
     """One of several hands as a grasp."""
     width, rotation = float(hands.widths[index]), hands.rotations[index]
     origin = hands.centres[index] - room.shape.hand.pad_reach(width) * rotation[:, 2]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pairs import Hands
+from probe.manipulation.pairs import HandPoses
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.types import Array
@@ -51,7 +51,7 @@ MARGINS = (
 
 
 @dataclass(frozen=True, eq=False)
-class Room:
+class Clearance:
     """Collision checks of a hand at one margin.
 
     Attributes:
@@ -67,19 +67,19 @@ class Room:
     bare: Terrain
 
     @staticmethod
-    def of(shape: HandShape, margin: Margin, terrain: Terrain, target: Target) -> Room:
+    def of(shape: HandShape, margin: Margin, terrain: Terrain, target: Target) -> Clearance:
         """The checks among what a terrain shows around a target."""
         bare = terrain.without(target.cells)
         if margin.side == 0:
-            return Room(shape, margin, terrain, bare)
-        return Room(shape, margin, terrain.widened(margin.side), bare.widened(margin.side))
+            return Clearance(shape, margin, terrain, bare)
+        return Clearance(shape, margin, terrain.widened(margin.side), bare.widened(margin.side))
 
     def openings(self, widths: Array) -> Array:
         """How far apart the pads are on their way to a width, metres, shape (n,)."""
         stepped = np.ceil((widths + self.margin.spread) / _OPENING_STEP) * _OPENING_STEP
         return np.minimum(stepped, self.shape.hand.max_opening)
 
-    def deepest(self, hands: Hands) -> Hands:
+    def deepest(self, hands: HandPoses) -> HandPoses:
         """Hands moved along their approach as deep as the pads may go; others are left out.
 
         A hand that fits nowhere is also tried a little to the side, so that the pads hold with
@@ -98,7 +98,7 @@ class Room:
                 waiting = waiting[~settled[waiting]]
         return self._lowered(replace(hands, centres=centres)[settled])
 
-    def _lowered(self, hands: Hands) -> Hands:
+    def _lowered(self, hands: HandPoses) -> HandPoses:
         """The same a little deeper wherever that is free as well."""
         for step in _DEEPER:
             deeper = replace(hands, centres=hands.centres + step * hands.rotations[:, :, 2])
@@ -106,7 +106,7 @@ class Room:
             hands = replace(hands, centres=np.where(free, deeper.centres, hands.centres))
         return hands
 
-    def way_free(self, hands: Hands) -> Array:
+    def way_free(self, hands: HandPoses) -> Array:
         """Whether hands can come in straight and close, bool, shape (n,)."""
         free = np.zeros(len(hands.widths), bool)
         openings = self.openings(hands.widths)
@@ -117,7 +117,7 @@ class Room:
                 free[index] = self._comes_in(one, points) and self._closes(one, float(opening))
         return free
 
-    def _comes_in(self, one: Hands, points: Array) -> bool:
+    def _comes_in(self, one: HandPoses, points: Array) -> bool:
         reach = self.shape.hand.pad_reach(float(one.widths[0]))
         along = one.rotations[0, :, 2]
         ways = replace(
@@ -127,12 +127,12 @@ class Room:
         )
         return bool(_clear(self.full, points, ways, self.margin.press).all())
 
-    def _closes(self, one: Hands, opening: float) -> bool:
+    def _closes(self, one: HandPoses, opening: float) -> bool:
         width = float(one.widths[0])
         swept = self.shape.swept(opening, width) - [0.0, 0.0, self.shape.hand.pad_reach(width)]
         return bool(_clear(self.bare, swept, one, self.margin.press)[0])
 
-    def _tips_free(self, hands: Hands) -> Array:
+    def _tips_free(self, hands: HandPoses) -> Array:
         """Whether the tips stay above all when open and above the rest when closed, shape (n,)."""
         free = np.zeros(len(hands.widths), bool)
         openings = self.openings(hands.widths)
@@ -148,7 +148,7 @@ class Room:
         return self.shape.tips(opening) - [0.0, 0.0, self.shape.hand.pad_reach(width)]
 
 
-def _clear(terrain: Terrain, points: Array, hands: Hands, press: float = 0.0) -> Array:
+def _clear(terrain: Terrain, points: Array, hands: HandPoses, press: float = 0.0) -> Array:
     """Whether points in each hand's frame, from its centre, lie above the terrain, shape (n,)."""
     world = np.matmul(points, hands.rotations.transpose(0, 2, 1)) + hands.centres[:, None]
     return (world[..., 2] > terrain.below(world) + TIP_CLEARANCE - press).all(axis=1)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from probe.manipulation.pairs import Hands
+from probe.manipulation.pairs import HandPoses
 from probe.manipulation.target import Target
 from probe.types import Array, Vector3
 
@@ -16,7 +16,9 @@ _FULL_TOUCH = 24
 _CHUNK = 128
 
 
-def close(hands: Hands, target: Target, pad_half: Vector3, reach: float) -> tuple[Hands, Array]:
+def close(
+    hands: HandPoses, target: Target, pad_half: Vector3, reach: float
+) -> tuple[HandPoses, Array]:
     """Close each hand on the target and judge what it touches.
 
     Args:
@@ -54,7 +56,7 @@ def close(hands: Hands, target: Target, pad_half: Vector3, reach: float) -> tupl
     return replace(hands, centres=centres, widths=widths), merits
 
 
-def _seen_from(hands: Hands, points: Array) -> Array:
+def _seen_from(hands: HandPoses, points: Array) -> Array:
     """Points in the frame of each hand with the origin between the pads, shape (n, p, 3)."""
     moved = points[None] - hands.centres[:, None]
     return np.matmul(moved, hands.rotations)
@@ -72,7 +74,9 @@ def _hold(local: Array, left: Array, right: Array, facing: Array, full: float) -
     return merit - 20.0 * np.maximum(np.abs(offset[:, 0]) - 0.004, 0.0)
 
 
-def _leverage(hands: Hands, centre: Array, local: Array, touched: Array, widths: Array) -> Array:
+def _leverage(
+    hands: HandPoses, centre: Array, local: Array, touched: Array, widths: Array
+) -> Array:
     """Cost of holding away from the centre of mass, shape (n,)."""
     middle = _seen_from(hands, centre[None])[:, 0]
     contact = _mean(local, touched)

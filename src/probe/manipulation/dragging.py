@@ -13,7 +13,7 @@ from scipy import ndimage
 
 from probe.manipulation.closedhand import SIDE, ClosedHand, orientation
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pushing import Push
+from probe.manipulation.pushing import PlannedPush
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import CELL, Terrain
 from probe.types import Array, Pose, quaternion_of
@@ -28,7 +28,9 @@ _FLAT = 0.004
 _WALL = 0.006
 
 
-def drags(target: Target, terrain: Terrain, shape: HandShape, along: Array) -> Iterator[Push]:
+def drags(
+    target: Target, terrain: Terrain, shape: HandShape, along: Array
+) -> Iterator[PlannedPush]:
     """Places to press on, the best first: flat, in the middle, or with a wall of its own ahead.
 
     Args:
@@ -42,7 +44,7 @@ def drags(target: Target, terrain: Terrain, shape: HandShape, along: Array) -> I
     aside = np.array([-along[1], along[0], 0.0])
     mine = ndimage.binary_dilation(target.cells, iterations=round(SIDE / CELL))
     others = terrain.without(target.cells).widened(SIDE)
-    found: list[Push] = []
+    found: list[PlannedPush] = []
     for lean in _LEANS_DEG:
         for across in (along, aside):
             tool = ClosedHand.of(shape, orientation(np.radians(lean), along, across), along, aside)
@@ -58,7 +60,7 @@ def _spots(
     tool: ClosedHand,
     along: Array,
     lean: float,
-) -> Iterator[Push]:
+) -> Iterator[PlannedPush]:
     """Where the tool, let down, would touch the target with its tips and nothing else."""
     tips = tool.tips
     middle = (tips.min(axis=0) + tips.max(axis=0)) / 2
@@ -83,7 +85,7 @@ def _spots(
         flat = float((rest > height - _FLAT).mean())
         cost = 5.0 * off - 0.3 * flat - (0.3 if gap > 0 else 0.0) + 0.01 * lean
         at[2] += _ABOVE
-        yield Push(Pose.of(at, quaternion_of(tool.rotation)), gap, cost, pressed=True)
+        yield PlannedPush(Pose.of(at, quaternion_of(tool.rotation)), gap, cost, pressed=True)
 
 
 def _wall(target: Target, tool: ClosedHand, at: Array, along: Array) -> float:

@@ -15,10 +15,10 @@ import numpy as np
 
 from probe.errors import MissingExtra, ProbeError
 from probe.manipulation.candidates import Grasp, grasp_of
-from probe.manipulation.clearance import MARGINS, Room
+from probe.manipulation.clearance import MARGINS, Clearance
 from probe.manipulation.closing import close
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pairs import MAX_TILT, Hands
+from probe.manipulation.pairs import MAX_TILT, HandPoses
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.station.station import Hand
@@ -74,19 +74,21 @@ class GraspGen:
         shape = HandShape(hand)
         hands, trust = self._ours(poses, trust, target, hand)
         for margin in MARGINS[1:3]:
-            room = Room.of(shape, margin, terrain, target)
+            room = Clearance.of(shape, margin, terrain, target)
             free = np.flatnonzero(room.way_free(hands))
             if len(free):
                 return [grasp_of(room, hands, int(k), float(trust[k])) for k in free]
         return []
 
-    def _ours(self, poses: Array, trust: Array, target: Target, hand: Hand) -> tuple[Hands, Array]:
+    def _ours(
+        self, poses: Array, trust: Array, target: Target, hand: Hand
+    ) -> tuple[HandPoses, Array]:
         """The server's hands as ours, closed on what is seen; those that hold nothing left out."""
         x, y, z = poses[:, :3, 0], poses[:, :3, 1], poses[:, :3, 2]
         rotations = np.stack([-y, x, z], axis=2)
         centres = poses[:, :3, 3] + self.depth * z
         tilts = np.arccos(np.clip(-z[:, 2], -1.0, 1.0))
-        hands = Hands(rotations, centres, np.full(len(poses), hand.max_opening), tilts)
+        hands = HandPoses(rotations, centres, np.full(len(poses), hand.max_opening), tilts)
         hands, merits = close(hands, target, hand.pad_half, hand.max_opening / 2)
         good = np.isfinite(merits) & (tilts <= MAX_TILT) & (hands.widths < hand.max_opening)
         return hands[good], trust[good]

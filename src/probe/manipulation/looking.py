@@ -9,7 +9,7 @@ import numpy as np
 from scipy import ndimage
 from scipy.spatial.transform import Rotation
 
-from probe.manipulation.registration import Motions, Surface, fit, register
+from probe.manipulation.registration import Motions, OrientedPoints, fit, register
 from probe.manipulation.terrain import lifted
 from probe.types import Array, Frame
 
@@ -94,7 +94,7 @@ def tracked(
     if len(points) == 0 or not possible.any():
         return None
     few = points[:: max(1, len(points) // _POINTS)]
-    surface = Surface.of(after, possible)
+    surface = OrientedPoints.of(after, possible)
     # A tall thing may have tipped a little; a flat one would be taken for what it lies on.
     slack = float(np.clip(_SLACK * points[:, 2].max(), *_SLACK_LIMITS))
     motion, merit = _placed(surface, few, way, slack)
@@ -108,7 +108,9 @@ def tracked(
     return Found(ndimage.binary_closing(shown, iterations=2), shift, merit)
 
 
-def _placed(surface: Surface, points: Array, way: Array, slack: float) -> tuple[Motions, float]:
+def _placed(
+    surface: OrientedPoints, points: Array, way: Array, slack: float
+) -> tuple[Motions, float]:
     """The motion that explains best what is seen, and how well: slid and turned, or tipped."""
     few = points[:: max(1, len(points) // _FEW)]
     slid = _best(
@@ -146,11 +148,13 @@ def _grid(steps: Array) -> Array:
     return np.column_stack([x, y, np.zeros(len(x))])
 
 
-def _best(surface: Surface, points: Array, motions: Motions, slack: float, count: int) -> Motions:
+def _best(
+    surface: OrientedPoints, points: Array, motions: Motions, slack: float, count: int
+) -> Motions:
     order = np.argsort(-_merits(surface, points, motions, slack), kind="stable")
     return motions[order[:count]]
 
 
-def _merits(surface: Surface, points: Array, motions: Motions, slack: float) -> Array:
+def _merits(surface: OrientedPoints, points: Array, motions: Motions, slack: float) -> Array:
     shown, hiding = fit(surface, points, motions, slack)
     return shown - _HIDING_COST * hiding

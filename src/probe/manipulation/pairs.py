@@ -44,7 +44,7 @@ class Pairs:
 
 
 @dataclass(frozen=True, eq=False)
-class Hands:
+class HandPoses:
     """Ways to put the pads around a pair, not yet checked against anything.
 
     Attributes:
@@ -59,8 +59,8 @@ class Hands:
     widths: Array
     tilts: Array
 
-    def __getitem__(self, chosen: Array) -> Hands:
-        return Hands(
+    def __getitem__(self, chosen: Array) -> HandPoses:
+        return HandPoses(
             self.rotations[chosen], self.centres[chosen], self.widths[chosen], self.tilts[chosen]
         )
 
@@ -89,7 +89,7 @@ def opposed(target: Target, max_width: float) -> Pairs:
     return Pairs(middles[best], axes[best], widths[best])
 
 
-def around(pairs: Pairs) -> Hands:
+def around(pairs: Pairs) -> HandPoses:
     """Each pair approached upright and tilted about its axis."""
     axes = np.repeat(pairs.axes, len(TILTS), axis=0)
     turns = np.tile(TILTS, len(pairs.axes))[:, None]
@@ -99,7 +99,7 @@ def around(pairs: Pairs) -> Hands:
     approach = upright * np.cos(turns) + np.cross(axes, upright) * np.sin(turns)
     rotations = np.stack([np.cross(axes, approach), axes, approach], axis=2)
     tilts = np.arccos(np.clip(-approach[:, 2], -1.0, 1.0))
-    hands = Hands(
+    hands = HandPoses(
         rotations,
         np.repeat(pairs.middles, len(TILTS), axis=0),
         np.repeat(pairs.widths, len(TILTS)),

@@ -30,7 +30,7 @@ _KNUCKLES = 0.04
 
 
 @dataclass(frozen=True)
-class Push:
+class PlannedPush:
     """A push of the closed gripper.
 
     Attributes:
@@ -70,7 +70,7 @@ class _Surroundings:
 
 def pushes(
     target: Target, terrain: Terrain, shape: HandShape, along: Array, distance: float
-) -> Iterator[Push]:
+) -> Iterator[PlannedPush]:
     """Places to push from: upright ones first, the best first within each lean.
 
     Args:
@@ -89,7 +89,7 @@ def pushes(
         (0.0, along), (30.0, along), (30.0, aside), (30.0, -aside), (50.0, along), (50.0, aside),
         (50.0, -aside),
     ):  # fmt: skip
-        found: list[Push] = []
+        found: list[PlannedPush] = []
         for across, cost in ((along, 0.0), (aside, 0.05)):
             rotation = orientation(np.radians(lean_deg), towards, across)
             tool = ClosedHand.of(shape, rotation, along, aside)
@@ -97,7 +97,9 @@ def pushes(
         yield from sorted(found, key=lambda push: push.cost)
 
 
-def _on_line(tool: ClosedHand, around: _Surroundings, line: float, cost: float) -> Iterator[Push]:
+def _on_line(
+    tool: ClosedHand, around: _Surroundings, line: float, cost: float
+) -> Iterator[PlannedPush]:
     """The nearest free spot at each height behind the target, on a line beside its middle."""
     target = around.target
     aside = float(target.centre @ around.aside) + line
@@ -119,7 +121,7 @@ def _on_line(tool: ClosedHand, around: _Surroundings, line: float, cost: float) 
             start = Pose.of(contact - gap * around.along, quaternion_of(tool.rotation))
             total = cost + 3.0 * gap + 8.0 * abs(line) + 0.25 * number
             through, hindrance = _hindrance(tool, around, contact, gap)
-            yield Push(start, gap, total + hindrance, through=through)
+            yield PlannedPush(start, gap, total + hindrance, through=through)
 
 
 def _heights(own: Array, around: _Surroundings) -> list[float]:

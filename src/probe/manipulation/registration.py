@@ -21,7 +21,7 @@ _EDGE = 0.006
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
+class OrientedPoints:
     """Part of what a frame shows, as points with normals.
 
     Attributes:
@@ -43,7 +43,7 @@ class Surface:
     smooth: Array
 
     @staticmethod
-    def of(frame: Frame, possible: Array) -> Surface:
+    def of(frame: Frame, possible: Array) -> OrientedPoints:
         """The part of a frame around some pixels, bool, shape (h, w), of which there are any."""
         rows, columns = np.nonzero(possible.any(axis=1))[0], np.nonzero(possible.any(axis=0))[0]
         top, left = max(0, rows[0] - 2), max(0, columns[0] - 2)
@@ -56,7 +56,7 @@ class Surface:
         normals = np.cross(down, across)
         normals /= np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-12)
         steps = np.abs(np.asarray(np.gradient(depth, axis=(0, 1)))).max(axis=0)
-        return Surface(
+        return OrientedPoints(
             frame.camera,
             (int(top), int(left)),
             depth,
@@ -119,7 +119,7 @@ class Motions:
         return Motions(rotations, shifts, self.pivot)
 
 
-def register(surface: Surface, points: Array, starts: Motions) -> Motions:
+def register(surface: OrientedPoints, points: Array, starts: Motions) -> Motions:
     """Let every start slide to where its points lie best on the surface.
 
     Args:
@@ -133,7 +133,7 @@ def register(surface: Surface, points: Array, starts: Motions) -> Motions:
     return motions
 
 
-def _step(surface: Surface, points: Array, motions: Motions, gate: float) -> Motions:
+def _step(surface: OrientedPoints, points: Array, motions: Motions, gate: float) -> Motions:
     """One Gauss-Newton step on the distances from the tangent planes."""
     placed = motions.apply(points)
     rows, columns, depth, inside = surface.under(placed)
@@ -154,7 +154,9 @@ def _step(surface: Surface, points: Array, motions: Motions, gate: float) -> Mot
     return Motions(turns @ motions.rotations, motions.shifts + step[:, 3:], motions.pivot)
 
 
-def fit(surface: Surface, points: Array, motions: Motions, slack: float) -> tuple[Array, Array]:
+def fit(
+    surface: OrientedPoints, points: Array, motions: Motions, slack: float
+) -> tuple[Array, Array]:
     """How well moved points agree with what is seen.
 
     Args:

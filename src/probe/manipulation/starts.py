@@ -9,7 +9,7 @@ import numpy as np
 
 from probe.manipulation.dragging import drags
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.pushing import Push, pushes
+from probe.manipulation.pushing import PlannedPush, pushes
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.types import Array, Pose
@@ -26,7 +26,7 @@ def starts(
     along: Array,
     distance: float,
     unlike: Sequence[Pose],
-) -> list[Push]:
+) -> list[PlannedPush]:
     """Starts from behind; after some in vain, from above or by what stands behind it, in turns.
 
     What lies in a pan goes with the pan; what is flat goes with what presses on it.
@@ -51,12 +51,12 @@ def starts(
     return [*through[:_TRIED], *above, *behind[:_TRIED]]
 
 
-def _fresh(options: Iterable[Push], unlike: Sequence[Pose]) -> Iterator[Push]:
+def _fresh(options: Iterable[PlannedPush], unlike: Sequence[Pose]) -> Iterator[PlannedPush]:
     """Those that begin elsewhere than some."""
     return (one for one in options if not any(close(one, pose) for pose in unlike))
 
 
-def close(one: Push, other: Pose) -> bool:
+def close(one: PlannedPush, other: Pose) -> bool:
     """Whether a push begins where another one did."""
     apart = np.subtract(one.start.position, other.position)
     return float(np.linalg.norm(apart)) < _SAME_START

@@ -14,7 +14,7 @@ from probe.manipulation.kinematics import either_way, line, moved, reaching, str
 from probe.manipulation.looking import still_there
 from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.parking import park
-from probe.manipulation.pushing import DESCENT, Push
+from probe.manipulation.pushing import DESCENT, PlannedPush
 from probe.manipulation.room import room_ahead
 from probe.manipulation.routes import over
 from probe.manipulation.starts import close, starts
@@ -57,7 +57,7 @@ class Stroke:
 
 @dataclass(frozen=True, eq=False)
 class _Route:
-    push: Push
+    push: PlannedPush
     transit: Array
     descent: Array
     sweep: Array
@@ -107,7 +107,11 @@ def stroke(
 
 
 def _best(
-    station: Station, obstacles: Obstacles, options: Sequence[Push], way: Array, shape: HandShape
+    station: Station,
+    obstacles: Obstacles,
+    options: Sequence[PlannedPush],
+    way: Array,
+    shape: HandShape,
 ) -> _Route | None:
     """The first option that the arm can follow all the way, or else most of it."""
     distance = float(np.linalg.norm(way))
@@ -121,7 +125,7 @@ def _best(
 
 
 def _route(
-    station: Station, obstacles: Obstacles, option: Push, travel: Array, shape: HandShape
+    station: Station, obstacles: Obstacles, option: PlannedPush, travel: Array, shape: HandShape
 ) -> _Route | None:
     """A free path to the start of a push and along it; None if the arm has none."""
     arm, parked = station.arm, station.joints()

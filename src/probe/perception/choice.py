@@ -6,13 +6,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from probe.assets.spec import ObjectSpec
-from probe.perception.dials import Dialled, Dials, Poses
+from probe.perception.dials import Dials, NoisyDetector, Poses
 from probe.perception.oracle import Oracle, words_of
 from probe.perception.pointer import Finder, Pointer
 from probe.perception.points import Convention
-from probe.perception.scene_graph import Teller
+from probe.perception.scene_describer import ModelSceneDescriber
+from probe.perception.scene_graph import SceneDescriber
 from probe.perception.segmenter import Masker, Segmenter
-from probe.perception.teller import ModelTeller
 from probe.perception.things import Detector
 from probe.types import Ask
 
@@ -29,7 +29,7 @@ class Perception:
 
     detector: Detector
     finder: Finder | None = None
-    teller: Teller | None = None
+    teller: SceneDescriber | None = None
 
 
 Perceiver = Callable[[Mapping[int, ObjectSpec], Poses], Perception]
@@ -55,7 +55,7 @@ def dialled(dials: Dials, seed: int, run: int = 0, rumours: Sequence[ObjectSpec]
     def perceiver(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
         present = {spec.name for spec in words.values()}
         absent = [words_of(spec) for spec in rumours if spec.name not in present]
-        return Perception(Dialled(Oracle(words), dials, poses, seed, run, absent))
+        return Perception(NoisyDetector(Oracle(words), dials, poses, seed, run, absent))
 
     return perceiver
 
@@ -74,6 +74,6 @@ def pointing(
     def perceiver(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
         segmenter = Segmenter()
         finder = Pointer(ask, masker or segmenter, convention)
-        return Perception(segmenter, finder, ModelTeller(ask, convention))
+        return Perception(segmenter, finder, ModelSceneDescriber(ask, convention))
 
     return perceiver

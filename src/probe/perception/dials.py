@@ -53,7 +53,7 @@ class Dials:
                 raise BadData(f"--dials.{name}", reason, "Say a number from 0 to 1")
 
 
-class Dialled:
+class NoisyDetector:
     """A Detector of a simulated frame with errors put in; none with all dials at 0."""
 
     def __init__(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from probe.assets.colours import Colour, main_colours
+from probe.assets.colour.names import Colour, main_colours
 from probe.perception.outline import shape_word
 from probe.types import Array, Frame
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
-from probe.assets.colours import lab
+from probe.assets.colour.names import lab
 from probe.types import Array, Frame
 
 GRID_PX = 512

@@ -33,7 +33,7 @@ class Relation(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Entry:
+class GraphEntry:
     """One thing in words.
 
     Attributes:
@@ -57,13 +57,13 @@ class SceneGraph:
         cluttered, clear: Parts of the picture.
     """
 
-    entries: tuple[Entry, ...]
+    entries: tuple[GraphEntry, ...]
     relations: tuple[Relation, ...]
     cluttered: tuple[Region, ...]
     clear: tuple[Region, ...]
 
 
-class Teller(Protocol):
+class SceneDescriber(Protocol):
     """Tells a frame that has colours as a scene graph."""
 
     def tell(self, frame: Frame) -> SceneGraph:

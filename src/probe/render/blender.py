@@ -16,10 +16,10 @@ import bpy
 import numpy as np
 from PIL import Image
 
-from probe.assets.mesh import TexturedMesh
+from probe.assets.mesh.mesh import TexturedMesh
 from probe.render.blender_parts import camera_of, mesh_of, sun_of, world_of
 from probe.render.packing import table_quad
-from probe.render.protocol import Draw, Load
+from probe.render.protocol import DrawRequest, Load
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera, Pose
 
@@ -27,7 +27,7 @@ SAMPLES = 8
 """Of each pixel. On two cores without GPU each costs about three seconds."""
 
 
-def paint(load: Load, request: Draw) -> Array:
+def paint(load: Load, request: DrawRequest) -> Array:
     """Colour picture, uint8, shape (h, w, 3)."""
     light = request.light
     assert light is not None
@@ -89,7 +89,7 @@ def serve(client: Connection) -> None:
     load: Load | None = None
     while True:
         try:
-            request: Load | Draw = client.recv()
+            request: Load | DrawRequest = client.recv()
         except EOFError:
             return
         if isinstance(request, Load):

@@ -11,7 +11,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from probe.assets.mesh import Surface, TexturedMesh
+from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.render.illumination import Illumination, Sun
 from probe.types import Array, Camera, Pose
 
@@ -49,7 +49,7 @@ def mesh_of(name: str, mesh: TexturedMesh, *, glossy: bool) -> bpy.types.Mesh:
     return made
 
 
-def _material(name: str, surface: Surface, *, glossy: bool) -> bpy.types.Material:
+def _material(name: str, surface: Material, *, glossy: bool) -> bpy.types.Material:
     material, tree = _shader(bpy.data.materials.new(name))
     colour = _texture(tree, surface.texture, "sRGB")
     end = tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"]

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from mujoco import mjrf
 
-from probe.assets.mesh import Surface
+from probe.assets.mesh.mesh import Material
 from probe.render.illumination import Sun
 from probe.render.packing import PackedMesh
 from probe.types import Array, Camera
@@ -76,7 +76,7 @@ class Factory:
         renderable.set_size(np.ones(3, np.float32))
         return renderable
 
-    def _material(self, surface: Surface) -> dict[str, object]:
+    def _material(self, surface: Material) -> dict[str, object]:
         colour = self._image(surface.texture, mjrf.ColorSpace.COLORSPACE_SRGB)
         material: dict[str, object] = {"color": [1, 1, 1, 1], "color_texture": colour}
         if not self._glossy:

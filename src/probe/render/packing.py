@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from probe.assets.mesh import Surface, TexturedMesh
+from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.render.protocol import TableTop
 from probe.types import Array
 
@@ -26,7 +26,7 @@ class PackedMesh:
     vertex_count: int
     index_count: int
     bounds: tuple[Array, Array]
-    surface: Surface
+    surface: Material
 
 
 def pack(mesh: TexturedMesh) -> PackedMesh:

@@ -14,7 +14,7 @@ from probe.render.filament import Drawer
 from probe.render.light_packing import LightPacker
 from probe.render.packing import PackedMesh
 from probe.render.processes import Child, start_module
-from probe.render.protocol import Draw, Load
+from probe.render.protocol import DrawRequest, Load
 from probe.types import Array
 
 
@@ -30,7 +30,7 @@ class Painter(Protocol):
 
     def load(self, load: Load, packed: Packed) -> None: ...
 
-    def begin(self, request: Draw) -> None: ...
+    def begin(self, request: DrawRequest) -> None: ...
 
     def finish(self) -> Array: ...
 
@@ -47,7 +47,7 @@ class FilamentPainter:
     def load(self, load: Load, packed: Packed) -> None:
         self._packed = packed
 
-    def begin(self, request: Draw) -> None:
+    def begin(self, request: DrawRequest) -> None:
         packed = self._packed
         assert packed is not None and request.light is not None
         light = self._lights.pack(request.light)
@@ -74,7 +74,7 @@ class BlenderPainter:
     def load(self, load: Load, packed: Packed) -> None:
         self._send(load)
 
-    def begin(self, request: Draw) -> None:
+    def begin(self, request: DrawRequest) -> None:
         self._send(request)
 
     def finish(self) -> Array:
@@ -83,7 +83,7 @@ class BlenderPainter:
         except EOFError:
             raise SystemExit(1) from None
 
-    def _send(self, request: Load | Draw) -> None:
+    def _send(self, request: Load | DrawRequest) -> None:
         """Hand on; if Blender has died, end as well: its last words are the ones to be read."""
         try:
             self._pipe.send(request)

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from probe.assets.mesh import Surface
+from probe.assets.mesh.mesh import Material
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera, Pose, Vector3, looking_at
 
-GROUND = TableTop(Surface(np.full((1, 1, 3), 170, dtype=np.uint8)), 1.0, (8.0, 8.0))
+GROUND = TableTop(Material(np.full((1, 1, 3), 170, dtype=np.uint8)), 1.0, (8.0, 8.0))
 """What portraits are taken on; to be loaded with the objects."""
 
 FRONT: Vector3 = (0.45, -1.15, 1.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from probe.assets.mesh import Surface, TexturedMesh
+from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.render.illumination import Illumination
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera
@@ -24,7 +24,7 @@ class TableTop:
         extent: Size along x and y in metres.
     """
 
-    surface: Surface
+    surface: Material
     tile_size: float
     extent: tuple[float, float]
 
@@ -38,7 +38,7 @@ class Load:
 
 
 @dataclass(frozen=True, eq=False)
-class Draw:
+class DrawRequest:
     """Draw the loaded objects at these poses; the answer is a Drawn.
 
     Attributes:
@@ -67,7 +67,7 @@ class Outline:
 
 
 @dataclass(frozen=True, eq=False)
-class Drawn:
+class DrawReply:
     """Arrays of a Frame: depth (h, w) float32 metres, labels (h, w) int32, rgb or None."""
 
     depth: Array
@@ -89,5 +89,5 @@ class Outlines:
     masks: dict[int, Array]
 
 
-Request = Load | Draw | Label | Outline
-Answer = Drawn | Labels | Outlines | None
+Request = Load | DrawRequest | Label | Outline
+Answer = DrawReply | Labels | Outlines | None

@@ -8,15 +8,15 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
 
-from probe.assets.mesh import TexturedMesh
+from probe.assets.mesh.mesh import TexturedMesh
 from probe.errors import RenderFailed
 from probe.render.driver import require_blender, require_driver
 from probe.render.illumination import AMBIENT, Illumination
 from probe.render.processes import start_module
 from probe.render.protocol import (
     Answer,
-    Draw,
-    Drawn,
+    DrawReply,
+    DrawRequest,
     Engine,
     Label,
     Labels,
@@ -101,8 +101,8 @@ class Renderer:
             RenderFailed: The worker died twice on this request.
             ValueError: An object isn't loaded.
         """
-        answer = self._ask_of(Draw(tuple(objects), camera, light if rgb else None))
-        assert isinstance(answer, Drawn)
+        answer = self._ask_of(DrawRequest(tuple(objects), camera, light if rgb else None))
+        assert isinstance(answer, DrawReply)
         return Frame(camera, answer.depth, answer.rgb, answer.labels)
 
     def labels(self, objects: Sequence[PlacedObject], camera: Camera) -> Array:
@@ -121,7 +121,7 @@ class Renderer:
         assert isinstance(answer, Outlines)
         return answer.masks
 
-    def _ask_of(self, request: Draw | Label | Outline) -> Answer:
+    def _ask_of(self, request: DrawRequest | Label | Outline) -> Answer:
         loaded = self._load.meshes if self._load else {}
         missing = sorted({each.object_id for each in request.objects} - loaded.keys())
         if missing:

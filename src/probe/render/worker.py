@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from probe.assets.cache import Cache
-from probe.assets.mesh import Surface
+from probe.assets.mesh.mesh import Material
 from probe.render.filament import Drawer
 from probe.render.illumination import AMBIENT
 from probe.render.light_packing import LightPacker
@@ -22,8 +22,8 @@ from probe.render.painters import BlenderPainter, FilamentPainter, Painter
 from probe.render.processes import Child
 from probe.render.protocol import (
     Answer,
-    Draw,
-    Drawn,
+    DrawReply,
+    DrawRequest,
     Label,
     Labels,
     Load,
@@ -33,7 +33,7 @@ from probe.render.protocol import (
 )
 from probe.types import Array
 
-_PLAIN = Surface(np.full((1, 1, 3), 255, dtype=np.uint8))
+_PLAIN = Material(np.full((1, 1, 3), 255, dtype=np.uint8))
 
 
 class _Loaded:
@@ -45,12 +45,12 @@ class _Loaded:
         self.table = pack(table_quad(load.table))
         self._labeller: Child | None = None
 
-    def draw(self, request: Draw, painter: Painter) -> Drawn:
+    def draw(self, request: DrawRequest, painter: Painter) -> DrawReply:
         if request.light is not None:
             painter.begin(request)
         depth, labels = self._ask_labeller(replace(request, light=None))
         rgb = None if request.light is None else painter.finish()
-        return Drawn(depth=depth, labels=labels, rgb=rgb)
+        return DrawReply(depth=depth, labels=labels, rgb=rgb)
 
     def labels(self, request: Label) -> Labels:
         return Labels(self._ask_labeller(request))
@@ -62,7 +62,7 @@ class _Loaded:
         if self._labeller:
             self._labeller.stop()
 
-    def _ask_labeller(self, request: Draw | Label | Outline):  # noqa: ANN202 - what the pipe carries
+    def _ask_labeller(self, request: DrawRequest | Label | Outline):  # noqa: ANN202 - what the pipe carries
         self._labeller = self._labeller or Child(self._client, self._serve_labels)
         self._labeller.pipe.send(request)
         return self._labeller.pipe.recv()
@@ -72,14 +72,14 @@ class _Loaded:
         drawer = Drawer(meshes, _untextured(self.table), LightPacker().pack(AMBIENT))
         while True:
             try:
-                request: Draw | Label | Outline = pipe.recv()
+                request: DrawRequest | Label | Outline = pipe.recv()
             except EOFError:
                 return
             pipe.send(_label(drawer, request))
 
 
 def _label(
-    drawer: Drawer, request: Draw | Label | Outline
+    drawer: Drawer, request: DrawRequest | Label | Outline
 ) -> tuple[Array, Array] | Array | dict[int, Array]:
     objects, camera = request.objects, request.camera
     if isinstance(request, Outline):
@@ -111,7 +111,7 @@ def serve(client: Connection, painter: Painter) -> None:
             answer: Answer = None
         elif loaded is None:
             raise ValueError("Draw before Load")
-        elif isinstance(request, Draw):
+        elif isinstance(request, DrawRequest):
             answer = loaded.draw(request, painter)
         elif isinstance(request, Label):
             answer = loaded.labels(request)

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from probe.certify.parts import KEPT, Line
 from probe.errors import BadData
+from probe.generation.build_folder import KEPT, CandidateLog
 from probe.reading import words
 
 _REMEDY = "Take the log that `probe suite build` wrote beside the suite"
@@ -48,22 +48,22 @@ def read_build_log(path: Path) -> list[Candidates]:
     return count_candidates(_line(path, *each) for each in enumerate(texts, start=1))
 
 
-def _line(path: Path, number: int, text: str) -> Line:
+def _line(path: Path, number: int, text: str) -> CandidateLog:
     try:
-        return Line.parse(text)
+        return CandidateLog.parse(text)
     except ValueError as error:
         raise BadData(f"{path}, line {number}", str(error), _REMEDY) from error
 
 
-def count_candidates(lines: Iterable[Line]) -> list[Candidates]:
+def count_candidates(lines: Iterable[CandidateLog]) -> list[Candidates]:
     """The same of lines that have been read."""
-    kinds: dict[str, list[Line]] = {}
+    kinds: dict[str, list[CandidateLog]] = {}
     for line in lines:
         kinds.setdefault(line.kind, []).append(line)
     return [_count(kind, kinds[kind]) for kind in sorted(kinds)]
 
 
-def _count(kind: str, lines: Sequence[Line]) -> Candidates:
+def _count(kind: str, lines: Sequence[CandidateLog]) -> Candidates:
     checks = Counter(line.check for line in lines)
     kept = checks.pop(KEPT, 0)
     tried = [line.solved for line in lines if line.solved is not None]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from probe.report.played import name_of
+from probe.report.episodes import name_of
 from probe.scores.intervals import Interval
 from probe.scores.row import Entrant
 

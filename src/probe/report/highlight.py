@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from probe.report.played import Played
+from probe.report.episodes import ReportEpisode
 from probe.tasks.task import LETTERS
 
 _MOVING = ("grasp_and_remove", "push")
@@ -29,12 +29,12 @@ class Highlight:
         alike: How many episodes could have stood here as well.
     """
 
-    played: Played
+    played: ReportEpisode
     shots: tuple[Shot, ...]
     alike: int
 
 
-def highlight_of(played: Iterable[Played]) -> Highlight | None:
+def highlight_of(played: Iterable[ReportEpisode]) -> Highlight | None:
     """The shortest right episode that found something, moved it and then answered; else None.
 
     One whose answer names something comes before "none of the above".
@@ -46,11 +46,11 @@ def highlight_of(played: Iterable[Played]) -> Highlight | None:
     return Highlight(best, shots, len(fit))
 
 
-def _plainness(played: Played) -> tuple[bool, int]:
+def _plainness(played: ReportEpisode) -> tuple[bool, int]:
     return played.row.answer == LETTERS[-1], len(played.record.steps)
 
 
-def _shots(played: Played) -> tuple[Shot, ...]:
+def _shots(played: ReportEpisode) -> tuple[Shot, ...]:
     """Start, the thing found, the table once it is moved; nothing if there was no such thing."""
     steps = played.record.steps
     done = [i for i, s in enumerate(steps) if s.call.name in _MOVING and s.status == "done"]

@@ -11,10 +11,10 @@ from probe.errors import BadData, ProbeError
 from probe.files import write_text
 from probe.reading import contents
 from probe.report.build_log import Candidates
+from probe.report.episodes import ReportEpisode, detail_of, index_of, keys_of
 from probe.report.formats import FILTERS
 from probe.report.highlight import highlight_of
 from probe.report.outcome_figure import CLASSES, WIDTH, panels
-from probe.report.played import Played, detail_of, index_of, keys_of
 from probe.report.rendering import digest, joined, script_json, write_page
 from probe.report.suite_facts import suite_facts
 from probe.report.summary_tables import effort_table, missing_table, type_table, unknown_measures
@@ -55,7 +55,7 @@ class Report:
 
     suite: Suite
     scores: Scores
-    played: tuple[Played, ...]
+    played: tuple[ReportEpisode, ...]
     candidates: tuple[Candidates, ...] = ()
     files: tuple[str, ...] = ()
     audits: tuple[tuple[str, str], ...] = ()
@@ -143,7 +143,7 @@ def _values(report: Report) -> dict[str, object]:
     }
 
 
-def _inlined(played: Played, folder: Path) -> Played:
+def _inlined(played: ReportEpisode, folder: Path) -> ReportEpisode:
     return replace(played, pictures=tuple(_data(folder / name) for name in played.pictures))
 
 

@@ -11,16 +11,16 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from probe.assets.fingerprint import Fingerprint
+from probe.assets.mesh.fingerprint import Fingerprint
 from probe.episodes.record import EpisodeRecord, Step
 from probe.errors import BadData
 from probe.files import encode, write_bytes
 from probe.perception.things import Thing, Words
 from probe.reading import contents
-from probe.report.darkroom import Darkroom
+from probe.report.scene_renderer import SceneRenderer
 from probe.scene.document import SceneDocument
 from probe.scene.scene import Scene
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.tasks.marks import drawn
 from probe.tasks.task import Mark, Task
 from probe.toolshed.pictures import outlined
@@ -46,7 +46,7 @@ class Still:
     """
 
     scene: Scene
-    sight: Sight = field(default_factory=Sight)
+    sight: Viewpoint = field(default_factory=Viewpoint)
     marks: tuple[Mark, ...] = ()
     outline: tuple[int, int] | None = None
 
@@ -74,7 +74,7 @@ def file_of(still: Still, objects: Mapping[str, Fingerprint]) -> str:
     said = [
         _EDITION,
         SceneDocument.of(still.scene).model_dump(),
-        repr(still.sight),
+        _words_of(still.sight),
         [(mark.letter, mark.point) for mark in still.marks],
         still.outline,
         {id: objects[id] for id in sorted(shown)},
@@ -82,7 +82,14 @@ def file_of(still: Still, objects: Mapping[str, Fingerprint]) -> str:
     return hashlib.sha256(json.dumps(said).encode()).hexdigest()[:20] + ".jpg"
 
 
-def develop(still: Still, task: Task, path: Path, darkroom: Darkroom, kept: Iterable[Path]) -> None:
+def _words_of(sight: Viewpoint) -> str:
+    """A viewpoint in the words that the pictures of earlier reports were named by."""
+    return f"Sight(camera={sight.camera!r}, lighting={sight.lighting!r})"
+
+
+def develop(
+    still: Still, task: Task, path: Path, darkroom: SceneRenderer, kept: Iterable[Path]
+) -> None:
     """Write a picture, or take over the file of another folder if one has it.
 
     Raises:

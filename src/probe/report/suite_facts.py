@@ -11,7 +11,7 @@ from probe.tasks.task import LETTERS, Task
 
 
 @dataclass(frozen=True)
-class Facts:
+class TypeFacts:
     """One question type of a suite.
 
     Attributes:
@@ -28,7 +28,7 @@ class Facts:
     measures: tuple[tuple[str, Spread], ...]
 
 
-def suite_facts(tasks: Iterable[Task]) -> list[Facts]:
+def suite_facts(tasks: Iterable[Task]) -> list[TypeFacts]:
     """Count and measure a suite, by type in order of name."""
     kinds: dict[str, list[Task]] = {}
     for task in tasks:
@@ -36,7 +36,7 @@ def suite_facts(tasks: Iterable[Task]) -> list[Facts]:
     return [_facts(kind, kinds[kind]) for kind in sorted(kinds)]
 
 
-def _facts(kind: str, tasks: Sequence[Task]) -> Facts:
+def _facts(kind: str, tasks: Sequence[Task]) -> TypeFacts:
     right = Counter(task.answer for task in tasks)
     offered = {option.letter for task in tasks for option in task.options}
     seen = [
@@ -45,7 +45,7 @@ def _facts(kind: str, tasks: Sequence[Task]) -> Facts:
         for target in task.targets
         if target in task.certificate.visibility
     ]
-    return Facts(
+    return TypeFacts(
         kind=kind,
         tasks=len(tasks),
         letters=tuple(right[letter] if letter in offered else None for letter in LETTERS),

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from probe.report.rendering import write_page
-from probe.trials.summary import Summary
+from probe.tool_bench.summary import Summary
 
 
 @dataclass(frozen=True)

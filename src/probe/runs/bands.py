@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from probe.certify.rules import is_clear, is_hidden, is_little, is_partly_visible
+from probe.generation.visibility_rules import is_clear, is_hidden, is_little, is_partly_visible
 from probe.scene.visibility import Visibility
 from probe.tasks.task import QuestionKind, Task
 

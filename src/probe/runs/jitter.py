@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from probe.assets.library import Library
-from probe.certify.restaged import Restaged
-from probe.certify.result import Rejected
-from probe.certify.stage import Stage
+from probe.generation.restored_stage import RestoredStage
+from probe.generation.result import Rejected
+from probe.generation.stage import Stage
 from probe.scene.perturb import PoseRange, jittered
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
@@ -37,7 +37,7 @@ def jitter(scene: Scene, shift: float, library: Library) -> Scene | None:
     Returns:
         None if every draw made something tip, slide on or creep.
     """
-    stage = Restaged.of(scene, library).stage
+    stage = RestoredStage.of(scene, library).stage
     for draw in range(DRAWS):
         reach = shift * 0.5 ** (draw // 3)
         rng = generator(scene.seed, "jitter", draw)
@@ -49,7 +49,7 @@ def jitter(scene: Scene, shift: float, library: Library) -> Scene | None:
 
 
 def _settled(scene: Scene, stage: Stage) -> Scene | None:
-    bare = Restaged(scene, stage)
+    bare = RestoredStage(scene, stage)
     try:
         return bare.moved(stage.settle(bare.poses))
     except Rejected:

@@ -6,8 +6,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from probe.episodes.conditions import AS_FROZEN, Conditions
-from probe.episodes.luck import NO_NOISE, Noise
-from probe.episodes.seat import Points
+from probe.episodes.noise import NO_NOISE, Noise
+from probe.episodes.participation import Points
 from probe.tasks.task import Task
 from probe.types import Shard
 
@@ -26,7 +26,7 @@ class Job:
 
 
 @dataclass(frozen=True)
-class Order:
+class RunOrder:
     """What is to be run.
 
     Attributes:

@@ -13,14 +13,14 @@ from probe.episodes.folder import RECORDS, add_line, check_suite, occupied
 from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
-from probe.runs.crew import Lost, carry_out
-from probe.runs.plan import Job, Order
-from probe.runs.work import Workplace, failed
+from probe.runs.plan import Job, RunOrder
+from probe.runs.work import WorkerSetup, failed
+from probe.runs.worker_pool import LostJob, carry_out
 from probe.tasks.suite import Suite
 
 
 @dataclass(frozen=True)
-class Beginning:
+class RunStart:
     """How a run finds its folder.
 
     Attributes:
@@ -35,7 +35,7 @@ class Beginning:
 
 
 @contextmanager
-def begun(out: Path, suite: Suite, order: Order) -> Generator[Beginning]:
+def begun(out: Path, suite: Suite, order: RunOrder) -> Generator[RunStart]:
     """Make or take up a folder, for this process alone; nothing is changed if it is refused.
 
     Raises:
@@ -51,11 +51,11 @@ def begun(out: Path, suite: Suite, order: Order) -> Generator[Beginning]:
         earlier = _earlier(out)
         done = {(it.task, it.agent, it.arm, it.run) for it in earlier if it.end != "fault"}
         jobs = order.jobs(suite.tasks, done)
-        yield Beginning(tuple(jobs), len(order.jobs(suite.tasks)) - len(jobs), cut)
+        yield RunStart(tuple(jobs), len(order.jobs(suite.tasks)) - len(jobs), cut)
 
 
 def work(
-    out: Path, jobs: Sequence[Job], place: Workplace, workers: int
+    out: Path, jobs: Sequence[Job], place: WorkerSetup, workers: int
 ) -> Generator[tuple[Job, str | None]]:
     """Run episodes and add their records; yields each with our fault, if it came to nothing.
 
@@ -67,7 +67,7 @@ def work(
     results = carry_out(place, jobs, workers)
     try:
         for job, result in results:
-            if isinstance(result, Lost):
+            if isinstance(result, LostJob):
                 result = line_of(failed(job, place.order, result.reason))
             add_line(out, result)
             yield job, _fault(result)
@@ -75,7 +75,7 @@ def work(
         results.close()
 
 
-def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) -> None:
+def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: RunOrder) -> None:
     """See that records were made under the conditions of an order.
 
     Raises:
@@ -92,7 +92,7 @@ def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: Order) -
             raise BadData(path, "was run with other --points", "Choose another folder")
 
 
-def _counts_otherwise(record: EpisodeRecord, order: Order) -> bool:
+def _counts_otherwise(record: EpisodeRecord, order: RunOrder) -> bool:
     """The same model in the same arm, but told to count places in another way."""
     same = (record.agent, record.arm) == (order.agent, order.arm)
     return same and record.seat is not None and record.seat.points != order.points

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from probe.assets.library import Library
-from probe.chat.prompts import Arm
 from probe.episodes.oracle_view import oracle_view
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.tasks.marks import drawn
 from probe.tasks.task import Task
+from probe.transcripts.prompts import Arm
 from probe.types import Array
 
 
 def stills(
-    arm: Arm, task: Task, sight: Sight, things: Library, renderer: Renderer
+    arm: Arm, task: Task, sight: Viewpoint, things: Library, renderer: Renderer
 ) -> tuple[Array, ...]:
     """Pictures that come with the question; replaces what the renderer had loaded.
 

@@ -13,7 +13,7 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import read_document, write_text
-from probe.runs.vary import Varied
+from probe.runs.vary import VariedTask
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of, read_suite, write_suite
 from probe.tasks.task import Task
@@ -71,7 +71,9 @@ def earlier(out: Path, base: Suite, conditions: Conditions) -> Suite | None:
     return read_suite(out / SUITE)
 
 
-def keep_varied(out: Path, base: Suite, conditions: Conditions, made: Sequence[Varied]) -> Suite:
+def keep_varied(
+    out: Path, base: Suite, conditions: Conditions, made: Sequence[VariedTask]
+) -> Suite:
     """Write down tasks that were varied, and what is amiss with them.
 
     Raises:

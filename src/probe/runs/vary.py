@@ -8,21 +8,21 @@ from dataclasses import dataclass, replace
 
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
-from probe.certify.marked import widest
-from probe.certify.result import Rejected
 from probe.episodes.conditions import Conditions
+from probe.generation.marked import widest
+from probe.generation.result import Rejected
 from probe.render.photograph import labels_of, load_scene, measure
 from probe.render.renderer import Renderer
 from probe.runs.bands import broken_rule
 from probe.runs.jitter import jitter
-from probe.runs.sights import camera_of
+from probe.runs.viewpoints import camera_of
 from probe.scene.perturb import other_table
 from probe.scene.seeds import generator
 from probe.tasks.task import Mark, Task
 
 
 @dataclass(frozen=True)
-class Varied:
+class VariedTask:
     """A task under other conditions.
 
     Attributes:
@@ -47,7 +47,7 @@ def changes_labels(conditions: Conditions) -> bool:
 
 def vary(
     tasks: Sequence[Task], conditions: Conditions, library: Library, renderer: Renderer
-) -> Iterator[Varied]:
+) -> Iterator[VariedTask]:
     """Each task under other conditions, in order; its own seed draws how they differ."""
     for task in tasks:
         scene, note = task.scene, None
@@ -58,15 +58,15 @@ def vary(
             moved = jitter(scene, conditions.pose_jitter, library)
             note = None if moved else "its things can't be moved without something giving way"
             scene = moved or scene
-        made = Varied(replace(task, scene=scene), note)
+        made = VariedTask(replace(task, scene=scene), note)
         yield (
             _seen_anew(made, conditions, library, renderer) if changes_labels(conditions) else made
         )
 
 
 def _seen_anew(
-    made: Varied, conditions: Conditions, library: Library, renderer: Renderer
-) -> Varied:
+    made: VariedTask, conditions: Conditions, library: Library, renderer: Renderer
+) -> VariedTask:
     """Measured in the new view, with marks where they belong in it."""
     task, camera = made.task, camera_of(made.task, conditions.camera)
     load_scene(renderer, task.scene, library, library.table(task.scene.table))
@@ -78,7 +78,7 @@ def _seen_anew(
             task = replace(task, marks=marks, question=with_places(task.question, marks))
         except Rejected as failure:
             notes.append(str(failure))
-    return Varied(task, "; ".join(note for note in notes if note) or None)
+    return VariedTask(task, "; ".join(note for note in notes if note) or None)
 
 
 def with_places(question: str, marks: Sequence[Mark]) -> str:

@@ -8,18 +8,18 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from probe.agents.outside.outsider import Outsider
+from probe.agents.external.external_agent import ExternalAgent
 from probe.assets.library import Library
 from probe.episodes.files import line_of
 from probe.episodes.grading import question_of
+from probe.episodes.participation import Participation
 from probe.episodes.play import play
-from probe.episodes.record import EpisodeRecord, Table
-from probe.episodes.seat import Seat
+from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.turns import Agent
 from probe.render.renderer import Renderer
-from probe.runs.crew import TRIES
-from probe.runs.plan import Job, Order
-from probe.runs.sights import sight_of
+from probe.runs.plan import Job, RunOrder
+from probe.runs.viewpoints import sight_of
+from probe.runs.worker_pool import TRIES
 from probe.station.ur5 import Ur5
 from probe.tasks.task import Task
 
@@ -31,7 +31,7 @@ It gets the objects, and a renderer whose loaded things it may replace.
 
 
 @dataclass(frozen=True)
-class Workplace:
+class WorkerSetup:
     """All that a worker is told.
 
     Attributes:
@@ -41,7 +41,7 @@ class Workplace:
         cache: Folder for prepared light.
     """
 
-    order: Order
+    order: RunOrder
     library: Callable[[], Library]
     agent_of: AgentOf
     cache: Path | None = None
@@ -65,13 +65,17 @@ class Workplace:
     def played(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
         """One episode; whatever it raises is our fault."""
         agent = self.agent_of(self.order.agent, job.task, job.run, things, renderer)
-        if not isinstance(agent, Outsider):
+        if not isinstance(agent, ExternalAgent):
             return self._play(job, agent, things, renderer)
         try:
             record = self._play(job, agent, things, renderer, pictures=agent.pictures)
         finally:
             agent.close()
-        return replace(record, seat=Seat("", faults=(agent.fault,))) if agent.fault else record
+        return (
+            replace(record, seat=Participation("", faults=(agent.fault,)))
+            if agent.fault
+            else record
+        )
 
     def _play(
         self,
@@ -107,14 +111,14 @@ class Workplace:
             return failed(job, self.order, f"{type(error).__name__}: {error}")
 
 
-def failed(job: Job, order: Order, reason: str) -> EpisodeRecord:
+def failed(job: Job, order: RunOrder, reason: str) -> EpisodeRecord:
     """The record of an episode that never got anywhere, through our fault."""
     return replace(stopped(job, order), end="fault", fault=reason)
 
 
-def stopped(job: Job, order: Order) -> EpisodeRecord:
+def stopped(job: Job, order: RunOrder) -> EpisodeRecord:
     """The record of an episode that its agent ended at once."""
-    start = Table(job.task.scene, tuple(float(angle) for angle in Ur5().parked))
+    start = TableState(job.task.scene, tuple(float(angle) for angle in Ur5().parked))
     return EpisodeRecord(
         task=job.task.id,
         agent=order.agent,

@@ -26,7 +26,7 @@ _MEMORY = "Raise the limit (ulimit -v), leave other programs, or say --workers 1
 
 
 @dataclass(frozen=True)
-class Ready:
+class WorkerReady:
     """A worker's first message, with the reason if it can't work; later ones are results."""
 
     problem: str | None = None
@@ -46,14 +46,14 @@ def serve(opening: Opening[Job, Result], pipe: Connection) -> None:
         try:
             carry = stack.enter_context(opening())
         except ProbeError as error:
-            pipe.send(Ready(str(error)))
+            pipe.send(WorkerReady(str(error)))
             return
         except (MemoryError, ImportError) as error:
             # A library that can't be mapped into memory is said to be missing.
-            pipe.send(Ready(f"A worker process got no memory ({error}). {_MEMORY}"))
+            pipe.send(WorkerReady(f"A worker process got no memory ({error}). {_MEMORY}"))
             return
         with suppress(EOFError, BrokenPipeError):
-            pipe.send(Ready())
+            pipe.send(WorkerReady())
             while True:
                 pipe.send(carry(pipe.recv()))
 

@@ -22,7 +22,7 @@ _OVER = 0.01
 
 
 @dataclass(frozen=True)
-class Pile:
+class PileSettings:
     """How tight a pile is, and how much of it lies under something.
 
     Attributes:
@@ -50,7 +50,7 @@ class Pile:
             raise Unsatisfiable(f"At least 0 objects can be buried, not {self.buried}.")
 
 
-TIGHT = Pile()
+TIGHT = PileSettings()
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ def draw_drop(rng: np.random.Generator, reach: float = TIGHT.reach) -> Drop:
 
 
 def draw_pile(
-    specs: Sequence[ObjectSpec], pile: Pile, rng: np.random.Generator
+    specs: Sequence[ObjectSpec], pile: PileSettings, rng: np.random.Generator
 ) -> tuple[tuple[int, Drop], ...]:
     """Draw in which order objects are dropped, and how each starts to fall.
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 
-from probe.certify.rules import is_hidden
 from probe.episodes.record import EpisodeRecord
+from probe.generation.visibility_rules import is_hidden
 from probe.scores.fidelity import fidelity
 from probe.scores.roster import Listed
 from probe.scores.row import Row

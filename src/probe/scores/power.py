@@ -31,7 +31,7 @@ def detectable_gap(
 
 
 @dataclass(frozen=True)
-class Outlook:
+class PowerAssumptions:
     """What is assumed of two agents before either has run.
 
     Attributes:
@@ -47,7 +47,7 @@ class Outlook:
     runs: int
 
 
-def expected_error(sizes: Mapping[str, int], outlook: Outlook) -> tuple[float, float]:
+def expected_error(sizes: Mapping[str, int], outlook: PowerAssumptions) -> tuple[float, float]:
     """Standard error of a difference of macro averages, and its degrees of freedom.
 
     Each task's difference has the variance 2 s (icc (1 - alike) + (1 - icc) / runs), where s is

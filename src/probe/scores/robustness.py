@@ -25,7 +25,7 @@ class NoCounterpart(ProbeError):
 
 
 @dataclass(frozen=True)
-class Shift:
+class ConditionEffect:
     """What other conditions do to one entrant.
 
     Attributes:
@@ -52,7 +52,7 @@ def shifts(
     broken: Mapping[str, Collection[str]],
     roster: Roster,
     seed: int = 0,
-) -> list[Shift]:
+) -> list[ConditionEffect]:
     """Each entrant under each of several conditions against itself as frozen, as one family.
 
     Args:
@@ -96,14 +96,14 @@ def _shift(
     results: Results,
     broken: Collection[str],
     missing: Mapping[Entrant, int],
-) -> Shift:
+) -> ConditionEffect:
     first, second = _shared(results[pair.first], results[pair.second])
     held = [
         Unit(one.task, one.kind, (one.mean - other.mean,))
         for one, other in zip(first, second, strict=True)
         if one.task not in broken
     ]
-    return Shift(
+    return ConditionEffect(
         conditions=label,
         pair=pair,
         plain=macro(strata_of(second)),

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
-from probe.agents.texts import Features
+from probe.agents.text_features import Features
 from probe.assets.spec import ObjectSpec
 from probe.shortcuts.comparing import joined, log, number, relative, with_context
-from probe.shortcuts.sample import Lore, Sample
+from probe.shortcuts.sample import CatalogueFacts, Sample
 
 SIZES: Mapping[str, Callable[[ObjectSpec], float]] = {
     "longest": lambda spec: log(max(spec.size)),
@@ -23,7 +23,7 @@ SIZES: Mapping[str, Callable[[ObjectSpec], float]] = {
 }
 
 
-def by_catalogue(sample: Sample, lore: Lore) -> tuple[Features, ...]:
+def by_catalogue(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     """Size, category and frequency of each option's object; of Count, of what is counted."""
     if sample.kind == "count":
         return _counted(sample, lore)
@@ -51,7 +51,7 @@ def by_catalogue(sample: Sample, lore: Lore) -> tuple[Features, ...]:
     )
 
 
-def _counted(sample: Sample, lore: Lore) -> tuple[Features, ...]:
+def _counted(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     spec = lore.counted(sample.question)
     values = [number(text) for text in sample.options]
     context: dict[str, float] = {}

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from probe.agents.texts import Features
-from probe.assets.colour_difference import ciede2000
-from probe.certify.first_look import FirstLook, Sight
-from probe.certify.observer import (
+from probe.agents.text_features import Features
+from probe.assets.colour.difference import ciede2000
+from probe.generation.first_look import FirstLook, VisibleThing
+from probe.generation.observer import (
     half_hidden,
     marked,
     misfit,
@@ -20,7 +20,7 @@ from probe.certify.observer import (
 )
 from probe.shortcuts.by_catalogue import SIZES
 from probe.shortcuts.comparing import is_none, joined, log, number, opposed, relative, with_context
-from probe.shortcuts.sample import Lore, Sample, known
+from probe.shortcuts.sample import CatalogueFacts, Sample, known
 from probe.tasks.task import PAIR
 
 _FARTHEST = 100.0
@@ -28,7 +28,7 @@ _CM2 = 312.0
 """Pixels of a square centimetre of table, so that logarithms of areas are near 0."""
 
 
-def by_graph(sample: Sample, lore: Lore) -> tuple[Features, ...]:
+def by_graph(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     """What is named, what it lies on or touches, and how options go with that."""
     look = sample.look
     if sample.paired:
@@ -46,7 +46,7 @@ def by_graph(sample: Sample, lore: Lore) -> tuple[Features, ...]:
     return joined(told, _kin(sample, lore), *_fits(sample, lore))
 
 
-def by_area(sample: Sample, lore: Lore) -> tuple[Features, ...]:
+def by_area(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     """What shows of the marked things; else of all, and of what the question names."""
     look = sample.look
     if sample.paired:
@@ -69,7 +69,7 @@ def by_area(sample: Sample, lore: Lore) -> tuple[Features, ...]:
     return joined(told, relative("footprint in named", room))
 
 
-def by_patch(sample: Sample, lore: Lore) -> tuple[Features, ...]:
+def by_patch(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     """Colours of what shows of the marked things; else of what is half hidden."""
     look = sample.look
     if sample.paired:
@@ -94,14 +94,14 @@ def by_patch(sample: Sample, lore: Lore) -> tuple[Features, ...]:
     )
 
 
-def _misfits(options: Sequence[str], patches: Sequence[Sight]) -> list[float | None]:
+def _misfits(options: Sequence[str], patches: Sequence[VisibleThing]) -> list[float | None]:
     return [
         None if is_none(text) else min(misfit(text, patches), _FARTHEST) / _FARTHEST
         for text in options
     ]
 
 
-def _neighbours(look: FirstLook, place: int, lore: Lore) -> dict[str, float]:
+def _neighbours(look: FirstLook, place: int, lore: CatalogueFacts) -> dict[str, float]:
     """How a marked thing lies among others, and the catalogue's size of it if it is named."""
     over = [r for r in look.contacts if r.second == place and r.kind != "touching"]
     under = [r for r in look.contacts if r.first == place and r.kind != "touching"]
@@ -132,7 +132,7 @@ def _beyond(sample: Sample, context: Features) -> tuple[Features, ...]:
     return tuple(found)
 
 
-def _kin(sample: Sample, lore: Lore) -> tuple[Features, ...]:
+def _kin(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     """How many seen things are the option's, of its category, of its main colour."""
     seen = [thing for thing in sample.look.things if thing.name]
     found: list[Features] = []
@@ -151,7 +151,7 @@ def _kin(sample: Sample, lore: Lore) -> tuple[Features, ...]:
     return tuple(found)
 
 
-def _fits(sample: Sample, lore: Lore) -> list[tuple[Features, ...]]:
+def _fits(sample: Sample, lore: CatalogueFacts) -> list[tuple[Features, ...]]:
     """How each option's object compares with the largest that the question names."""
     places = named_in(sample.question, sample.look)
     named = known(lore, (sample.look.things[place].name for place in places))
@@ -170,7 +170,7 @@ def _fits(sample: Sample, lore: Lore) -> list[tuple[Features, ...]]:
     return [*ratios, relative("cover's colour", alike), relative("cover's category", same)]
 
 
-def _extent(thing: Sight) -> dict[str, float]:
+def _extent(thing: VisibleThing) -> dict[str, float]:
     left, top, right, bottom = thing.box_px
     box = (right - left + 1) * (bottom - top + 1)
     return {
@@ -183,7 +183,7 @@ def _extent(thing: Sight) -> dict[str, float]:
     }
 
 
-def _patch(thing: Sight, wanted: np.ndarray | None) -> dict[str, float]:
+def _patch(thing: VisibleThing, wanted: np.ndarray | None) -> dict[str, float]:
     colour = np.array(thing.lab)
     lightness, red, yellow = (float(value) / _FARTHEST for value in thing.lab)
     apart = 0.0 if wanted is None else float(ciede2000(colour, wanted)) / _FARTHEST

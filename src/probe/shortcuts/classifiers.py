@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from probe.agents.texts import Features
+from probe.agents.text_features import Features
 from probe.errors import MissingExtra
 from probe.scene.seeds import generator
 from probe.types import Array

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from probe.agents.texts import Features
+from probe.agents.text_features import Features
 from probe.tasks.task import NONE_OF_THE_ABOVE, Form
 
 

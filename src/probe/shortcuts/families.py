@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Literal, get_args
 
-from probe.agents.learnt import question_features
-from probe.agents.texts import Features, position, texts, wording
+from probe.agents.question_classifier import question_features
+from probe.agents.text_features import Features, position, texts, wording
 from probe.shortcuts.by_catalogue import by_catalogue
 from probe.shortcuts.by_picture import by_area, by_graph, by_patch
 from probe.shortcuts.comparing import joined
-from probe.shortcuts.sample import Lore, Sample
+from probe.shortcuts.sample import CatalogueFacts, Sample
 
 Family = Literal[
     "letter", "wording", "options", "question", "catalogue", "graph", "areas", "patches", "all"
@@ -20,7 +20,7 @@ FAMILIES: tuple[Family, ...] = get_args(Family)
 LETTERS_ALONE: tuple[Family, ...] = "letter", "wording"
 """Families that know nothing of what the options say."""
 
-Extract = Callable[[Sample, Lore], tuple[Features, ...]]
+Extract = Callable[[Sample, CatalogueFacts], tuple[Features, ...]]
 
 _EXTRACTS: Mapping[Family, Extract] = {
     "letter": lambda sample, _: position(sample.options),
@@ -34,7 +34,7 @@ _EXTRACTS: Mapping[Family, Extract] = {
 }
 
 
-def features(family: Family, sample: Sample, lore: Lore) -> tuple[Features, ...]:
+def features(family: Family, sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     """Numbers about each option of a sample.
 
     All but the letter's and the wording's say nothing of where an option stands.

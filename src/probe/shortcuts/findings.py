@@ -24,7 +24,7 @@ ALLOWANCE, PAIRED_ALLOWANCE = 0.03, 0.04
 
 
 @dataclass(frozen=True)
-class Tally:
+class HitCount:
     """How often somebody who only looks was right.
 
     Attributes:
@@ -66,7 +66,7 @@ class Finding:
             limit, but may be luck; more tasks would tell.
     """
 
-    tally: Tally
+    tally: HitCount
     low: float
     high: float
     p: float
@@ -89,7 +89,7 @@ def allowed(kind: str, *, letters_alone: bool = False) -> tuple[float, float]:
     return CEILING, ALLOWANCE
 
 
-def judge(tallies: Sequence[Tally]) -> list[Finding]:
+def judge(tallies: Sequence[HitCount]) -> list[Finding]:
     """Judge all tests of one investigation together, in their order."""
     tests = [stats.binomtest(t.right, t.n, t.ceiling, alternative="greater") for t in tallies]
     chances = [float(test.pvalue) for test in tests]

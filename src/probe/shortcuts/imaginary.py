@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from probe.assets.spec import ObjectSpec
-from probe.certify.first_look import FirstLook, Sight
-from probe.shortcuts.sample import Example, Lore, Sample
+from probe.generation.first_look import FirstLook, VisibleThing
+from probe.shortcuts.sample import CatalogueFacts, LabelledSample, Sample
 from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, Form, QuestionKind
 
 _COLOURS = ("red", "green", "blue", "yellow", "white", "black")
@@ -32,7 +32,7 @@ def _spec(name: str, size: float) -> ObjectSpec:
     )  # fmt: skip
 
 
-LORE = Lore(
+LORE = CatalogueFacts(
     tuple(
         _spec(f"{colour} {category}", 0.04 + 0.001 * (7 * i + j))
         for i, colour in enumerate(_COLOURS)
@@ -41,10 +41,10 @@ LORE = Lore(
 )
 
 
-def _sight(name: str | None, rng: np.random.Generator) -> Sight:
+def _sight(name: str | None, rng: np.random.Generator) -> VisibleThing:
     left, top, wide, high = (int(v) for v in rng.integers((0, 0, 20, 20), (800, 800, 200, 200)))
     lab = (float(rng.uniform(5, 95)), *rng.uniform(-50, 50, size=2).tolist())
-    return Sight(
+    return VisibleThing(
         name,
         name.split(" ", 1)[1] if name else "",
         (str(rng.choice(_COLOURS)),),
@@ -56,7 +56,7 @@ def _sight(name: str | None, rng: np.random.Generator) -> Sight:
 
 
 @dataclass
-class Draw:
+class ImaginaryTask:
     """One task in the making: what a leak may change before it is put together.
 
     Attributes:
@@ -70,27 +70,27 @@ class Draw:
     options: list[str]
     right: int
     question: str
-    things: list[Sight]
+    things: list[VisibleThing]
     kind: QuestionKind = "find"
     form: Form = "plain"
     marked: tuple[int, ...] = ()
 
-    def example(self, number: int) -> Example:
+    def example(self, number: int) -> LabelledSample:
         """The task, put together."""
         marked = dict(zip(PAIR, self.marked, strict=False))
         look = FirstLook(tuple(self.things), (), marked)
         question = f"{self.question}?"
         sample = Sample(self.kind, self.form, question, tuple(self.options), look)
-        return Example(f"{self.kind}-{number:04}", sample, self.right, number // _BLOCK)
+        return LabelledSample(f"{self.kind}-{number:04}", sample, self.right, number // _BLOCK)
 
 
-Make = Callable[[np.random.Generator, int], Draw]
+Make = Callable[[np.random.Generator, int], ImaginaryTask]
 """Makes a task; the number, 0 to 9, is a lot that occurs once in ten tasks, for its letter."""
 
-Leak = Callable[[Draw], None]
+Leak = Callable[[ImaginaryTask], None]
 
 
-def offer(draw: Draw, candidates: Sequence[str], truth: int) -> None:
+def offer(draw: ImaginaryTask, candidates: Sequence[str], truth: int) -> None:
     """Offer four of five, so that the last option is right in a fifth of all tasks."""
     others = [text for place, text in enumerate(candidates) if place != truth]
     others = [others[int(place)] for place in draw.rng.permutation(len(others))]
@@ -99,16 +99,16 @@ def offer(draw: Draw, candidates: Sequence[str], truth: int) -> None:
     draw.options = [*others, NONE_OF_THE_ABOVE]
 
 
-def find(rng: np.random.Generator, lot: int) -> Draw:
+def find(rng: np.random.Generator, lot: int) -> ImaginaryTask:
     """A question of five options that are objects."""
     names = [LORE.specs[int(n)].name for n in rng.choice(len(LORE.specs), 15, replace=False)]
     things = [_sight(name if rng.random() < 0.8 else None, rng) for name in names[5:]]
-    draw = Draw(rng, [], lot % 5, str(rng.choice(_WORDINGS)), things)
+    draw = ImaginaryTask(rng, [], lot % 5, str(rng.choice(_WORDINGS)), things)
     offer(draw, names[:5], int(rng.integers(5)))
     return draw
 
 
-def count(rng: np.random.Generator, lot: int, hidden: int | None = None) -> Draw:
+def count(rng: np.random.Generator, lot: int, hidden: int | None = None) -> ImaginaryTask:
     """A question of numbers; so many are hidden, else 0 to 2."""
     name = LORE.specs[int(rng.integers(len(LORE.specs)))].name
     seen, hidden = int(rng.integers(4)), int(rng.integers(3)) if hidden is None else hidden
@@ -119,32 +119,34 @@ def count(rng: np.random.Generator, lot: int, hidden: int | None = None) -> Draw
     things = [_sight(name, rng) for _ in range(seen)]
     things += [_sight(other, rng) for other in others if other != name]
     asked = f"{rng.choice(_WORDINGS)}: how many {name}s"
-    draw = Draw(rng, [], lot % 5, asked, things, "count")
+    draw = ImaginaryTask(rng, [], lot % 5, asked, things, "count")
     offer(draw, [str(n) for n in candidates], candidates.index(seen + hidden))
     return draw
 
 
-def size(rng: np.random.Generator, lot: int) -> Draw:
+def size(rng: np.random.Generator, lot: int) -> ImaginaryTask:
     """A question which of two is larger."""
     return _pair(rng, lot, "size", ("longer", "larger", "smaller"))
 
 
-def compare(rng: np.random.Generator, lot: int) -> Draw:
+def compare(rng: np.random.Generator, lot: int) -> ImaginaryTask:
     """A question which of two has a colour."""
     return _pair(rng, lot, "compare", ("colour", "darker"))
 
 
-def _pair(rng: np.random.Generator, lot: int, kind: QuestionKind, forms: tuple[Form, ...]) -> Draw:
+def _pair(
+    rng: np.random.Generator, lot: int, kind: QuestionKind, forms: tuple[Form, ...]
+) -> ImaginaryTask:
     things = [_sight(None, rng) for _ in range(12)]
     form = forms[int(rng.integers(len(forms)))]
     word = f" {rng.choice(_COLOURS)}" if form == "colour" else ""
     right, question = lot % 2, f"{rng.choice(_WORDINGS)}: the {form} one{word}"
-    return Draw(rng, ["Object A", "Object B"], right, question, things, kind, form, (0, 1))
+    return ImaginaryTask(rng, ["Object A", "Object B"], right, question, things, kind, form, (0, 1))
 
 
-def examples(make: Make, n: int, leak: Leak | None = None, seed: int = 0) -> list[Example]:
+def examples(make: Make, n: int, leak: Leak | None = None, seed: int = 0) -> list[LabelledSample]:
     """So many tasks; a leak, if any, may change each."""
-    found: list[Example] = []
+    found: list[LabelledSample] = []
     for number in range(n):
         lots = np.random.default_rng([seed, n, number // 10]).permutation(10)
         draw = make(np.random.default_rng([seed, number]), int(lots[number % 10]))

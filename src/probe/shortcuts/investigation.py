@@ -7,19 +7,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from probe.scene.seeds import generator
 from probe.shortcuts.classifiers import guesses, models
 from probe.shortcuts.families import FAMILIES, LETTERS_ALONE, features
-from probe.shortcuts.findings import Finding, Tally, allowed, judge
+from probe.shortcuts.findings import Finding, HitCount, allowed, judge
 from probe.shortcuts.rules import rules_for
-from probe.shortcuts.sample import Example, Lore
+from probe.shortcuts.sample import CatalogueFacts, LabelledSample
 from probe.tasks.task import KINDS
 
 
-def investigate(examples: Sequence[Example], lore: Lore, *, learning: bool = True) -> list[Finding]:
+def investigate(
+    examples: Sequence[LabelledSample], lore: CatalogueFacts, *, learning: bool = True
+) -> list[Finding]:
     """What rules, and classifiers if wanted, achieve on each type, judged together.
 
     Raises:
         MissingExtra: Classifiers are wanted, and scikit-learn isn't installed.
     """
-    tallies: list[Tally] = []
+    tallies: list[HitCount] = []
     for kind in KINDS:
         mine = [example for example in examples if example.sample.kind == kind]
         if not mine:
@@ -29,7 +31,7 @@ def investigate(examples: Sequence[Example], lore: Lore, *, learning: bool = Tru
     return judge(tallies)
 
 
-def _by_rules(examples: Sequence[Example], lore: Lore) -> Iterator[Tally]:
+def _by_rules(examples: Sequence[LabelledSample], lore: CatalogueFacts) -> Iterator[HitCount]:
     for name, rule in rules_for(examples[0].sample).items():
         said = {n: _one_of(rule(e.sample, lore), e.task) for n, e in enumerate(examples)}
         yield from _tallies(examples, name, said, letters_alone=name.startswith("always"))
@@ -40,7 +42,7 @@ def _one_of(places: Sequence[int], task: str) -> int:
     return places[int(generator(0, "shortcuts", task).integers(len(places)))]
 
 
-def _by_classifiers(examples: Sequence[Example], lore: Lore) -> Iterator[Tally]:
+def _by_classifiers(examples: Sequence[LabelledSample], lore: CatalogueFacts) -> Iterator[HitCount]:
     right = [example.right for example in examples]
     blocks = [example.block for example in examples]
     for family in FAMILIES:
@@ -53,8 +55,8 @@ def _by_classifiers(examples: Sequence[Example], lore: Lore) -> Iterator[Tally]:
 
 
 def _tallies(
-    examples: Sequence[Example], by: str, said: Mapping[int, int], *, letters_alone: bool
-) -> Iterator[Tally]:
+    examples: Sequence[LabelledSample], by: str, said: Mapping[int, int], *, letters_alone: bool
+) -> Iterator[HitCount]:
     """Of the type, and of each of its parts; `said` has places of options by those of examples."""
     kind = examples[0].sample.kind
     ceiling, allowance = allowed(kind, letters_alone=letters_alone)
@@ -63,4 +65,4 @@ def _tallies(
         hits = sum(examples[n].right == said[n] for n in mine)
         name = f"{kind}, {part}" if part else kind
         if mine:
-            yield Tally(name, by, hits, len(mine), ceiling, allowance)
+            yield HitCount(name, by, hits, len(mine), ceiling, allowance)

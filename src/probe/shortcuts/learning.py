@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from probe.agents.learnt import Learnt, LearntDocument, question_features
+from probe.agents.question_classifier import (
+    QuestionClassifier,
+    QuestionClassifierDocument,
+    question_features,
+)
 from probe.shortcuts.classifiers import is_right, linear_weights, table
 from probe.tasks.task import KINDS, LETTERS, Task
 
 _DIGITS = 3
 
 
-def learn(tasks: Sequence[Task]) -> LearntDocument:
+def learn(tasks: Sequence[Task]) -> QuestionClassifierDocument:
     """Weights of each type that has tasks, in the order of the types.
 
     Raises:
@@ -20,19 +24,19 @@ def learn(tasks: Sequence[Task]) -> LearntDocument:
     # By id, so that the order of files makes no difference.
     once = sorted({task.id: task for task in tasks}.values(), key=lambda task: task.id)
     kinds = {kind: [task for task in once if task.kind == kind] for kind in KINDS}
-    return LearntDocument({kind: _learnt(mine) for kind, mine in kinds.items() if mine})
+    return QuestionClassifierDocument({kind: _learnt(mine) for kind, mine in kinds.items() if mine})
 
 
-def _learnt(tasks: Sequence[Task]) -> Learnt:
+def _learnt(tasks: Sequence[Task]) -> QuestionClassifier:
     told = [
         question_features(task.question, tuple(option.text for option in task.options))
         for task in tasks
     ]
     names, rows = table(told)
     if not names:
-        return Learnt(tasks=len(tasks), weights={})
+        return QuestionClassifier(tasks=len(tasks), weights={})
     answers = is_right(told, [LETTERS.index(task.answer) for task in tasks])
     weights = linear_weights(rows, answers).round(_DIGITS).tolist()
-    return Learnt(
+    return QuestionClassifier(
         tasks=len(tasks), weights={n: w for n, w in zip(names, weights, strict=True) if w}
     )

@@ -10,10 +10,10 @@ import pydantic
 
 from probe.assets.cache import content_key
 from probe.assets.library import Library
-from probe.certify.first_look import FirstLook, look_at
 from probe.files import write_bytes
+from probe.generation.first_look import FirstLook, look_at
 from probe.render.renderer import Renderer
-from probe.shortcuts.sample import Example, example_of
+from probe.shortcuts.sample import LabelledSample, example_of
 from probe.tasks.suite import Suite, check_objects, part
 from probe.tasks.task import Task
 
@@ -21,7 +21,7 @@ _LAYOUT = "1"
 _DOCUMENT = pydantic.TypeAdapter(FirstLook)
 
 
-def examples_of(suites: Iterable[Suite], library: Library, cache: Path) -> Iterator[Example]:
+def examples_of(suites: Iterable[Suite], library: Library, cache: Path) -> Iterator[LabelledSample]:
     """Every task of some suites once, as an example, in their order.
 
     Args:

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from probe.assets.spec import ObjectSpec
-from probe.certify.first_look import FirstLook
-from probe.certify.observer import says
-from probe.certify.plan import block_of
+from probe.generation.first_look import FirstLook
+from probe.generation.observer import says
+from probe.generation.plan import block_of
 from probe.tasks.english import plural
 from probe.tasks.task import LETTERS, PAIR, Form, QuestionKind, Task
 
@@ -39,7 +39,7 @@ class Sample:
 
 
 @dataclass(frozen=True)
-class Example:
+class LabelledSample:
     """A sample and its answer.
 
     Attributes:
@@ -58,7 +58,7 @@ class Example:
 
 
 @dataclass(frozen=True)
-class Lore:
+class CatalogueFacts:
     """What the catalogue tells of objects by their names; the first of those that share one."""
 
     specs: tuple[ObjectSpec, ...]
@@ -84,10 +84,10 @@ class Lore:
         return self.by_plural[max(named, key=len)] if named else None
 
 
-def example_of(task: Task, look: FirstLook) -> Example:
+def example_of(task: Task, look: FirstLook) -> LabelledSample:
     """A task as an example."""
     partly = task.certificate.measures.get("partly")
-    return Example(
+    return LabelledSample(
         task=task.id,
         sample=Sample(
             task.kind,
@@ -102,6 +102,6 @@ def example_of(task: Task, look: FirstLook) -> Example:
     )
 
 
-def known(lore: Lore, names: Iterable[str | None]) -> list[ObjectSpec]:
+def known(lore: CatalogueFacts, names: Iterable[str | None]) -> list[ObjectSpec]:
     """Specs of those of some names that the catalogue has."""
     return [lore.by_name[name] for name in names if name is not None and name in lore.by_name]

@@ -27,7 +27,7 @@ Whereabouts = Literal["table", "basket", "off the table"]
 
 
 @dataclass(frozen=True)
-class Answer:
+class FinalAnswer:
     """What the agent said at the end.
 
     Attributes:
@@ -67,7 +67,7 @@ class Score:
     outcome: Outcome
 
 
-def grade(task: Task, answer: Answer, last: LastView) -> Score:
+def grade(task: Task, answer: FinalAnswer, last: LastView) -> Score:
     """Score an answer by the task's rules; only Find looks at the end.
 
     Args:
@@ -85,7 +85,7 @@ def grade(task: Task, answer: Answer, last: LastView) -> Score:
     return Score(outcome == "right", True, outcome)
 
 
-def looks_at_end(task: Task, answer: Answer) -> bool:
+def looks_at_end(task: Task, answer: FinalAnswer) -> bool:
     """Whether an answer's worth depends on the last view: a letter that has to be pointed at."""
     return task.kind == "find" and answer.letter == task.answer and task.answer != "E"
 

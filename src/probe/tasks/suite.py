@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from probe.assets.fingerprint import Fingerprint, same
 from probe.assets.library import Library
+from probe.assets.mesh.fingerprint import Fingerprint, same
 from probe.errors import BadData, UnknownName
 from probe.tasks.task import Task
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from probe.assets.colour_difference import ciede2000
+from probe.assets.colour.difference import ciede2000
 from probe.scene.scene import PlacedObject, Scene
 from probe.tasks.task import Form, Letter
 from probe.types import Array

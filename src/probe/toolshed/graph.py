@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
-from probe.perception.scene_graph import Entry, SceneGraph
+from probe.perception.scene_graph import GraphEntry, SceneGraph
 from probe.perception.things import Thing
 from probe.toolshed.regions import CLEAR, CLUTTERED, regions
 from probe.toolshed.relations import EDGE_PX, NEAR_PX, ON_SHARE, STEP, relations
@@ -37,7 +37,7 @@ def scene_text(things: Sequence[Thing], frame: Frame) -> str:
     """Objects, relations and regions as YAML, the thresholds as its comments."""
     parts = regions(things, (frame.depth.shape[0], frame.depth.shape[1]))
     graph = SceneGraph(
-        tuple(Entry(thing.words, thing.point_px, thing.box_px) for thing in things),
+        tuple(GraphEntry(thing.words, thing.point_px, thing.box_px) for thing in things),
         tuple(relations(things, frame)),
         tuple(parts.cluttered),
         tuple(parts.clear),
@@ -50,7 +50,7 @@ def told_text(graph: SceneGraph) -> str:
     return _graph_text(graph, _TOLD_RELATIONS, _TOLD_REGIONS)
 
 
-def thing_lines(thing: Thing | Entry) -> list[str]:
+def thing_lines(thing: Thing | GraphEntry) -> list[str]:
     """One thing as lines of YAML."""
     name = [f"name: {_text(thing.words.name)}"] if thing.words.name is not None else []
     return [

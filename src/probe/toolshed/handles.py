@@ -9,7 +9,7 @@ import numpy as np
 
 from probe.perception.things import Thing
 from probe.toolshed.refusals import StaleHandle, UnknownHandle
-from probe.toolshed.view import View
+from probe.toolshed.view import CurrentView
 from probe.types import Array, Frame
 
 MOVED = 0.003
@@ -44,7 +44,7 @@ class Handles:
         self._looks[name] = _Look(thing, frame.depth[thing.mask])
         return name
 
-    def resolve(self, name: str, view: View) -> Thing:
+    def resolve(self, name: str, view: CurrentView) -> Thing:
         """The thing that a handle means, as it shows now.
 
         Raises:

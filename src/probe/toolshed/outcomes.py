@@ -37,21 +37,21 @@ PUSH_WORDS = {
 _WORKED = frozenset(("removed", "pushed", "short"))
 
 
-class Told(NamedTuple):
+class OutcomeText(NamedTuple):
     """Whether it worked, and a sentence or more about it."""
 
     worked: bool
     words: str
 
 
-def grasp_words(status: str, object_id: str) -> Told:
+def grasp_words(status: str, object_id: str) -> OutcomeText:
     """What became of a grasp, by the skill's status."""
-    return Told(status in _WORKED, GRASP_WORDS[status].format(id=object_id))
+    return OutcomeText(status in _WORKED, GRASP_WORDS[status].format(id=object_id))
 
 
-def push_words(status: str, object_id: str, moved: float | None) -> Told:
+def push_words(status: str, object_id: str, moved: float | None) -> OutcomeText:
     """What became of a push, by the skill's status and how far the thing went, metres."""
     how_far = f"; {object_id} can't be told by its looks any more"
     if moved is not None:
         how_far = f"; {object_id} moved about {max(0, round(100 * moved))} cm that way"
-    return Told(status in _WORKED, PUSH_WORDS[status].format(id=object_id, moved=how_far))
+    return OutcomeText(status in _WORKED, PUSH_WORDS[status].format(id=object_id, moved=how_far))

@@ -10,7 +10,7 @@ from probe.types import Array, Frame, Vector3
 Direction = Literal["up", "down", "left", "right"]
 
 
-class Outcome(Protocol):
+class SkillOutcome(Protocol):
     """How an attempt went."""
 
     @property
@@ -24,7 +24,7 @@ class Outcome(Protocol):
         ...
 
 
-class PushOutcome(Outcome, Protocol):
+class PushOutcome(SkillOutcome, Protocol):
     """How a push went."""
 
     @property
@@ -38,7 +38,7 @@ class Skills(Protocol):
 
     def grasp_and_remove(
         self, station: Station, frame: Frame, mask: Array, drop_at: Vector3, /
-    ) -> Outcome:
+    ) -> SkillOutcome:
         """Grasp what the mask shows and let it go over the middle of the basket's floor."""
         ...
 

@@ -8,7 +8,7 @@ from typing import assert_never
 from probe.asking import UnusableReply
 from probe.perception.matching import Match, match
 from probe.perception.pointer import Finder
-from probe.perception.scene_graph import Teller
+from probe.perception.scene_graph import SceneDescriber
 from probe.perception.things import Detector, Thing
 from probe.station.station import Station
 from probe.toolshed.graph import scene_text, thing_lines, told_text
@@ -27,7 +27,7 @@ from probe.toolshed.tools import (
     Push,
     Request,
 )
-from probe.toolshed.view import View
+from probe.toolshed.view import CurrentView
 from probe.types import Array, Vector3
 
 TURNS = 40
@@ -63,7 +63,7 @@ class Toolshed:
         *,
         pictures: bool = True,
         finder: Finder | None = None,
-        teller: Teller | None = None,
+        teller: SceneDescriber | None = None,
     ) -> None:
         """Set up the tools and look at the table once.
 
@@ -84,7 +84,7 @@ class Toolshed:
         self._skills = skills
         self._basket = basket
         self._pictures = pictures
-        self._view = View(station, detector)
+        self._view = CurrentView(station, detector)
         self._finder = finder
         self._teller = teller
         self._handles = Handles(detected=finder is None)

@@ -7,7 +7,7 @@ from probe.station.station import Station
 from probe.types import Array, Frame
 
 
-class View:
+class CurrentView:
     """The current frame of a station, until the next one is shown."""
 
     def __init__(self, station: Station, detector: Detector) -> None:

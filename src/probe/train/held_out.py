@@ -13,7 +13,7 @@ from probe.scores.units import by_entrant
 
 
 @dataclass(frozen=True)
-class Standing:
+class EntrantResult:
     """How one entrant fared.
 
     Attributes:
@@ -29,7 +29,7 @@ class Standing:
 
 def standings(
     rows: Iterable[Row], roster: Roster, held_out: Collection[str], seed: int = 0
-) -> list[Standing]:
+) -> list[EntrantResult]:
     """Everyone's figures, in the order in which they first appear.
 
     Args:
@@ -43,7 +43,7 @@ def standings(
     order = list(dict.fromkeys(row.entrant for row in kept))
     entrants = by_entrant(kept)
     return [
-        Standing(
+        EntrantResult(
             entrant,
             _card(entrants[entrant], roster, trained, seed),
             _card(entrants[entrant], roster, held_out, seed),
@@ -52,7 +52,7 @@ def standings(
     ]
 
 
-def markdown(found: Sequence[Standing]) -> str:
+def markdown(found: Sequence[EntrantResult]) -> str:
     """A table: shares of right answers in per cent with 95 % intervals (t), and n tasks."""
     kinds = _types(it.trained for it in found)
     others = _types(it.held_out for it in found)
@@ -63,7 +63,7 @@ def markdown(found: Sequence[Standing]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _cells(each: Standing, kinds: Sequence[str], others: Sequence[str]) -> list[str]:
+def _cells(each: EntrantResult, kinds: Sequence[str], others: Sequence[str]) -> list[str]:
     runs = max(card.macro.runs for card in (each.trained, each.held_out) if card)
     cells = [f"{each.entrant.agent}, {each.entrant.arm}", str(runs)]
     trained = each.trained

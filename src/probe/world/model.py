@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 from scipy.spatial import ConvexHull
 
-from probe.assets.mesh import Body, ConvexPiece
+from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.assets.spec import ObjectSpec
 from probe.scene.layout import (
     BASKET_POSITION,

@@ -9,7 +9,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.errors import Unsatisfiable
-from probe.scene.sampling import DEFAULT_COUNT, TIGHT, Pile, draw_objects, draw_pile
+from probe.scene.sampling import DEFAULT_COUNT, TIGHT, PileSettings, draw_objects, draw_pile
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.seeds import generator
 from probe.world.model import Item
@@ -21,7 +21,7 @@ ATTEMPTS = 5
 
 
 @dataclass(frozen=True)
-class Drawn:
+class SettledScene:
     """A settled scene, and what it took.
 
     Attributes:
@@ -38,7 +38,7 @@ def make_scene(
     library: Library,
     tables: Sequence[str],
     count: int = DEFAULT_COUNT,
-    pile: Pile = TIGHT,
+    pile: PileSettings = TIGHT,
 ) -> Scene:
     """The scene of draw_scene() alone."""
     return draw_scene(seed, library, tables, count, pile).scene
@@ -49,8 +49,8 @@ def draw_scene(
     library: Library,
     tables: Sequence[str],
     count: int = DEFAULT_COUNT,
-    pile: Pile = TIGHT,
-) -> Drawn:
+    pile: PileSettings = TIGHT,
+) -> SettledScene:
     """Draw objects and a table, drop the objects and let them settle.
 
     Nothing moves once the table is built anew (scene_unrest()); where something would, all is
@@ -70,7 +70,7 @@ def draw_scene(
         scene = Scene(seed, table, objects)
         moving = scene_unrest(scene, library)
         if moving is None:
-            return Drawn(scene, restless)
+            return SettledScene(scene, restless)
         reason, restless = f"On a table built anew, {moving}.", restless + 1
     raise Unsatisfiable(
         f"Seed {seed}: no settled scene of {count} objects in {ATTEMPTS} draws. {reason} "
@@ -79,7 +79,7 @@ def draw_scene(
 
 
 def _settled(
-    library: Library, count: int, pile: Pile, rng: np.random.Generator
+    library: Library, count: int, pile: PileSettings, rng: np.random.Generator
 ) -> tuple[PlacedObject, ...]:
     specs = draw_objects(library.specs, count, rng, library.leads)
     items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]

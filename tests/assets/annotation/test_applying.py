@@ -8,12 +8,12 @@ from glb_files import textured, write_glb
 from probe.assets.annotation.applying import apply_notes
 from probe.assets.annotation.notes import changed_by_hand, from_entry, from_source, said
 from probe.assets.annotation.words import Described
-from probe.assets.glb import load_glb
-from probe.assets.glb_writer import glb_bytes
+from probe.assets.gltf.glb import load_glb
+from probe.assets.gltf.glb_writer import glb_bytes
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import normalised
-from probe.assets.importers.order import Order
-from probe.assets.own_pool import MESH, own_entries, store_object
+from probe.assets.importers.options import ImportOptions
+from probe.assets.pools.own import MESH, own_entries, store_object
 
 WORDS = Described(name="tea tin", category="tin", colours=("green",), description="A green tin.")
 
@@ -21,8 +21,8 @@ WORDS = Described(name="tea tin", category="tin", colours=("green",), descriptio
 @pytest.fixture
 def library(tmp_path):
     write_glb(tmp_path / "x.glb", textured(box()))
-    (source,) = find_sources(tmp_path / "x.glb", Order("gltf"))
-    mesh, entry = normalised(source, Order("gltf"))
+    (source,) = find_sources(tmp_path / "x.glb", ImportOptions("gltf"))
+    mesh, entry = normalised(source, ImportOptions("gltf"))
     store_object(tmp_path / "own", entry, glb_bytes(mesh))
     return tmp_path / "own"
 
@@ -49,8 +49,8 @@ def test_what_nobody_said_and_other_objects_are_left(library):
 
 def test_a_mass_and_an_axis_said_by_hand_change_the_object(tmp_path):
     obj_folder(tmp_path / "tin", trimesh.creation.box((0.1, 0.06, 0.04)))
-    (source,) = find_sources(tmp_path / "tin", Order("obj"))
-    mesh, entry = normalised(source, Order("obj"))
+    (source,) = find_sources(tmp_path / "tin", ImportOptions("obj"))
+    mesh, entry = normalised(source, ImportOptions("obj"))
     store_object(tmp_path / "own", entry, glb_bytes(mesh))
     note = from_entry(entry)
     assert (note.up, note.other_up) == ("y", "z")

@@ -3,7 +3,7 @@ import pytest
 
 from probe.assets.environments import environment_names, load_environment
 from probe.assets.environments.painter import paint_room
-from probe.assets.environments.room import Patch, Room, rooms
+from probe.assets.environments.room import Room, WallPatch, rooms
 from probe.errors import UnknownName
 from probe.render.illumination import directions
 
@@ -23,7 +23,7 @@ def test_a_room_is_painted_the_same_each_time():
 
 @pytest.mark.parametrize(("side", "axis", "sign"), [("front", 1, 1), ("left", 0, -1)])
 def test_a_window_is_where_its_side_says(side, axis, sign):
-    window = Patch(side=side, at=(0.0, 1.15), size=(0.5, 0.5), colour="#ffffff", glow=9)
+    window = WallPatch(side=side, at=(0.0, 1.15), size=(0.5, 0.5), colour="#ffffff", glow=9)
     room = Room(id="box", size=(4, 4, 3), walls="#808080", floor="#808080", patches=(window,))
     bright = paint_room(room)[..., 0] > 8
     towards = directions(bright.shape[0])[bright].mean(axis=0)
@@ -34,7 +34,7 @@ def test_a_window_is_where_its_side_says(side, axis, sign):
 
 
 def test_red_walls_light_the_room_red():
-    lamp = Patch(side="ceiling", at=(0.0, 0.0), size=(0.5, 0.5), colour="#ffffff", glow=9)
+    lamp = WallPatch(side="ceiling", at=(0.0, 0.0), size=(0.5, 0.5), colour="#ffffff", glow=9)
     room = Room(id="red", size=(4, 4, 3), walls="#c02020", floor="#808080", patches=(lamp,))
     red, green, blue = paint_room(room)[400:].mean(axis=(0, 1))
     assert red > 1.15 * green and green == pytest.approx(blue, rel=0.05)

@@ -9,16 +9,16 @@ import pytest
 from data_sets import box, gso_folder, obj_folder
 from glb_files import textured, write_glb
 from probe.assets.cache import Cache
-from probe.assets.glb import load_glb
-from probe.assets.glb_writer import glb_bytes
-from probe.assets.importers.adding import Target, add, find_sources
+from probe.assets.gltf.glb import load_glb
+from probe.assets.gltf.glb_writer import glb_bytes
+from probe.assets.importers.adding import ImportTarget, add, find_sources
 from probe.assets.importers.normalised import normalised
-from probe.assets.importers.order import Order
+from probe.assets.importers.options import ImportOptions
 from probe.assets.library import open_library
-from probe.assets.own_pool import MESH, own_body, own_entries, store_object
+from probe.assets.pools.own import MESH, own_body, own_entries, store_object
 from probe.errors import BadData, BadMesh, OutputFailed, UnknownName
 
-ORDER = Order("gltf")
+ORDER = ImportOptions("gltf")
 
 
 def _three(folder):
@@ -37,7 +37,7 @@ def _add(folder, target, workers=1, order=ORDER):
 
 @pytest.fixture
 def target(tmp_path):
-    return Target(tmp_path / "library", tmp_path / "cache")
+    return ImportTarget(tmp_path / "library", tmp_path / "cache")
 
 
 def test_good_ones_are_added_others_refused_and_a_second_run_skips(tmp_path, target):
@@ -65,7 +65,7 @@ def test_good_ones_are_added_others_refused_and_a_second_run_skips(tmp_path, tar
 def test_several_workers_give_the_same_bytes(tmp_path, target):
     folder = _three(tmp_path / "set")
     _add(folder, target)
-    other = Target(tmp_path / "other", tmp_path / "cache 2")
+    other = ImportTarget(tmp_path / "other", tmp_path / "cache 2")
     _add(folder, other, workers=2)
     for path in sorted(target.library.rglob("*.*")):
         twin = other.library / path.relative_to(target.library)
@@ -75,7 +75,7 @@ def test_several_workers_give_the_same_bytes(tmp_path, target):
 def test_two_of_one_name_get_two_ids(tmp_path, target):
     for number, edge in enumerate((0.03, 0.05)):
         obj_folder(tmp_path / "set" / str(number), box((0.1, 0.06, edge)))
-    outcomes = _add(tmp_path / "set", target, order=Order("obj"))
+    outcomes = _add(tmp_path / "set", target, order=ImportOptions("obj"))
     ids = sorted(outcome.detail for outcome in outcomes.values())
     assert ids[0] == "own_model"
     assert ids[1].startswith("own_model_")
@@ -84,7 +84,7 @@ def test_two_of_one_name_get_two_ids(tmp_path, target):
 def test_the_same_files_twice_are_one_object(tmp_path, target):
     for name in ("One", "Two"):
         gso_folder(tmp_path / "set" / name)
-    outcomes = _add(tmp_path / "set", target, order=Order("gso"))
+    outcomes = _add(tmp_path / "set", target, order=ImportOptions("gso"))
     assert sorted(outcome.status for outcome in outcomes.values()) == ["added", "skipped"]
 
 

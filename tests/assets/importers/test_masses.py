@@ -6,7 +6,7 @@ from data_sets import box, obj_folder
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.masses import stated_mass
 from probe.assets.importers.normalised import normalised
-from probe.assets.importers.order import Order
+from probe.assets.importers.options import ImportOptions
 
 URDF = """<robot name="r"><link name="table"><inertial><mass value="20"/></inertial></link>
 <link name="tin"><inertial><mass value="0.3"/></inertial><visual><geometry>
@@ -41,8 +41,8 @@ def _stated(mesh):
 def test_a_mass_beside_a_mesh_is_read(mesh, name, text):
     (mesh.parents[1] / name).write_text(text)
     assert _stated(mesh) == (pytest.approx(0.3), ())
-    (source,) = find_sources(mesh.parents[1], Order("obj"))
-    entry = normalised(source, Order("obj"))[1]
+    (source,) = find_sources(mesh.parents[1], ImportOptions("obj"))
+    entry = normalised(source, ImportOptions("obj"))[1]
     assert entry.mass == pytest.approx(0.3) and entry.provenance["mass"] == "source"
 
 
@@ -61,8 +61,8 @@ def test_what_cant_be_used_is_said_and_the_object_still_let_in(mesh, name, text,
     (mesh.parent / name).write_text(text)
     mass, remarks = _stated(mesh)
     assert mass is None and remark in remarks[0]
-    (source,) = find_sources(mesh.parents[1], Order("obj"))
-    assert remark in " ".join(normalised(source, Order("obj"))[1].remarks)
+    (source,) = find_sources(mesh.parents[1], ImportOptions("obj"))
+    assert remark in " ".join(normalised(source, ImportOptions("obj"))[1].remarks)
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,10 @@ import pytest
 from data_sets import MTL, box, obj_folder, obj_text, picture
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import content_of, normalised
-from probe.assets.importers.order import Order
+from probe.assets.importers.options import ImportOptions
 from probe.errors import BadMesh
 
-OBJ = Order("obj", up="z")
+OBJ = ImportOptions("obj", up="z")
 
 
 def _only(path, order=OBJ):
@@ -63,7 +63,7 @@ def test_a_picture_behind_a_link_out_of_the_folder_is_not_taken(tmp_path):
         _only(tmp_path)
 
 
-@pytest.mark.parametrize("order", [Order("gso"), Order("obj")])
+@pytest.mark.parametrize("order", [ImportOptions("gso"), ImportOptions("obj")])
 def test_google_s_layout_without_its_model_sdf(tmp_path, order):
     home = tmp_path / "Red_Tin_900028"
     (home / "meshes").mkdir(parents=True)

@@ -19,7 +19,7 @@ from data_sets import MTL, bop_set, box, gso_folder, obj_folder, obj_text, pictu
 from glb_files import raw_glb, textured, triangle_tree, write_glb
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import content_of, normalised
-from probe.assets.importers.order import Order
+from probe.assets.importers.options import ImportOptions
 from probe.errors import BadData, BadMesh
 
 SECONDS = 5.0
@@ -175,7 +175,7 @@ def test_a_spoiled_glb(tmp_path, kind):
     make, reason = GLB[kind]
     content = make(tmp_path)
     (tmp_path / "x.glb").write_bytes(content)
-    _refused(tmp_path, Order("gltf"), reason)
+    _refused(tmp_path, ImportOptions("gltf"), reason)
 
 
 def test_a_gltf_beside_its_files_is_read_and_a_link_out_of_its_folder_refused(tmp_path):
@@ -185,10 +185,10 @@ def test_a_gltf_beside_its_files_is_read_and_a_link_out_of_its_folder_refused(tm
     home.mkdir()
     (home / "x.gltf").write_text(json.dumps(tree))
     (home / "x.bin").write_bytes(blob)
-    _refused(home, Order("gltf"), "is flat")
+    _refused(home, ImportOptions("gltf"), "is flat")
     (home / "x.bin").rename(tmp_path / "x.bin")
     (home / "x.bin").symlink_to(tmp_path / "x.bin")
-    _refused(home, Order("gltf"), "outside its own")
+    _refused(home, ImportOptions("gltf"), "outside its own")
 
 
 def _obj(text: str | None = None, mtl: str = MTL):
@@ -255,19 +255,19 @@ OBJ = {
 def test_a_spoiled_obj(tmp_path, kind):
     write, reason = OBJ[kind]
     write(tmp_path / "set")
-    _refused(tmp_path / "set", Order("obj"), reason)
+    _refused(tmp_path / "set", ImportOptions("obj"), reason)
 
 
 def test_an_obj_of_too_many_faces_is_refused_before_it_is_parsed(tmp_path):
     path = obj_folder(tmp_path / "set")
     path.write_text(obj_text(box()) + "f 1/1 2/2 3/3\n" * 2_000_001)
-    _refused(tmp_path / "set", Order("obj"), "2,000,013 faces")
+    _refused(tmp_path / "set", ImportOptions("obj"), "2,000,013 faces")
 
 
 def test_a_texture_bomb_in_an_obj(tmp_path):
     obj_folder(tmp_path / "set")
     (tmp_path / "set" / "texture.png").write_bytes(_png(60_000, 60_000))
-    _refused(tmp_path / "set", Order("obj"), r"texture\.png.*(too large|60000)")
+    _refused(tmp_path / "set", ImportOptions("obj"), r"texture\.png.*(too large|60000)")
 
 
 def test_a_texture_that_links_out_of_its_folder(tmp_path):
@@ -275,7 +275,7 @@ def test_a_texture_that_links_out_of_its_folder(tmp_path):
     texture = tmp_path / "Box" / "materials" / "textures" / "texture.png"
     texture.rename(tmp_path / "texture.png")
     texture.symlink_to(tmp_path / "texture.png")
-    _refused(tmp_path / "Box", Order("gso"), "outside its own folder")
+    _refused(tmp_path / "Box", ImportOptions("gso"), "outside its own folder")
 
 
 @pytest.mark.parametrize(
@@ -295,7 +295,7 @@ def test_a_spoiled_gazebo_folder(tmp_path, before, after, reason):
     text = path.read_text()
     assert before in text
     path.write_text(text.replace(before, after))
-    _refused(tmp_path / "Box", Order("gso"), reason)
+    _refused(tmp_path / "Box", ImportOptions("gso"), reason)
 
 
 @pytest.mark.parametrize(
@@ -317,7 +317,7 @@ def test_a_spoiled_model_of_a_set(tmp_path, change, reason):
     folder = bop_set(tmp_path / "set")
     path = folder / "toy" / "models" / "obj_000001.ply"
     path.write_bytes(change(path.read_bytes()))
-    _refused(folder, Order("bop"), reason)
+    _refused(folder, ImportOptions("bop"), reason)
 
 
 @pytest.mark.parametrize(
@@ -336,7 +336,7 @@ def test_a_spoiled_model_of_a_set(tmp_path, change, reason):
 def test_a_spoiled_list_of_models(tmp_path, text, reason):
     folder = bop_set(tmp_path / "set")
     (folder / "toy" / "models" / "models_info.json").write_text(text)
-    _refused(folder, Order("bop"), reason)
+    _refused(folder, ImportOptions("bop"), reason)
 
 
 def test_non_manifold_meshes_are_fine(tmp_path):
@@ -344,13 +344,13 @@ def test_non_manifold_meshes_are_fine(tmp_path):
     torn.update_faces(np.arange(len(torn.faces)) > 2)
     doubled = torn + box((0.08, 0.02, 0.02))
     obj_folder(tmp_path / "set", doubled)
-    (source,) = find_sources(tmp_path / "set", Order("obj"))
-    mesh, _ = normalised(source, Order("obj", up="z"))
+    (source,) = find_sources(tmp_path / "set", ImportOptions("obj"))
+    mesh, _ = normalised(source, ImportOptions("obj", up="z"))
     assert len(mesh.faces) == 21
 
 
 def test_a_picture_of_the_right_size_passes(tmp_path):
     obj_folder(tmp_path / "set")
     picture(tmp_path / "set" / "texture.png", (10, 200, 30))
-    (source,) = find_sources(tmp_path / "set", Order("obj"))
-    assert normalised(source, Order("obj"))[1].colours[0] == "green"
+    (source,) = find_sources(tmp_path / "set", ImportOptions("obj"))
+    assert normalised(source, ImportOptions("obj"))[1].colours[0] == "green"

@@ -6,11 +6,11 @@ import trimesh
 
 from data_sets import box, obj_folder
 from glb_files import FILE_FROM_Z_UP
-from probe.assets.glb import read_gltf
+from probe.assets.gltf.glb import read_gltf
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.checking import sifted_at, verdict_of
 from probe.assets.importers.normalised import normalised
-from probe.assets.importers.order import Order
+from probe.assets.importers.options import ImportOptions
 from probe.assets.importers.reposing import reposed
 from probe.assets.importers.upright import likely_up
 from probe.errors import BadMesh
@@ -49,10 +49,10 @@ def test_a_box_about_its_middle_may_be_read_both_ways_and_that_is_said(tmp_path)
 
 def test_the_other_way_up_is_as_if_it_had_been_said_at_once(tmp_path):
     obj_folder(tmp_path / "tin", trimesh.creation.box((0.1, 0.06, 0.04)))
-    (source,) = find_sources(tmp_path, Order("obj"))
-    mesh, entry = normalised(source, Order("obj"))
+    (source,) = find_sources(tmp_path, ImportOptions("obj"))
+    mesh, entry = normalised(source, ImportOptions("obj"))
     laid, changed = reposed(mesh, entry, "z")
-    wanted, told = normalised(source, Order("obj", up="z"))
+    wanted, told = normalised(source, ImportOptions("obj", up="z"))
     assert laid.extent == pytest.approx(wanted.extent, abs=1e-6)
     assert changed.size == told.size and changed.size != entry.size
     assert changed.turn_wxyz == pytest.approx(told.turn_wxyz, abs=1e-6)
@@ -71,9 +71,9 @@ def test_the_other_way_up_is_as_if_it_had_been_said_at_once(tmp_path):
 )
 def test_an_absurd_size_names_the_unit_that_would_fit(tmp_path, scale, unit, said):
     obj_folder(tmp_path / "apple", box((0.06, 0.06, 0.06)).apply_scale(scale))
-    (source,) = find_sources(tmp_path, Order("obj"))
+    (source,) = find_sources(tmp_path, ImportOptions("obj"))
     with pytest.raises(BadMesh, match=said):
-        normalised(source, Order("obj", unit=unit))
+        normalised(source, ImportOptions("obj", unit=unit))
 
 
 def test_scans_are_read_the_right_way_up(assets):

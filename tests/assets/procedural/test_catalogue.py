@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from probe.assets.mesh import Body
-from probe.assets.nearness import SAME_FIT, Fingerprint, fingerprint, near_pairs
+from probe.assets.mesh.mesh import Body
+from probe.assets.mesh.nearness import SAME_FIT, Fingerprint, fingerprint, near_pairs
 from probe.assets.procedural import build, specs
 from probe.assets.procedural.paint.colours import rgb
 from probe.assets.procedural.tables import entries

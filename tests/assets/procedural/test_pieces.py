@@ -10,7 +10,7 @@ from scipy.spatial import ConvexHull, cKDTree
 from probe.assets.procedural.assembly import assemble, rng_of
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.parts.hollow import Hollow
-from probe.assets.procedural.tables import Entry, entries
+from probe.assets.procedural.tables import ProceduralEntry, entries
 from probe.types import Array
 
 TIGHT = 0.003
@@ -20,8 +20,8 @@ SOME = ("mug", "bowl", "tray", "banana", "book", "can", "apple")
 
 
 @cache
-def first_of_each_shape() -> dict[str, Entry]:
-    found: dict[str, Entry] = {}
+def first_of_each_shape() -> dict[str, ProceduralEntry]:
+    found: dict[str, ProceduralEntry] = {}
     for entry in entries().values():
         found.setdefault(entry.shape, entry)
     return found
@@ -97,11 +97,11 @@ def test_pieces_keep_to_the_mesh(shape: str) -> None:
         assert np.min(exact, axis=0).max() < PROUD
 
 
-def cavity_of(entry: Entry) -> Hollow:
+def cavity_of(entry: ProceduralEntry) -> Hollow:
     return next(part for part in entry.parts if isinstance(part, Hollow))
 
 
-def is_closed(entry: Entry) -> bool:
+def is_closed(entry: ProceduralEntry) -> bool:
     """Whether its cavity has a floor, unlike a funnel's."""
     return cavity_of(entry).inner[0][0] == 0
 

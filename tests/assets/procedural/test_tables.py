@@ -24,7 +24,7 @@ PAINTS = {"flat": {"defaults": {"shade": "red"}, "paint": {"look": "mottled", "c
 WORDS = {"big": {"scale": 1.5}}
 
 
-def read(entry: dict) -> tables.Entry:
+def read(entry: dict) -> tables.ProceduralEntry:
     (found,) = tables._entries("test", entry, SHAPES, PAINTS, WORDS)
     return found
 

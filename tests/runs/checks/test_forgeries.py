@@ -13,15 +13,15 @@ from probe.cli.merge import merge
 from probe.cli.rescore import SCORES, rescore
 from probe.episodes.conditions import Conditions
 from probe.episodes.folder import SUITE
-from probe.episodes.luck import NOISES
-from probe.episodes.record import Seconds, Step, Table
-from probe.episodes.seat import Reply, Seat
+from probe.episodes.noise import NOISES
+from probe.episodes.participation import ModelReply, Participation
+from probe.episodes.record import Seconds, Step, TableState
 from probe.episodes.turns import Call, Question
 from probe.errors import BadData
 from probe.runs.checks.folder import read_checked
 from probe.runs.variation import Variation, digest_of_tasks, write_variation
 from probe.scene.lighting import Lighting
-from probe.scene.sight import Sight
+from probe.scene.viewpoint import Viewpoint
 from probe.tasks.suite import part, selection
 from probe.tasks.suite_file import packaged_suite, read_suite, write_suite
 from probe.tasks.task import Task
@@ -31,9 +31,9 @@ from run_folders import DEMO
 HONEST = honest()
 START, AFTER = HONEST.start, HONEST.steps[2].after
 OTHER = "A" if TASK.answer != "A" else "B"
-SPEECH = Reply(0, f"I see it.\nANSWER: {TASK.answer} (100, 200)")
-SPOKEN = Seat("direct", replies=(Reply(0, "Hm."), SPEECH))
-CALLED = Seat("agentic", replies=(Reply(3), Reply(1)))
+SPEECH = ModelReply(0, f"I see it.\nANSWER: {TASK.answer} (100, 200)")
+SPOKEN = Participation("direct", replies=(ModelReply(0, "Hm."), SPEECH))
+CALLED = Participation("agentic", replies=(ModelReply(3), ModelReply(1)))
 IN_WORDS = replace(with_steps(HONEST), seat=SPOKEN, seconds=Seconds())
 """An honest record of a model that has no tools."""
 
@@ -50,14 +50,14 @@ def answer_of(choice: str, **more: object) -> Step:
 
 def scene_without_a_thing():
     gone = TASK.scene.objects[-1].instance
-    return Table(TASK.scene.without(gone), START.joints)
+    return TableState(TASK.scene.without(gone), START.joints)
 
 
 def everywhere_without_a_thing():
     """Objects taken out of every scene, so that these still follow from one another."""
     gone = TASK.scene.objects[-1].instance
     start = scene_without_a_thing()
-    after = Table(AFTER.scene.without(gone), AFTER.joints)
+    after = TableState(AFTER.scene.without(gone), AFTER.joints)
     steps = [replace(it, after=start if it.after == START else after) for it in HONEST.steps]
     return replace(HONEST, start=start, steps=tuple(steps))
 
@@ -137,19 +137,19 @@ FORGERIES = {
         r"step 3 \(grasp_and_remove\): other objects are on the table afterwards",
     ),
     "the target lies elsewhere at the start": (
-        replace(HONEST, start=Table(moved(TASK.scene, TASK.targets[0]), START.joints)),
+        replace(HONEST, start=TableState(moved(TASK.scene, TASK.targets[0]), START.joints)),
         "its table at the start isn't that of the suite",
     ),
     "a look moves the target": (
-        with_step(HONEST, 0, after=Table(moved(TASK.scene, TASK.targets[0]), START.joints)),
+        with_step(HONEST, 0, after=TableState(moved(TASK.scene, TASK.targets[0]), START.joints)),
         r"step 1 \(perceive_scene\): the table is another one afterwards, though it moves nothing",
     ),
     "an answer moves the target": (
-        with_step(HONEST, 3, after=Table(moved(AFTER.scene, TASK.targets[0]), AFTER.joints)),
+        with_step(HONEST, 3, after=TableState(moved(AFTER.scene, TASK.targets[0]), AFTER.joints)),
         r"step 4 \(answer_question\): the table is another one afterwards",
     ),
     "an answer moves the arm": (
-        with_step(HONEST, 3, after=Table(AFTER.scene, (0.2,) * 6)),
+        with_step(HONEST, 3, after=TableState(AFTER.scene, (0.2,) * 6)),
         r"step 4 \(answer_question\): the table is another one afterwards",
     ),
     "a refused grasp moves things": (
@@ -190,7 +190,7 @@ FORGERIES = {
         "a time of its tools is below 0",
     ),
     "another light than its conditions": (
-        replace(HONEST, sight=Sight(lighting=Lighting("loft", 0.5))),
+        replace(HONEST, sight=Viewpoint(lighting=Lighting("loft", 0.5))),
         "its light isn't that of its conditions",
     ),
     "a camera that didn't stray": (
@@ -206,7 +206,7 @@ FORGERIES = {
         "it has calls, and nobody has tools in the arm 'direct'",
     ),
     "calls that no reply made": (
-        replace(WITH_TOOLS, seat=replace(CALLED, replies=(Reply(3),))),
+        replace(WITH_TOOLS, seat=replace(CALLED, replies=(ModelReply(3),))),
         "its model's replies made 3 calls, and it has 4",
     ),
     "words that say otherwise": (
@@ -296,8 +296,8 @@ def test_a_run_has_one_result(tmp_path):
 
 
 def test_places_in_thousandths_may_be_rounded(tmp_path):
-    said = Reply(0, f"ANSWER: {TASK.answer} (98, 195)")
-    seat = Seat("direct", "0-1000", (said,))
+    said = ModelReply(0, f"ANSWER: {TASK.answer} (98, 195)")
+    seat = Participation("direct", "0-1000", (said,))
     # 98 and 195 thousandths of 1024 pixels are 100.352 and 199.68.
     record = replace(IN_WORDS, seat=seat)
     assert checked(write_folder(tmp_path / "near", record)) == [record]

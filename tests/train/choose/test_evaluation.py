@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 
 from lessons import FIRST_SEED, moved_away, suite_of, training_task
-from probe.assets.split import Split
-from probe.certify.attempt import Attempt
-from probe.certify.parts import Place
-from probe.certify.salt import Salt
+from probe.assets.pools.split import Split
+from probe.generation.attempt import Attempt
+from probe.generation.build_folder import TaskSlot
+from probe.generation.salt import Salt
 from probe.tasks.suite_file import packaged_suite, packaged_suites
 from probe.tasks.task import Certificate
 from probe.train.choose.evaluation import evaluation_of
@@ -52,7 +52,7 @@ def test_a_seed_below_those_for_training_is_refused():
 
 
 def test_a_private_suites_seed_is_refused_though_nobody_knows_the_suite():
-    seed = Attempt(Place("find", 0), 0, Salt(bytes(32))).bears
+    seed = Attempt(TaskSlot("find", 0), 0, Salt(bytes(32))).bears
     refusal = evaluation_of([]).refusal(replace(TASK, seed=seed))
     assert refusal and refusal.leak == "seed" and "is of a private suite" in refusal.detail
 

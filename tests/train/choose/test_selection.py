@@ -7,7 +7,7 @@ import pytest
 
 from lessons import lesson, reminded, training_task
 from probe.errors import BadData
-from probe.train.choose.candidates import Candidate
+from probe.train.choose.candidates import EpisodeCandidate
 from probe.train.choose.evaluation import evaluation_of
 from probe.train.choose.selection import Recipe, select
 from run_folders import DEMO
@@ -25,7 +25,7 @@ def ids(selection):
 
 def test_only_what_was_right_is_learnt():
     good, bad = lesson(training_task(1)), lesson(training_task(2), right=False)
-    missing = Candidate(training_task(3), replace(good.record, end="fault"), None)
+    missing = EpisodeCandidate(training_task(3), replace(good.record, end="fault"), None)
     found = chosen([good, bad, missing])
     assert ids(found) == [(good.task.id, "agentic")]
     assert found.dropped == {"wrong or unanswered": 1, "missing": 1}

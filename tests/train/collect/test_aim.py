@@ -6,7 +6,7 @@ import pytest
 
 from probe.errors import BadData
 from probe.train.collect.aim import PAPER_COUNTS, Aim, in_proportion
-from probe.train.collect.batches import Harvest
+from probe.train.collect.batches import CollectedBatches
 from probe.types import Shard
 
 FIRST = 2_000_000
@@ -30,13 +30,13 @@ def test_fewer_in_the_papers_proportions():
 def test_shards_share_counts_and_places(count):
     aims = [Aim({"find": count}, FIRST, Shard(n, 3), batch=1000) for n in range(3)]
     assert sum(aim.total for aim in aims) == count
-    places = [place.episode for aim in aims for place in aim.next_places(Harvest())]
+    places = [place.episode for aim in aims for place in aim.next_places(CollectedBatches())]
     assert len(set(places)) == len(places) and all(place >= FIRST for place in places)
 
 
 def test_a_batch_follows_what_is_lacking_and_the_rate():
     aim = Aim({"find": 10, "count": 10}, FIRST, batch=100)
-    so_far = Harvest(
+    so_far = CollectedBatches(
         Counter(find=8, count=8), Counter(find=2, count=8), last={"find": FIRST + 7, "count": FIRST}
     )
     kinds = Counter(place.kind for place in aim.next_places(so_far))
@@ -47,33 +47,35 @@ def test_a_batch_follows_what_is_lacking_and_the_rate():
 
 def test_a_batch_is_no_larger_than_allowed_and_lacks_no_type():
     aim = Aim({"find": 1000, "count": 10}, FIRST, batch=10)
-    places = aim.next_places(Harvest())
+    places = aim.next_places(CollectedBatches())
     assert len(places) == 10 and {place.kind for place in places} == {"find"}
-    late = Harvest(Counter(find=1000), Counter(find=1000), last={"find": FIRST + 999})
+    late = CollectedBatches(Counter(find=1000), Counter(find=1000), last={"find": FIRST + 999})
     assert {place.kind for place in aim.next_places(late)} == {"count"}
 
 
 def test_budgets():
     aim = Aim({"find": 10}, FIRST, most_episodes=20)
-    assert aim.spent(Harvest(episodes=18)) is None
-    assert len(aim.next_places(Harvest(Counter(find=8), episodes=18))) == 1
-    assert aim.spent(Harvest(episodes=19)) == "episodes"
+    assert aim.spent(CollectedBatches(episodes=18)) is None
+    assert len(aim.next_places(CollectedBatches(Counter(find=8), episodes=18))) == 1
+    assert aim.spent(CollectedBatches(episodes=19)) == "episodes"
     money = Aim({"find": 100}, FIRST, most_cost=10.0)
-    assert len(money.next_places(Harvest())) == 1
-    half = Harvest(Counter(find=10), episodes=10, cost=8.0, last={"find": FIRST})
+    assert len(money.next_places(CollectedBatches())) == 1
+    half = CollectedBatches(Counter(find=10), episodes=10, cost=8.0, last={"find": FIRST})
     assert len(money.next_places(half)) == 2
-    assert money.spent(Harvest(Counter(find=10), episodes=10, cost=9.5)) == "cost"
+    assert money.spent(CollectedBatches(Counter(find=10), episodes=10, cost=9.5)) == "cost"
 
 
 def test_what_has_no_price_counts_as_much_as_the_rest():
     aim = Aim({"find": 100}, FIRST, most_cost=10.0)
-    some = Harvest(Counter(find=10), episodes=10, unpriced=5, cost=4.0, last={"find": FIRST})
+    some = CollectedBatches(
+        Counter(find=10), episodes=10, unpriced=5, cost=4.0, last={"find": FIRST}
+    )
     # 8 dollars for ten tasks: 0.8 each.
     assert len(aim.next_places(some)) == 2
-    nobody_knows = Harvest(Counter(find=10), episodes=10, unpriced=10)
+    nobody_knows = CollectedBatches(Counter(find=10), episodes=10, unpriced=10)
     assert aim.spent(nobody_knows) == "cost"
 
 
 def test_successes_beyond_a_count_do_not_count():
     aim = Aim({"find": 2, "size": 3}, FIRST)
-    assert aim.reached(Harvest(successes=Counter(find=9, size=1))) == 3
+    assert aim.reached(CollectedBatches(successes=Counter(find=9, size=1))) == 3

@@ -10,15 +10,15 @@ import pytest
 
 from lessons import BY_KIND, FIRST_SEED, lesson
 from probe.assets.library import Library, open_library
-from probe.certify.parts import Parts
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.errors import Unsatisfiable
-from probe.report.darkroom import Darkroom
+from probe.generation.build_folder import BuildFolder
+from probe.report.scene_renderer import SceneRenderer
 from probe.tasks.suite_file import write_suite
 from probe.train.collect.aim import Aim
 from probe.train.collect.batches import TASKS, batches
-from probe.train.collect.collecting import Hands, collect
+from probe.train.collect.collecting import TeacherWorkers, collect
 
 FIRST = 2_000_000
 
@@ -41,12 +41,12 @@ class World:
     impossible: bool = False
     lost: tuple[str, str] = ("", "")
 
-    def hands(self) -> Hands:
-        dark = partial(Darkroom, open_library=lambda: self.things)
-        return Hands(self.make, self.play, self.things, dark)
+    def hands(self) -> TeacherWorkers:
+        dark = partial(SceneRenderer, open_library=lambda: self.things)
+        return TeacherWorkers(self.make, self.play, self.things, dark)
 
     def make(self, places):
-        parts = Parts(self.out / TASKS)
+        parts = BuildFolder(self.out / TASKS)
         for place in places:
             if self.impossible:
                 yield place, "no luck"

@@ -6,12 +6,12 @@ from dataclasses import replace
 import pytest
 
 from lessons import lesson, training_task
-from probe.chat.messages import messages
-from probe.chat.tools import as_sent
 from probe.episodes.turns import Call
 from probe.errors import BadData
 from probe.tasks.suite_file import CANARY
 from probe.train.dataset.examples import Canary, example_of
+from probe.transcripts.messages import messages
+from probe.transcripts.tools import as_sent
 from train.conftest import LESSONS, shown_in
 
 

@@ -9,18 +9,18 @@ import pytest
 
 from probe.cli.serve_model import serve_model
 from probe.errors import BadData
-from probe.train.serve.replying import Reply
+from probe.train.serve.replying import ServedReply
 from probe.train.serve.serving import application, reserved, serve
-from probe.train.serve.speaking import Said
+from probe.train.serve.speaking import GeneratedReply
 from probe.train.tune.conversations import of_request
 
-REPLY = Reply("I look.", (("perceive_scene", "{}"),))
+REPLY = ServedReply("I look.", (("perceive_scene", "{}"),))
 
 
 class Replies:
     """Says one thing to whoever is understood."""
 
-    def __init__(self, said: Said) -> None:
+    def __init__(self, said: GeneratedReply) -> None:
         self._said = said
 
     def reply(self, body):
@@ -28,7 +28,7 @@ class Replies:
         return self._said
 
 
-def asked(said: Said, body: Any) -> Any:
+def asked(said: GeneratedReply, body: Any) -> Any:
     from starlette.testclient import TestClient
 
     with TestClient(application(Replies(said), "student")) as client:  # type: ignore[arg-type]
@@ -40,7 +40,7 @@ HELLO = {"messages": [{"role": "user", "content": "What is under the mug?"}]}
 
 @pytest.mark.filterwarnings("default")
 def test_a_call_comes_in_openais_form():
-    told = asked(Said(REPLY, 30, 9, cut=False), HELLO).json()
+    told = asked(GeneratedReply(REPLY, 30, 9, cut=False), HELLO).json()
     (choice,) = told["choices"]
     assert choice["finish_reason"] == "tool_calls" and choice["message"]["content"] == "I look."
     (call,) = choice["message"]["tool_calls"]
@@ -52,7 +52,9 @@ def test_a_call_comes_in_openais_form():
 @pytest.mark.filterwarnings("default")
 def test_words_and_words_that_are_cut_off():
     for cut, ending in ((False, "stop"), (True, "length")):
-        (choice,) = asked(Said(Reply("ANSWER: B"), 3, 4, cut), HELLO).json()["choices"]
+        (choice,) = asked(GeneratedReply(ServedReply("ANSWER: B"), 3, 4, cut), HELLO).json()[
+            "choices"
+        ]
         assert choice["finish_reason"] == ending
         assert choice["message"] == {"role": "assistant", "content": "ANSWER: B"}
 
@@ -60,13 +62,13 @@ def test_words_and_words_that_are_cut_off():
 @pytest.mark.filterwarnings("default")
 @pytest.mark.parametrize("body", [{}, {"messages": [{"content": "x"}]}, ["x"]])
 def test_what_is_not_understood_is_told(body):
-    answer = asked(Said(REPLY, 1, 1, cut=False), body)
+    answer = asked(GeneratedReply(REPLY, 1, 1, cut=False), body)
     assert answer.status_code == 400 and answer.json()["error"]["message"]
 
 
 @pytest.mark.filterwarnings("default")
 def test_it_answers_for_no_other_model():
-    said = Said(REPLY, 1, 1, cut=False)
+    said = GeneratedReply(REPLY, 1, 1, cut=False)
     assert asked(said, HELLO | {"model": "student"}).status_code == 200
     answer = asked(said, HELLO | {"model": "teacher"})
     assert answer.status_code == 404
@@ -91,4 +93,4 @@ def test_of_two_that_begin_at_once_one_serves():
         with reserved(port) as faster:
             faster.listen()
             with pytest.raises(BadData, match=f"--port: {port} can't be used"):
-                serve(Replies(Said(REPLY, 1, 1, cut=False)), "student", held)  # type: ignore[arg-type]
+                serve(Replies(GeneratedReply(REPLY, 1, 1, cut=False)), "student", held)  # type: ignore[arg-type]

@@ -9,8 +9,8 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict
 
 from probe.assets.annotation.words import Described
-from probe.assets.entry import Entry
 from probe.assets.importers.upright import other_axis
+from probe.assets.pools.entry import LibraryEntry
 from probe.assets.spec import ObjectSpec
 from probe.files import read_document, write_text
 from probe.types import Vector3
@@ -76,7 +76,7 @@ def from_source(spec: ObjectSpec, problem: str = "") -> Note:
     )
 
 
-def from_entry(entry: Entry) -> Note:
+def from_entry(entry: LibraryEntry) -> Note:
     """What the library says of an object of one's own, with who said it."""
     note = from_source(entry.spec)
     origins = dict(note.origins)
@@ -95,7 +95,7 @@ def from_entry(entry: Entry) -> Note:
     )
 
 
-def brought_up_to_date(note: Note, entry: Entry) -> Note:
+def brought_up_to_date(note: Note, entry: LibraryEntry) -> Note:
     """A note with what is measured as the library has it now; what was said stays."""
     now = from_entry(entry)
     kept = {field for field in BY_HAND if note.origins.get(field) == "human"}

@@ -10,7 +10,7 @@ from typing import Annotated
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from probe.asking import UnusableReply, asked
-from probe.assets.colours import Colour
+from probe.assets.colour.names import Colour
 from probe.files import fault
 from probe.types import Array, Ask
 

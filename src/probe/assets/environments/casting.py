@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from probe.assets.environments.room import SIDES, Box, Room
+from probe.assets.environments.room import SIDES, Furniture, Room
 from probe.types import Array
 
 
@@ -54,7 +54,7 @@ def cast(room: Room, height: int) -> Hits:
     return Hits(eye + rays * distance, side, axis, sign)
 
 
-def _enter(box: Box, eye: Array, rays: Array) -> tuple[Array, Array, Array]:
+def _enter(box: Furniture, eye: Array, rays: Array) -> tuple[Array, Array, Array]:
     """Whether rays enter a box from outside, how far off, and through the face of which axis."""
     safe = np.where(np.abs(rays) < 1e-9, np.float32(1e-9), rays)
     first = (np.array(box.low, np.float32)[:, None, None] - eye) / safe

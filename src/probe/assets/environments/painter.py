@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from probe.assets.environments.casting import Hits, cast
-from probe.assets.environments.room import SIDES, Patch, Room
+from probe.assets.environments.room import SIDES, Room, WallPatch
 from probe.types import Array
 
 HEIGHT_PX = 512
@@ -77,7 +77,7 @@ def _across(side: str, points: Array) -> tuple[Array, Array]:
     return {"front": x, "right": -y, "back": -x, "left": y}[side], z
 
 
-def _stick(patch: Patch, room: Room, hits: Hits, albedo: Array, glow: Array) -> None:
+def _stick(patch: WallPatch, room: Room, hits: Hits, albedo: Array, glow: Array) -> None:
     """Put a patch on its side, in place."""
     u, v = _across(patch.side, hits.points)
     on = hits.side == SIDES.index(patch.side)
@@ -98,7 +98,7 @@ def _stick(patch: Patch, room: Room, hits: Hits, albedo: Array, glow: Array) -> 
         glow[pane] = _radiance(patch)
 
 
-def _radiance(patch: Patch) -> Array:
+def _radiance(patch: WallPatch) -> Array:
     return linear(patch.colour) * np.float32(patch.glow)
 
 
@@ -127,7 +127,7 @@ def _corners(room: Room, hits: Hits) -> Array:
     return (1 - 0.5 * np.exp(-near / _CORNER * 2)).astype(np.float32)
 
 
-def _falling(patch: Patch, room: Room, hits: Hits) -> Array:
+def _falling(patch: WallPatch, room: Room, hits: Hits) -> Array:
     """Light of a patch of radiance 1 at each point, over pi; shape (h, w)."""
     axis, sign = _AXES[patch.side]
     total = np.zeros(hits.side.shape, np.float32)
@@ -141,7 +141,7 @@ def _falling(patch: Patch, room: Room, hits: Hits) -> Array:
     return total * area / np.float32(np.pi)
 
 
-def _spots(patch: Patch, room: Room) -> list[Array]:
+def _spots(patch: WallPatch, room: Room) -> list[Array]:
     """Points that stand for a light, evenly over it; metres from the middle of the floor."""
     axis, sign = _AXES[patch.side]
     counts = [max(1, min(4, round(edge / 0.8))) for edge in patch.size]

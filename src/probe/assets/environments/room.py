@@ -21,7 +21,7 @@ class _Data(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
-class Patch(_Data):
+class WallPatch(_Data):
     """A rectangle on one side of the room: a window, a lamp, a door, a picture.
 
     Attributes:
@@ -45,7 +45,7 @@ class Patch(_Data):
     panes: tuple[int, int] = (1, 1)
 
 
-class Box(_Data):
+class Furniture(_Data):
     """A piece of furniture, from one corner to the other; metres from the middle of the floor."""
 
     low: tuple[float, float, float]
@@ -70,8 +70,8 @@ class Room(_Data):
     ceiling: Colour = "#f2f0ea"
     floor: Colour
     pattern: tuple[Literal["plain", "planks", "tiles"], float] = ("plain", 1.0)
-    patches: tuple[Patch, ...]
-    boxes: tuple[Box, ...] = ()
+    patches: tuple[WallPatch, ...]
+    boxes: tuple[Furniture, ...] = ()
 
     @property
     def colours(self) -> tuple[Colour, ...]:

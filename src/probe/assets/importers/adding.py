@@ -9,23 +9,23 @@ from pathlib import Path
 from typing import Literal
 
 from probe.assets.cache import Cache
-from probe.assets.glb_writer import glb_bytes
+from probe.assets.gltf.glb_writer import glb_bytes
 from probe.assets.importers import IMPORTERS
 from probe.assets.importers.entries import object_id, remarks_on
 from probe.assets.importers.limits import limited
 from probe.assets.importers.normalised import content_of, normalised
-from probe.assets.importers.order import Order
+from probe.assets.importers.options import ImportOptions
 from probe.assets.importers.parallel import spread
-from probe.assets.importers.sifting import Passed, sift
+from probe.assets.importers.selection import Passed, sift
 from probe.assets.importers.source import Source
-from probe.assets.own_pool import own_body, own_entries, remove_object, store_object
+from probe.assets.pools.own import own_body, own_entries, remove_object, store_object
 from probe.errors import BadData, BadMesh
 
 Status = Literal["added", "skipped", "refused"]
 
 
 @dataclass(frozen=True)
-class Outcome:
+class ImportOutcome:
     """What became of one object.
 
     Attributes:
@@ -42,7 +42,7 @@ class Outcome:
 
 
 @dataclass(frozen=True)
-class Target:
+class ImportTarget:
     """Where objects go: a library's folder, and the cache for their bodies."""
 
     library: Path
@@ -53,11 +53,11 @@ class Target:
 class _Job:
     source: Source
     object_id: str
-    order: Order
-    target: Target
+    order: ImportOptions
+    target: ImportTarget
 
 
-def find_sources(path: Path, order: Order) -> list[Source]:
+def find_sources(path: Path, order: ImportOptions) -> list[Source]:
     """What there is to add below a folder, in a fixed order.
 
     Raises:
@@ -72,7 +72,7 @@ def find_sources(path: Path, order: Order) -> list[Source]:
     return found
 
 
-def objects_at(path: Path, order: Order) -> tuple[list[Source], list[Passed]]:
+def objects_at(path: Path, order: ImportOptions) -> tuple[list[Source], list[Passed]]:
     """What there is to add below a folder, and what is passed over and why.
 
     Raises:
@@ -82,7 +82,9 @@ def objects_at(path: Path, order: Order) -> tuple[list[Source], list[Passed]]:
     return [source for source, _ in kept], passed
 
 
-def add(sources: Sequence[Source], order: Order, target: Target, workers: int) -> Iterator[Outcome]:
+def add(
+    sources: Sequence[Source], order: ImportOptions, target: ImportTarget, workers: int
+) -> Iterator[ImportOutcome]:
     """Add objects, each wholly or not at all; yields what became of each as it is known.
 
     What is there already, by the content of its files, is skipped: an interrupted run goes on
@@ -99,10 +101,10 @@ def add(sources: Sequence[Source], order: Order, target: Target, workers: int) -
         try:
             content, name = content_of(source, order), IMPORTERS[order.format].facts(source).name
         except (BadMesh, BadData) as refusal:
-            yield Outcome(source.label, "refused", str(refusal))
+            yield ImportOutcome(source.label, "refused", str(refusal))
             continue
         if content in there:
-            yield Outcome(source.label, "skipped", there[content])
+            yield ImportOutcome(source.label, "skipped", there[content])
             continue
         own_id = _free_id(object_id(name), taken)
         taken.add(own_id)
@@ -118,7 +120,7 @@ def _free_id(wanted: str, taken: Collection[str]) -> str:
     return next(own_id for own_id in chain([wanted], numbered) if own_id not in taken)
 
 
-def _add(job: _Job) -> Outcome:
+def _add(job: _Job) -> ImportOutcome:
     """Add one object and prepare its body; in a worker."""
     library, cache = job.target.library, Cache(job.target.cache / "bodies")
     try:
@@ -132,10 +134,10 @@ def _add(job: _Job) -> Outcome:
                 remove_object(library, job.object_id)
                 raise
     except (BadMesh, BadData) as refusal:
-        return Outcome(job.source.label, "refused", str(refusal))
-    return Outcome(job.source.label, "added", job.object_id, remarks_on(entry))
+        return ImportOutcome(job.source.label, "refused", str(refusal))
+    return ImportOutcome(job.source.label, "added", job.object_id, remarks_on(entry))
 
 
-def _lost(job: _Job) -> Outcome:
+def _lost(job: _Job) -> ImportOutcome:
     reason = "a worker process died over this or another object; run again to go on"
-    return Outcome(job.source.label, "refused", f"{job.source.mesh}: {reason}.")
+    return ImportOutcome(job.source.label, "refused", f"{job.source.mesh}: {reason}.")

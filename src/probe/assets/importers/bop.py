@@ -13,7 +13,7 @@ import numpy as np
 import trimesh
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
-from probe.assets.importers.source import Facts, Frame, Importer, Source, Symmetries
+from probe.assets.importers.source import Importer, Source, SourceFacts, SourceFrame, Symmetries
 from probe.assets.importers.stanford import ply_texture, read_ply
 from probe.errors import BadData, BadMesh
 from probe.files import fault
@@ -74,7 +74,7 @@ def read_models(path: Path) -> dict[int, Model]:
         raise BadData(path, fault(error, "the file"), "Download it again.") from error
 
 
-def _facts(source: Source) -> Facts:
+def _facts(source: Source) -> SourceFacts:
     path = source.root / INFO
     number = _NUMBER.search(source.mesh.stem)
     models = read_models(path)
@@ -84,7 +84,7 @@ def _facts(source: Source) -> Facts:
     name = f"{_set_name(source.root)} {int(number.group(1))}"
     x, y, z = (MILLIMETRE * edge for edge in (model.size_x, model.size_y, model.size_z))
     words = _known_names().get(name)
-    return Facts(
+    return SourceFacts(
         words or name,
         source=f"BOP, {name}",
         size=(x, y, z),
@@ -125,4 +125,4 @@ def _read(source: Source) -> trimesh.Trimesh:
     return read_ply(source.mesh, source.root)
 
 
-BOP = Importer(_find, _facts, _files_of, _read, Frame(MILLIMETRE, "z"))
+BOP = Importer(_find, _facts, _files_of, _read, SourceFrame(MILLIMETRE, "z"))

@@ -7,21 +7,21 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from probe.assets.collision.pieces import convex_pieces
 from probe.assets.fitness import unfit
-from probe.assets.glb import load_glb
+from probe.assets.gltf.glb import load_glb
 from probe.assets.importers import IMPORTERS
 from probe.assets.importers.entries import remarks_on
 from probe.assets.importers.limits import limited
 from probe.assets.importers.normalised import normalised
-from probe.assets.importers.order import Order
+from probe.assets.importers.options import ImportOptions
 from probe.assets.importers.parallel import spread
-from probe.assets.importers.sifting import Passed, sift
+from probe.assets.importers.selection import Passed, sift
 from probe.assets.importers.source import Axis, Format, Source
-from probe.assets.mesh import TexturedMesh
-from probe.assets.own_pool import MESH, own_entries
-from probe.assets.pieces import convex_pieces
-from probe.assets.resting import rest_of
-from probe.assets.scans import scan_rows
+from probe.assets.mesh.mesh import TexturedMesh
+from probe.assets.mesh.resting import rest_of
+from probe.assets.pools.own import MESH, own_entries
+from probe.assets.pools.scan_catalogue import scan_rows
 from probe.errors import BadData, BadMesh
 from probe.types import Vector3
 
@@ -31,7 +31,7 @@ class Imported:
     """An object as an importer would read it."""
 
     source: Source
-    order: Order
+    order: ImportOptions
 
     @property
     def label(self) -> str:
@@ -63,7 +63,7 @@ Candidate = Imported | Catalogued
 
 
 @dataclass(frozen=True)
-class Verdict:
+class FitnessVerdict:
     """What a check found.
 
     Attributes:
@@ -99,13 +99,13 @@ def sifted_at(
     path: Path, unit: float | None = None, up: Axis | None = None
 ) -> tuple[list[Candidate], list[Passed]]:
     """As `candidates_at`, and the meshes that are no objects of their own, with reasons."""
-    found: list[tuple[Source, Order]] = []
+    found: list[tuple[Source, ImportOptions]] = []
     claimed: set[Path] = set()
     formats: tuple[Format, ...] = ("bop", "gso", "gltf", "obj")
     for format in formats if path.exists() else ():
         sources = IMPORTERS[format].find(path)
         free = [one for one in sources if not claimed & {one.mesh, *one.mesh.parents}]
-        found += [(source, Order(format, unit, up)) for source in free]
+        found += [(source, ImportOptions(format, unit, up)) for source in free]
         if format in ("bop", "gso"):
             claimed |= {source.root for source in free}
     if not found:
@@ -137,13 +137,13 @@ def own_candidates(folder: Path) -> list[Candidate]:
     ]
 
 
-def check(candidates: Sequence[Candidate], workers: int) -> Iterator[Verdict]:
+def check(candidates: Sequence[Candidate], workers: int) -> Iterator[FitnessVerdict]:
     """Check objects in parallel; yields each verdict as it is known."""
     for candidate, verdict in spread(verdict_of, candidates, workers):
-        yield verdict or Verdict(candidate.label, "a worker process died over it or another")
+        yield verdict or FitnessVerdict(candidate.label, "a worker process died over it or another")
 
 
-def verdict_of(candidate: Candidate) -> Verdict:
+def verdict_of(candidate: Candidate) -> FitnessVerdict:
     """Check one object."""
     path = candidate.source.mesh if isinstance(candidate, Imported) else candidate.path
     try:
@@ -153,8 +153,8 @@ def verdict_of(candidate: Candidate) -> Verdict:
             pieces = convex_pieces(mesh, hollow)
             seconds = time.process_time() - start
     except (BadMesh, BadData) as reason:
-        return Verdict(candidate.label, str(reason))
-    return Verdict(candidate.label, refusal, len(pieces), seconds, remarks)
+        return FitnessVerdict(candidate.label, str(reason))
+    return FitnessVerdict(candidate.label, refusal, len(pieces), seconds, remarks)
 
 
 def _read(candidate: Candidate) -> tuple[TexturedMesh, bool, str | None, tuple[str, ...]]:

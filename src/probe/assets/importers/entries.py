@@ -6,16 +6,16 @@ import re
 
 import numpy as np
 
-from probe.assets.entry import Entry, Provenance, TurningSymmetry
-from probe.assets.hollow import is_hollow
-from probe.assets.importers.order import Order
-from probe.assets.importers.source import NO_LICENCE, Facts, Source, Symmetries
-from probe.assets.importers.typical import category_in
+from probe.assets.colour.main_colours import said_colours
+from probe.assets.importers.density import category_in
+from probe.assets.importers.options import ImportOptions
+from probe.assets.importers.source import NO_LICENCE, Source, SourceFacts, Symmetries
 from probe.assets.importers.upright import Reading, up_doubt
 from probe.assets.importers.wording import LONGEST_NAME, all_words, draft_name, id_words, shortened
-from probe.assets.mesh import TexturedMesh
-from probe.assets.said_colours import said_colours
-from probe.assets.sampling import colours_at, spots
+from probe.assets.mesh.hollow import is_hollow
+from probe.assets.mesh.mesh import TexturedMesh
+from probe.assets.mesh.sampling import colours_at, spots
+from probe.assets.pools.entry import LibraryEntry, Provenance, TurningSymmetry
 from probe.types import Array, Vector3, quaternion_of
 
 FRICTION = 0.5
@@ -27,7 +27,7 @@ def object_id(name: str) -> str:
     return f"own_{id_words(name)}"
 
 
-def words_of(facts: Facts) -> str:
+def words_of(facts: SourceFacts) -> str:
     """The draft of a short name for people; if it is cut, what the thing is stays in."""
     if facts.words:
         return facts.words
@@ -40,14 +40,14 @@ def words_of(facts: Facts) -> str:
     return shortened(" ".join(words), " ")
 
 
-def category_of(facts: Facts) -> str:
+def category_of(facts: SourceFacts) -> str:
     """What the data set says, or the noun in the name; without numbers."""
     name = words_of(facts)
     letters = re.sub(r"[^a-z' -]+", " ", (facts.category or category_in(name) or name).lower())
     return shortened(" ".join(letters.split()), " ") or "object"
 
 
-def remarks_on(entry: Entry) -> tuple[str, ...]:
+def remarks_on(entry: LibraryEntry) -> tuple[str, ...]:
     """What a user should know of an object, a doubt about its upward axis first."""
     doubt = () if entry.up_sure or entry.up is None else (up_doubt(entry.up),)
     return (*doubt, *entry.remarks)
@@ -55,14 +55,14 @@ def remarks_on(entry: Entry) -> tuple[str, ...]:
 
 def entry_of(
     source: Source,
-    order: Order,
-    facts: Facts,
+    order: ImportOptions,
+    facts: SourceFacts,
     mesh: TexturedMesh,
     mass: float,
     our_from_metres: Array,
     content: str,
     reading: Reading,
-) -> Entry:
+) -> LibraryEntry:
     """The entry of an object, its id without a suffix yet.
 
     Args:
@@ -79,7 +79,7 @@ def entry_of(
     x, y, z = (round(float(edge), 4) for edge in mesh.extent)
     w, a, b, c = (float(v) for v in quaternion_of(our_from_metres[:3, :3]))
     axes, poses = moved_symmetries(facts.symmetries, our_from_metres)
-    return Entry(
+    return LibraryEntry(
         id=object_id(facts.name),
         name=name,
         category=category_of(facts),
@@ -106,7 +106,7 @@ def entry_of(
     )
 
 
-def _provenance(facts: Facts) -> dict[str, Provenance]:
+def _provenance(facts: SourceFacts) -> dict[str, Provenance]:
     return {
         "name": "source",
         "category": "source" if facts.category else "estimated",

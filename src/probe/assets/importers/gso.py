@@ -12,8 +12,8 @@ from probe.assets.confined import confined
 from probe.assets.importers.licences import spdx
 from probe.assets.importers.mass_trees import parsed
 from probe.assets.importers.masses import stated_mass
-from probe.assets.importers.source import Facts, Frame, Importer, Source
-from probe.assets.importers.wavefront import Parts, obj_parts, read_obj
+from probe.assets.importers.source import Importer, Source, SourceFacts, SourceFrame
+from probe.assets.importers.wavefront import ObjFiles, obj_parts, read_obj
 from probe.errors import BadMesh
 from probe.reading import opened
 
@@ -43,7 +43,7 @@ def _find(path: Path) -> list[Source]:
     ]
 
 
-def _facts(source: Source) -> Facts:
+def _facts(source: Source) -> SourceFacts:
     folder = source.root.resolve()
     text = _text(source.mesh) if _is_told(source) else ""
     notes = folder / "metadata.pbtxt"
@@ -53,7 +53,7 @@ def _facts(source: Source) -> Facts:
     if not _is_told(source):
         mass, remarks = stated_mass(source.mesh, source.root, source.root)
     remark = _parts(source)[1].remark
-    return Facts(
+    return SourceFacts(
         name=folder.name,
         category=next((name for name in categories if name not in _VAGUE), None),
         mass=mass,
@@ -78,7 +78,7 @@ def _mass(source: Source) -> float | None:
     return mass
 
 
-def _parts(source: Source) -> tuple[Path, Parts]:
+def _parts(source: Source) -> tuple[Path, ObjFiles]:
     """The OBJ that the model shows, and its files.
 
     The OBJ's material says ``texture.png``, which is not beside it but in
@@ -113,4 +113,4 @@ def _text(path: Path) -> str:
         raise BadMesh(path, reason, "Check the path and its permissions.") from error
 
 
-GSO = Importer(_find, _facts, _files, _read, Frame(1.0, "z"))
+GSO = Importer(_find, _facts, _files, _read, SourceFrame(1.0, "z"))

@@ -9,20 +9,20 @@ import numpy as np
 import trimesh
 
 from probe.assets.cache import content_key
-from probe.assets.entry import Entry
 from probe.assets.fitness import unfit
 from probe.assets.importers import IMPORTERS
+from probe.assets.importers.density import typical_mass
 from probe.assets.importers.entries import entry_of, words_of
-from probe.assets.importers.order import Order
-from probe.assets.importers.source import Facts, Frame, Source
-from probe.assets.importers.typical import typical_mass
+from probe.assets.importers.options import ImportOptions
+from probe.assets.importers.source import Source, SourceFacts, SourceFrame
 from probe.assets.importers.units import check_unit
 from probe.assets.importers.upright import Reading, likely_up, other_axis
-from probe.assets.mesh import TexturedMesh
-from probe.assets.resting import Rest, rest_of
-from probe.assets.shaping import check_geometry, placed, textured
-from probe.assets.squared import squaring_turn
-from probe.assets.wholeness import broken_parts
+from probe.assets.mesh.mesh import TexturedMesh
+from probe.assets.mesh.resting import Rest, rest_of
+from probe.assets.mesh.shaping import check_geometry, placed, textured
+from probe.assets.mesh.squared import squaring_turn
+from probe.assets.mesh.wholeness import broken_parts
+from probe.assets.pools.entry import LibraryEntry
 from probe.errors import BadMesh
 from probe.reading import MESH, contents
 from probe.types import Array
@@ -34,7 +34,7 @@ SIZE_TOLERANCE = 0.02
 """Share of the longest side by which a file may differ from what its data set says."""
 
 
-def content_of(source: Source, order: Order) -> str:
+def content_of(source: Source, order: ImportOptions) -> str:
     """Hash of a source's files and of how they are read.
 
     Raises:
@@ -46,10 +46,10 @@ def content_of(source: Source, order: Order) -> str:
     except OSError as error:
         reason = error.strerror or "can't be read"
         raise BadMesh(source.mesh, reason, "Check the path and its permissions.") from error
-    return content_key(f"{IMPORT_VERSION} {order}", *parts)
+    return content_key(f"{IMPORT_VERSION} {order.key}", *parts)
 
 
-def normalised(source: Source, order: Order) -> tuple[TexturedMesh, Entry]:
+def normalised(source: Source, order: ImportOptions) -> tuple[TexturedMesh, LibraryEntry]:
     """The object of a source, in its resting pose, and its entry (id without a suffix yet).
 
     Raises:
@@ -65,7 +65,7 @@ def normalised(source: Source, order: Order) -> tuple[TexturedMesh, Entry]:
     used = _used(source, part)
     check_unit(source.mesh, float(np.ptp(used, axis=0).max()), order.frame.unit)
     reading = _reading(used, order, facts)
-    frame = Frame(order.frame.unit, reading.up)
+    frame = SourceFrame(order.frame.unit, reading.up)
     vertices, faces = placed(source.mesh, part, frame.our_from_file)
     _check_stated_size(source, facts, vertices[np.unique(faces)], frame)
     rest = rest_of(vertices[np.unique(faces)])
@@ -85,7 +85,7 @@ def normalised(source: Source, order: Order) -> tuple[TexturedMesh, Entry]:
     return mesh, entry
 
 
-def _reading(points: Array, order: Order, facts: Facts) -> Reading:
+def _reading(points: Array, order: ImportOptions, facts: SourceFacts) -> Reading:
     """Which axis points up: as ordered, as the format or the folder says, or as the shape does."""
     if order.up is not None or IMPORTERS[order.format].tells_up:
         return Reading(order.frame.up, True)
@@ -107,7 +107,7 @@ def _used(source: Source, part: trimesh.Trimesh) -> Array:
     return vertices[np.unique(faces)]
 
 
-def _words(facts: Facts) -> str:
+def _words(facts: SourceFacts) -> str:
     """What says most of what it is made of: the name, and the category where it is known."""
     return " ".join(filter(None, (words_of(facts), facts.category)))
 
@@ -118,7 +118,9 @@ def _remedy(reading: Reading) -> str:
     return f"Say --up {other_axis(reading.up)} if that axis points up in the file; or leave it out."
 
 
-def _check_stated_size(source: Source, facts: Facts, vertices: Array, frame: Frame) -> None:
+def _check_stated_size(
+    source: Source, facts: SourceFacts, vertices: Array, frame: SourceFrame
+) -> None:
     if facts.size is None or frame.up != "z":
         return
     measured = np.ptp(vertices, axis=0)

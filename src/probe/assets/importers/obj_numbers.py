@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from probe.assets.gltf_tree import MAX_TRIANGLES, MAX_VERTICES
+from probe.assets.gltf.tree import MAX_TRIANGLES, MAX_VERTICES
 from probe.errors import BadMesh
 
 MAX_WORDS = 20 * MAX_TRIANGLES

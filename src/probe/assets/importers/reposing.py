@@ -6,20 +6,20 @@ from dataclasses import replace
 
 import numpy as np
 
-from probe.assets.entry import Entry
 from probe.assets.fitness import unfit
-from probe.assets.hollow import is_hollow
 from probe.assets.importers.entries import moved_symmetries, three
-from probe.assets.importers.source import Axis, Frame, Symmetries
-from probe.assets.mesh import TexturedMesh
-from probe.assets.resting import rest_of
-from probe.assets.shaping import centred
-from probe.assets.squared import squaring_turn
+from probe.assets.importers.source import Axis, SourceFrame, Symmetries
+from probe.assets.mesh.hollow import is_hollow
+from probe.assets.mesh.mesh import TexturedMesh
+from probe.assets.mesh.resting import rest_of
+from probe.assets.mesh.shaping import centred
+from probe.assets.mesh.squared import squaring_turn
+from probe.assets.pools.entry import LibraryEntry
 from probe.errors import BadData
 from probe.types import Array, Pose, quaternion_of
 
 
-def reposed(mesh: TexturedMesh, entry: Entry, up: Axis) -> tuple[TexturedMesh, Entry]:
+def reposed(mesh: TexturedMesh, entry: LibraryEntry, up: Axis) -> tuple[TexturedMesh, LibraryEntry]:
     """An object as it would have been added with an axis of its file up, and its entry.
 
     Raises:
@@ -27,10 +27,10 @@ def reposed(mesh: TexturedMesh, entry: Entry, up: Axis) -> tuple[TexturedMesh, E
     """
     before = Pose((0.0, 0.0, 0.0), entry.turn_wxyz).rotation
     vertices = mesh.vertices.astype(np.float64)
-    read = vertices @ before @ Frame(1.0, up).our_from_file.T
+    read = vertices @ before @ SourceFrame(1.0, up).our_from_file.T
     rest = rest_of(read)
     turn = np.eye(3) if rest is None else rest.turn
-    turn = squaring_turn(read @ turn.T) @ turn @ Frame(1.0, up).our_from_file
+    turn = squaring_turn(read @ turn.T) @ turn @ SourceFrame(1.0, up).our_from_file
     step = turn @ before.T
     placed = centred(vertices @ step.T, mesh.faces)
     reason = unfit(placed, mesh.faces, rest, entry.mass)
@@ -45,8 +45,8 @@ def reposed(mesh: TexturedMesh, entry: Entry, up: Axis) -> tuple[TexturedMesh, E
 
 
 def _entry(
-    mesh: TexturedMesh, entry: Entry, up: Axis, turn: Array, step: Array, shift: Array
-) -> Entry:
+    mesh: TexturedMesh, entry: LibraryEntry, up: Axis, turn: Array, step: Array, shift: Array
+) -> LibraryEntry:
     moved = np.eye(4)
     moved[:3, :3], moved[:3, 3] = step, shift
     known = Symmetries(

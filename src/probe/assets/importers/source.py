@@ -21,7 +21,7 @@ NO_LICENCE = "NOASSERTION"
 
 
 @dataclass(frozen=True)
-class Frame:
+class SourceFrame:
     """What a file's numbers mean.
 
     Attributes:
@@ -53,7 +53,7 @@ class Symmetries:
 
 
 @dataclass(frozen=True)
-class Facts:
+class SourceFacts:
     """What a data set says of an object; None or empty where it says nothing.
 
     Attributes:
@@ -110,10 +110,10 @@ class Importer:
     """
 
     find: Callable[[Path], list[Source]]
-    facts: Callable[[Source], Facts]
+    facts: Callable[[Source], SourceFacts]
     files: Callable[[Source], tuple[Path, ...]]
     read: Callable[[Source], trimesh.Trimesh]
-    frame: Frame
+    frame: SourceFrame
     tells_up: bool = True
 
 

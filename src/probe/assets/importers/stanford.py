@@ -10,9 +10,9 @@ import trimesh
 from trimesh.resolvers import FilePathResolver
 
 from probe.assets.confined import confined
-from probe.assets.gltf_tree import MAX_TRIANGLES, MAX_VERTICES
+from probe.assets.gltf.tree import MAX_TRIANGLES, MAX_VERTICES
+from probe.assets.mesh.shaping import joined
 from probe.assets.pictures import check_picture
-from probe.assets.shaping import joined
 from probe.errors import BadMesh
 from probe.reading import opened
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from probe.assets.shaping import LARGEST, SMALLEST
+from probe.assets.mesh.shaping import LARGEST, SMALLEST
 from probe.errors import BadMesh
 
 UNITS = {"m": (1.0, "metres"), "cm": (0.01, "centimetres"), "mm": (0.001, "millimetres")}

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from probe.assets.importers.source import Axis, Frame
-from probe.assets.resting import Rest, rest_of
+from probe.assets.importers.source import Axis, SourceFrame
+from probe.assets.mesh.resting import Rest, rest_of
 from probe.types import Array
 
 GROUND = 0.05
@@ -38,7 +38,7 @@ def likely_up(points: Array, fallback: Axis) -> Reading:
         fallback: What to take where both are as likely.
     """
     longest = float(np.ptp(points, axis=0).max())
-    read = {axis: points @ Frame(1.0, axis).our_from_file.T for axis in AXES}
+    read = {axis: points @ SourceFrame(1.0, axis).our_from_file.T for axis in AXES}
     grounded: list[Axis] = [
         axis for axis in AXES if abs(read[axis][:, 2].min()) <= GROUND * longest
     ]

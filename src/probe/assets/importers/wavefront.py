@@ -14,8 +14,8 @@ from trimesh.resolvers import Resolver
 from probe.assets.confined import MissingFile, confined
 from probe.assets.importers.obj_numbers import check_counts, check_indices
 from probe.assets.importers.skins import sole_picture
+from probe.assets.mesh.shaping import joined
 from probe.assets.pictures import check_picture
-from probe.assets.shaping import joined
 from probe.errors import BadMesh
 from probe.reading import contents
 
@@ -33,7 +33,7 @@ _MATERIAL = b"newmtl skin\nmap_Kd skin\n"
 
 
 @dataclass(frozen=True)
-class Parts:
+class ObjFiles:
     """The files of an OBJ, by the names it uses for them.
 
     Attributes:
@@ -49,7 +49,7 @@ class Parts:
     remark: str = ""
 
 
-def obj_parts(path: Path, root: Path, texture_folders: Sequence[Path] = ()) -> Parts:
+def obj_parts(path: Path, root: Path, texture_folders: Sequence[Path] = ()) -> ObjFiles:
     """An OBJ's text and the files that it refers to, all checked.
 
     Args:
@@ -70,10 +70,10 @@ def obj_parts(path: Path, root: Path, texture_folders: Sequence[Path] = ()) -> P
         check_picture(path, skin)
         text = _SPOKEN.sub(b"", text)
         remark = f"{missing.reason}: {skin.name}, the only picture beside it, is used"
-        return Parts(_HEADING + text, None, {_SKIN: skin}, remark)
+        return ObjFiles(_HEADING + text, None, {_SKIN: skin}, remark)
 
 
-def _named_parts(path: Path, text: bytes, root: Path, texture_folders: Sequence[Path]) -> Parts:
+def _named_parts(path: Path, text: bytes, root: Path, texture_folders: Sequence[Path]) -> ObjFiles:
     """What an OBJ names, all of it there.
 
     Raises:
@@ -96,10 +96,10 @@ def _named_parts(path: Path, text: bytes, root: Path, texture_folders: Sequence[
         found = confined(library, name, library.parent, *texture_folders, root=root)
         check_picture(path, found)
         textures[name] = found
-    return Parts(text, library, textures)
+    return ObjFiles(text, library, textures)
 
 
-def read_obj(path: Path, parts: Parts) -> trimesh.Trimesh:
+def read_obj(path: Path, parts: ObjFiles) -> trimesh.Trimesh:
     """The triangles of an OBJ, in its own frame.
 
     Raises:
@@ -120,7 +120,7 @@ def read_obj(path: Path, parts: Parts) -> trimesh.Trimesh:
 class _Known(Resolver):
     """Gives the parser the files that were checked, and no others."""
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: ObjFiles) -> None:
         self._files = dict(parts.textures)
         self._library = parts.library
 

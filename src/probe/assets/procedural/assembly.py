@@ -8,7 +8,7 @@ import numpy as np
 
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.parts import Painted
-from probe.assets.procedural.tables import Entry
+from probe.assets.procedural.tables import ProceduralEntry
 from probe.types import Array, Pose
 
 
@@ -18,7 +18,7 @@ def rng_of(name: str) -> np.random.Generator:
     return np.random.default_rng(int.from_bytes(digest[:8], "big"))
 
 
-def raw_surfaces(entry: Entry) -> list[Painted]:
+def raw_surfaces(entry: ProceduralEntry) -> list[Painted]:
     """All surfaces of an entry's shape in the shape's own frame and size."""
     return [
         painted
@@ -32,7 +32,7 @@ def extent(painted: list[Painted]) -> Array:
     return np.ptp(_points([sheet for sheet, _ in painted]), axis=0)
 
 
-def assemble(entry: Entry) -> tuple[list[Painted], list[Array]]:
+def assemble(entry: ProceduralEntry) -> tuple[list[Painted], list[Array]]:
     """Surfaces and convex pieces, enlarged, resting on z = 0 and centred over the origin."""
     surfaces = [(_enlarged(sheet, entry), name) for sheet, name in raw_surfaces(entry)]
     rest = resting([sheet for sheet, _ in surfaces])
@@ -44,7 +44,7 @@ def assemble(entry: Entry) -> tuple[list[Painted], list[Array]]:
     return [(sheet.moved(rest), name) for sheet, name in surfaces], pieces
 
 
-def _enlarged(sheet: Sheet, entry: Entry) -> Sheet:
+def _enlarged(sheet: Sheet, entry: ProceduralEntry) -> Sheet:
     sheet = sheet.scaled(entry.scale)
     return sheet if entry.stretch == (1, 1, 1) else sheet.stretched(np.array(entry.stretch))
 

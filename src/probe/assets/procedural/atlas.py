@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from probe.assets.mesh import Surface, TexturedMesh
+from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.paint.canvas import Canvas
 from probe.assets.procedural.paint.data import Paint
@@ -36,10 +36,10 @@ def paint(
         texture[y : y + framed.shape[0], x : x + framed.shape[1]] = framed
         offset = np.array([x, y]) + GUTTER_PX
         uvs.append((offset + sheet.uvs.reshape(-1, 2) * [width, height]) / SIDE_PX)
-    return _joined([sheet for sheet, _ in sheets], uvs, Surface(texture, roughness, metallic))
+    return _joined([sheet for sheet, _ in sheets], uvs, Material(texture, roughness, metallic))
 
 
-def _joined(sheets: list[Sheet], uvs: list[Array], surface: Surface) -> TexturedMesh:
+def _joined(sheets: list[Sheet], uvs: list[Array], surface: Material) -> TexturedMesh:
     starts = np.cumsum([0, *(sheet.points[..., 0].size for sheet in sheets)])
     faces = [sheet.faces + start for sheet, start in zip(sheets, starts[:-1], strict=True)]
     return TexturedMesh(

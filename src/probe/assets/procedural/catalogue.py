@@ -6,10 +6,10 @@ from functools import cache
 
 import numpy as np
 
-from probe.assets.mesh import Body, ConvexPiece
+from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.assets.procedural.assembly import assemble, extent, raw_surfaces, rng_of
 from probe.assets.procedural.atlas import paint
-from probe.assets.procedural.tables import Entry, entries
+from probe.assets.procedural.tables import ProceduralEntry, entries
 from probe.assets.spec import ObjectSpec
 from probe.errors import UnknownName
 from probe.types import Array
@@ -39,7 +39,7 @@ def build(object_id: str) -> Body:
     return Body(mesh, tuple(ConvexPiece(corners) for corners in pieces))
 
 
-def _spec(entry: Entry, unscaled: Array) -> ObjectSpec:
+def _spec(entry: ProceduralEntry, unscaled: Array) -> ObjectSpec:
     size = unscaled * entry.scale * np.array(entry.stretch)
     x, y, z = (round(float(v), 4) for v in size)
     return ObjectSpec(

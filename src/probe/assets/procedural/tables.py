@@ -28,7 +28,7 @@ OBJECT_FILES = (
 )
 
 
-class Entry(Data):
+class ProceduralEntry(Data):
     """One object: words, mass, its shape, and a paint for each name that the shape uses.
 
     In the file a paint may be given as ``template`` (its name in ``paints.yaml``) with values
@@ -61,14 +61,14 @@ class Entry(Data):
 
 
 @cache
-def entries() -> dict[str, Entry]:
+def entries() -> dict[str, ProceduralEntry]:
     """All objects by id, in the order of the files.
 
     Raises:
         BadData: A file breaks its schema; names the entry.
     """
     shapes, paints, words = (_mapping(name) for name in ("shapes", "paints", "words"))
-    found: dict[str, Entry] = {}
+    found: dict[str, ProceduralEntry] = {}
     for name in OBJECT_FILES:
         for raw in cast(list[dict[str, Any]], _read(name)):
             for entry in _entries(name, raw, shapes, paints, words):
@@ -84,7 +84,7 @@ def _entries(
     shapes: dict[str, Any],
     paints: dict[str, Any],
     words: dict[str, Any],
-) -> list[Entry]:
+) -> list[ProceduralEntry]:
     """The objects of one data entry."""
     who = f"entry {raw.get('id', raw.get('category'))}"
     try:
@@ -96,12 +96,12 @@ def _entries(
         raise BadData(f"{file}.yaml", f"{who}: {error}", "Correct it.") from error
 
 
-def _entry(raw: dict[str, Any], shapes: dict[str, Any], paints: dict[str, Any]) -> Entry:
+def _entry(raw: dict[str, Any], shapes: dict[str, Any], paints: dict[str, Any]) -> ProceduralEntry:
     looks = {name: _filled(look, paints) for name, look in raw["paints"].items()}
     shape = raw.get("shape", f"own {raw['category']}")
     parts = raw["parts"] if "parts" in raw else shapes[shape]
     whole = raw | {"shape": shape, "parts": parts, "paints": looks}
-    return TypeAdapter(Entry).validate_python(whole)
+    return TypeAdapter(ProceduralEntry).validate_python(whole)
 
 
 def _filled(look: dict[str, Any], templates: dict[str, Any]) -> dict[str, Any]:

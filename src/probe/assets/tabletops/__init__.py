@@ -11,16 +11,16 @@ import yaml
 from pydantic import Field, TypeAdapter, ValidationError
 
 from probe.assets.tabletops.cloth import Felt, Gingham, Laminate, Leather, Linen, Striped
-from probe.assets.tabletops.laid import Metal, Tiles
-from probe.assets.tabletops.sheet import Sheet, Top
-from probe.assets.tabletops.stone import Cast, Cork, Granite, Marble, Slate, Terrazzo
+from probe.assets.tabletops.laid import SheetMetal, Tiles
+from probe.assets.tabletops.sheet import TableTile, Top
+from probe.assets.tabletops.stone import CastStone, Cork, Granite, Marble, Slate, Terrazzo
 from probe.assets.tabletops.wood import Planks
 from probe.errors import BadData
 from probe.files import fault
 
 _Cloth = Linen | Gingham | Striped | Felt | Laminate | Leather
-_Stone = Granite | Marble | Slate | Terrazzo | Cork | Cast
-_AnyTop = Annotated[Planks | _Stone | _Cloth | Tiles | Metal, Field(discriminator="kind")]
+_Stone = Granite | Marble | Slate | Terrazzo | Cork | CastStone
+_AnyTop = Annotated[Planks | _Stone | _Cloth | Tiles | SheetMetal, Field(discriminator="kind")]
 
 
 @cache
@@ -48,4 +48,4 @@ def _top(raw: dict[str, Any]) -> Top:
         raise BadData("tabletops.yaml", reason, "Correct it.") from error
 
 
-__all__ = ["Sheet", "Top", "tops"]
+__all__ = ["TableTile", "Top", "tops"]

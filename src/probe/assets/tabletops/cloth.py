@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from probe.assets.tabletops.noise import SIZE, blend, cells, fractal, ramp
-from probe.assets.tabletops.sheet import Colour, Sheet, Top, palette, rgb
+from probe.assets.tabletops.sheet import Colour, TableTile, Top, palette, rgb
 from probe.types import Array
 
 THREADS = 128
@@ -22,11 +22,11 @@ class Linen(Top):
     tile_size: float = 0.16
     roughness: float = 0.95
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         weave, height = _weave(rng)
         colour = rgb(self.colour) + (26 * weave)[..., None] * [1, 1, 0.95]
         colour = colour + (2.5 * fractal(rng, slope=1.5, scale=2))[..., None]
-        return Sheet(colour, height, self.tile_size, self.roughness)
+        return TableTile(colour, height, self.tile_size, self.roughness)
 
 
 class Gingham(Top):
@@ -38,12 +38,12 @@ class Gingham(Top):
     tile_size: float = 0.12
     roughness: float = 0.95
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         weave, height = _weave(rng)
         stripe = (np.arange(SIZE) // (SIZE // 4)) % 2
         share = (stripe[:, None] + stripe[None, :]) / 2 * np.ones((SIZE, SIZE))
         colour = blend(rgb(self.ground), rgb(self.colour), share)
-        return Sheet(colour + (20 * weave)[..., None], height, self.tile_size, self.roughness)
+        return TableTile(colour + (20 * weave)[..., None], height, self.tile_size, self.roughness)
 
 
 class Striped(Top):
@@ -60,13 +60,13 @@ class Striped(Top):
     tile_size: float = 0.2
     roughness: float = 0.95
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         weave, height = _weave(rng)
         counts = [count * SIZE // THREADS for _, count in self.bands]
         line = np.repeat(palette([colour for colour, _ in self.bands]), counts, axis=0)
         rows = np.repeat(line[:, None], SIZE, axis=1).astype(float)
         colour = (rows + rows.transpose(1, 0, 2)) / 2 if self.crossed else rows
-        return Sheet(colour + (18 * weave)[..., None], height, self.tile_size, self.roughness)
+        return TableTile(colour + (18 * weave)[..., None], height, self.tile_size, self.roughness)
 
 
 class Felt(Top):
@@ -78,14 +78,14 @@ class Felt(Top):
     tile_size: float = 0.35
     roughness: float = 1.0
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         fibres = np.zeros((SIZE, SIZE))
         for stretch in ((7, 1), (1, 7), (4, 2), (2, 4)):
             fibres = fibres + fractal(rng, slope=0.5, scale=60, stretch=stretch)
         fibres = fibres + 1.5 * fractal(rng, slope=0.5, scale=60)
         clouds = fractal(rng, slope=1.5, scale=3)
         colour = rgb(self.colour) + (5 * fibres + 2.5 * clouds)[..., None] * self.tint
-        return Sheet(colour, 3e-5 * fibres, self.tile_size, self.roughness)
+        return TableTile(colour, 3e-5 * fibres, self.tile_size, self.roughness)
 
 
 class Laminate(Top):
@@ -96,11 +96,11 @@ class Laminate(Top):
     tile_size: float = 0.8
     roughness: float = 0.4
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         peel = fractal(rng, slope=1.0, scale=90, finest=200)
         clouds = fractal(rng, slope=1.8, scale=2)
         colour = rgb(self.colour) + (0.9 * peel + 1.0 * clouds)[..., None]
-        return Sheet(colour, 6e-6 * peel, self.tile_size, self.roughness)
+        return TableTile(colour, 6e-6 * peel, self.tile_size, self.roughness)
 
 
 class Leather(Top):
@@ -112,13 +112,13 @@ class Leather(Top):
     tile_size: float = 0.3
     roughness: float = 0.5
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         cell, _, edge = cells(rng, self.grain, warp=0.35)
         fold = ramp(edge, 0.3, 0.0)
         tone = rng.normal(0, 0.03, self.grain**2)[cell]
         clouds = fractal(rng, slope=1.7, scale=2)
         shade = 1 + tone + 0.05 * clouds - 0.3 * fold + 0.015 * fractal(rng, slope=0.4, scale=90)
-        return Sheet(
+        return TableTile(
             rgb(self.colour) * shade[..., None], -2e-4 * fold, self.tile_size, self.roughness
         )
 

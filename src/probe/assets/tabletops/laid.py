@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from probe.assets.tabletops.noise import SIZE, blend, cells, fractal, ramp
-from probe.assets.tabletops.sheet import Colour, Sheet, Top, palette, rgb
+from probe.assets.tabletops.sheet import Colour, TableTile, Top, palette, rgb
 from probe.types import Array
 
 
@@ -35,7 +35,7 @@ class Tiles(Top):
     tile_size: float = 0.6
     roughness: float = 0.25
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         v, u = (np.indices((SIZE, SIZE)) + 0.5) / SIZE
         row = np.floor(v * self.down).astype(int)
         place_u = u * self.across + (0.5 * (row % 2) if self.bond == "half" else 0)
@@ -54,10 +54,10 @@ class Tiles(Top):
         sand = fractal(rng, slope=0.4, scale=120)
         colour = blend(rgb(self.grout) + 5 * sand[..., None], colour, body)
         height = 1.2e-3 * self.tile_size * cushion + 1e-5 * glaze
-        return Sheet(colour, height, self.tile_size, self.roughness)
+        return TableTile(colour, height, self.tile_size, self.roughness)
 
 
-class Metal(Top):
+class SheetMetal(Top):
     """Sheet metal: brushed along u, hammered, or only worn.
 
     Attributes:
@@ -74,7 +74,7 @@ class Metal(Top):
     tile_size: float = 0.6
     roughness: float = 0.4
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         marks = fractal(rng, slope=0.2, scale=20, stretch=(60, 1))
         tarnish = fractal(rng, slope=1.6, scale=3)
         scratch = ramp(fractal(rng, slope=0.0, stretch=(30, 1.5), finest=300), 3.0, 4.0)
@@ -84,7 +84,7 @@ class Metal(Top):
         if self.dents:
             shade = shade + 30 * (bowl - 0.12)
         height = 1e-6 * self.brush * marks + self.dents * bowl
-        return Sheet(
+        return TableTile(
             rgb(self.colour) + shade[..., None], height, self.tile_size, self.roughness, 1.0
         )
 

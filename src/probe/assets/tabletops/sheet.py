@@ -16,7 +16,7 @@ Colour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
 
 
 @dataclass(frozen=True, eq=False)
-class Sheet:
+class TableTile:
     """One repeat of a table top.
 
     Attributes:
@@ -48,7 +48,7 @@ class Top(BaseModel):
     roughness: float = Field(ge=0, le=1)
 
     @abstractmethod
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         """Draw one repeat."""
 
 

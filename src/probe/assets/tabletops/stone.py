@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from probe.assets.tabletops.noise import SIZE, blend, cells, fractal, ramp
-from probe.assets.tabletops.sheet import Colour, Sheet, Top, palette, rgb
+from probe.assets.tabletops.sheet import Colour, TableTile, Top, palette, rgb
 from probe.types import Array
 
 
@@ -23,14 +23,14 @@ class Granite(Top):
     tile_size: float = 0.5
     roughness: float = 0.35
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         grain, _, _ = cells(rng, 160, warp=0.25)
         kind = rng.choice(4, 160 * 160, p=[0.5, 0.24, 0.14, 0.12])
         shade = rng.normal(0, 9, 160 * 160)
         colour = palette(self.grains)[kind][grain] + shade[grain][..., None]
         clouds = fractal(rng, slope=1.4, scale=3)
         colour = colour + (5 * clouds + 4 * fractal(rng, slope=0.4, scale=80))[..., None]
-        return Sheet(colour, 1e-5 * clouds, self.tile_size, self.roughness)
+        return TableTile(colour, 1e-5 * clouds, self.tile_size, self.roughness)
 
 
 class Marble(Top):
@@ -49,7 +49,7 @@ class Marble(Top):
     tile_size: float = 1.0
     roughness: float = 0.25
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         clouds = fractal(rng, slope=2.3, scale=2, stretch=(1.0, 1.5))
         veins = np.zeros((SIZE, SIZE))
         for width, strength in ((0.07, 0.75), (0.03, 0.5), (0.015, 0.35)):
@@ -60,7 +60,7 @@ class Marble(Top):
         base = blend(rgb(self.ground), rgb(self.clouds), ramp(clouds, -1.5, 3.0))
         colour = blend(base, rgb(self.vein), self.veined * veins)
         colour = colour + 1.2 * fractal(rng, slope=0.3, scale=60)[..., None]
-        return Sheet(colour, np.zeros((SIZE, SIZE)), self.tile_size, self.roughness)
+        return TableTile(colour, np.zeros((SIZE, SIZE)), self.tile_size, self.roughness)
 
 
 class Slate(Top):
@@ -72,14 +72,14 @@ class Slate(Top):
     tile_size: float = 0.6
     roughness: float = 0.75
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         relief = fractal(rng, slope=1.5, scale=2, stretch=(1.6, 1.0))
         layers = np.floor(relief * 3.5 + 0.25 * fractal(rng, slope=1.2, scale=12))
         fine = fractal(rng, slope=0.7, scale=40)
         tint = fractal(rng, slope=1.8, scale=2)
         colour = blend(rgb(self.cool), rgb(self.warm), ramp(tint, -1, 2))
         colour = colour + (4 * (layers % 3 - 1) + 5 * fine + 5 * relief)[..., None]
-        return Sheet(colour, 1.2e-4 * layers + 3e-5 * fine, self.tile_size, self.roughness)
+        return TableTile(colour, 1.2e-4 * layers + 3e-5 * fine, self.tile_size, self.roughness)
 
 
 class Terrazzo(Top):
@@ -91,7 +91,7 @@ class Terrazzo(Top):
     tile_size: float = 0.6
     roughness: float = 0.35
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         colour = np.full((SIZE, SIZE, 3), rgb(self.cement).astype(float))
         colour = colour + (3 * fractal(rng, slope=0.8, scale=30))[..., None]
         stones = palette(self.chips)
@@ -101,7 +101,7 @@ class Terrazzo(Top):
             tone = stones[rng.integers(0, len(stones), count)] + rng.normal(0, 7, (count, 1))
             texture = 4 * fractal(rng, slope=0.7, scale=40)[..., None]
             colour = blend(colour, tone[chip] + texture, inside)
-        return Sheet(colour, np.zeros((SIZE, SIZE)), self.tile_size, self.roughness)
+        return TableTile(colour, np.zeros((SIZE, SIZE)), self.tile_size, self.roughness)
 
 
 class Cork(Top):
@@ -113,17 +113,17 @@ class Cork(Top):
     tile_size: float = 0.45
     roughness: float = 0.9
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         granule, _, edge = cells(rng, 72, warp=0.3)
         tone = rng.normal(0, 15, 72 * 72) - 55 * (rng.random(72 * 72) < 0.06)
         fine = fractal(rng, slope=0.5, scale=90)
         colour = rgb(self.granule) + (tone[granule] + 7 * fine)[..., None] * [1, 0.9, 0.75]
         gap = ramp(edge, 0.16, 0.0)
         colour = blend(colour, rgb(self.gap), 0.55 * gap)
-        return Sheet(colour, 2e-4 * (1 - gap) + 4e-5 * fine, self.tile_size, self.roughness)
+        return TableTile(colour, 2e-4 * (1 - gap) + 4e-5 * fine, self.tile_size, self.roughness)
 
 
-class Cast(Top):
+class CastStone(Top):
     """Concrete, plaster or resin: clouds, fine grain, pits, all of one colour.
 
     Attributes:
@@ -138,7 +138,7 @@ class Cast(Top):
     tile_size: float = 0.9
     roughness: float = 0.75
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         clouds = fractal(rng, slope=1.6, scale=2)
         fine = fractal(rng, slope=0.6, scale=50)
         hole, distance, _ = cells(rng, 60)
@@ -146,7 +146,7 @@ class Cast(Top):
         pit = ramp(distance - size[hole], 0.02, -0.02)
         colour = rgb(self.colour) + (self.stain * clouds + 3.5 * fine)[..., None]
         colour = colour * (1 - 0.45 * pit[..., None])
-        return Sheet(colour, 2e-5 * fine - 3e-4 * pit, self.tile_size, self.roughness)
+        return TableTile(colour, 2e-5 * fine - 3e-4 * pit, self.tile_size, self.roughness)
 
 
 def _chips(rng: np.random.Generator, across: int) -> tuple[Array, Array]:

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from probe.assets.tabletops.noise import SIZE, blend, fractal, moved, ramp
-from probe.assets.tabletops.sheet import Colour, Sheet, Top, rgb
+from probe.assets.tabletops.sheet import Colour, TableTile, Top, rgb
 from probe.types import Array
 
 
@@ -36,11 +36,11 @@ class Planks(Top):
     groove: float = 1.2
     roughness: float = 0.55
 
-    def paint(self, rng: np.random.Generator) -> Sheet:
+    def paint(self, rng: np.random.Generator) -> TableTile:
         return _planks(self, rng)
 
 
-def _planks(timber: Planks, rng: np.random.Generator) -> Sheet:
+def _planks(timber: Planks, rng: np.random.Generator) -> TableTile:
     width = SIZE / timber.staves
     stave = np.minimum((np.arange(SIZE) / width).astype(int), timber.staves - 1)
     shift_v = rng.integers(0, SIZE, timber.staves)[stave][:, None] * np.ones((1, SIZE))
@@ -59,7 +59,7 @@ def _planks(timber: Planks, rng: np.random.Generator) -> Sheet:
     joint = _joints(width, timber.groove)
     colour = blend(colour, dark * 0.4, 0.85 * joint)
     height = 2e-5 * fibres - 6e-5 * pores - 3e-4 * joint
-    return Sheet(colour, height, timber.tile_size, timber.roughness)
+    return TableTile(colour, height, timber.tile_size, timber.roughness)
 
 
 def _rings(timber: Planks, rng: np.random.Generator) -> Array:

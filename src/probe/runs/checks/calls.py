@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from probe.episodes.record import EpisodeRecord, Step, Table
+from probe.episodes.record import EpisodeRecord, Step, TableState
 from probe.scene.scene import Scene
 from probe.toolshed.parse import parse
 from probe.toolshed.refusals import Refusal
@@ -62,7 +62,7 @@ def _possible(request: Request | None, used: int) -> tuple[Status, ...]:
     return ("done", "failed")
 
 
-def _of_table(step: Step, before: Table, *, moves: bool) -> str | None:
+def _of_table(step: Step, before: TableState, *, moves: bool) -> str | None:
     if step.after == before:
         return None
     if not moves or step.status not in ("done", "failed"):

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from probe.chat.answers import read_answer
-from probe.chat.prompts import arm_named
+from probe.episodes.participation import Participation
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.seat import Seat
 from probe.errors import UnknownName
 from probe.runs.checks.calls import request_of
 from probe.toolshed.result import Answer
 from probe.toolshed.tools import AnswerQuestion
 from probe.toolshed.toolshed import TURNS
+from probe.transcripts.answers import read_answer
+from probe.transcripts.prompts import arm_named
 
 _REPLIES = 2
 """Of a model without tools: its answer, and one after it was reminded."""
@@ -40,7 +40,7 @@ def _of_end(record: EpisodeRecord) -> Iterator[str]:
         yield f'it {has}, and its end is "{record.end}"'
 
 
-def _has_tools(seat: Seat) -> bool:
+def _has_tools(seat: Participation) -> bool:
     try:
         return arm_named(seat.arm) == "agentic"
     except UnknownName:  # which is told apart from this; its calls are still to be looked at
@@ -67,7 +67,7 @@ def _with_tools(record: EpisodeRecord) -> Iterator[str]:
             yield f"its model's replies made {called} calls, and it has {turns}"
 
 
-def _in_words(record: EpisodeRecord, seat: Seat) -> Iterator[str]:
+def _in_words(record: EpisodeRecord, seat: Participation) -> Iterator[str]:
     if record.steps:
         yield f"it has calls, and nobody has tools in the arm {seat.arm!r}"
     if len(seat.replies) > _REPLIES or any(reply.calls for reply in seat.replies):

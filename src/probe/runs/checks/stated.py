@@ -7,15 +7,15 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from probe.chat.prompts import arm_named
 from probe.episodes.grading import question_of
 from probe.episodes.record import EpisodeRecord
 from probe.errors import UnknownName
 from probe.runs.checks.calls import things_of
-from probe.runs.sights import camera_of
+from probe.runs.viewpoints import camera_of
 from probe.scene.lighting import AMBIENT
 from probe.scene.scene import Scene
 from probe.tasks.task import Task
+from probe.transcripts.prompts import arm_named
 from probe.types import Pose
 
 _SAME = 1e-9

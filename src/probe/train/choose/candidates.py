@@ -13,7 +13,7 @@ from probe.train.choose.efficiency import waste
 
 
 @dataclass(frozen=True)
-class Candidate:
+class EpisodeCandidate:
     """An episode.
 
     Attributes:
@@ -32,12 +32,12 @@ class Candidate:
         return self.record.arm.split(",")[0] == "direct"
 
 
-Ways = Sequence[Candidate]
+Ways = Sequence[EpisodeCandidate]
 """Of one task all episodes to learn from: at most one is taken, the first that fits."""
 
 
 def usable_by_task(
-    candidates: Sequence[Candidate], most: Mapping[str, int], dropped: Counter[str]
+    candidates: Sequence[EpisodeCandidate], most: Mapping[str, int], dropped: Counter[str]
 ) -> list[Ways]:
     """Those to learn from, of each task that has some.
 
@@ -46,7 +46,7 @@ def usable_by_task(
         most: Manipulations that are let pass, by type.
         dropped: Those that aren't to be learnt from are added to it, by reason.
     """
-    by_task: defaultdict[str, list[Candidate]] = defaultdict(list)
+    by_task: defaultdict[str, list[EpisodeCandidate]] = defaultdict(list)
     for it in candidates:
         by_task[digest_of(it.task)].append(it)
     found = [_usable(tried, most, dropped) for tried in by_task.values()]
@@ -54,12 +54,12 @@ def usable_by_task(
 
 
 def _usable(
-    tried: Sequence[Candidate], most: Mapping[str, int], dropped: Counter[str]
-) -> list[Candidate]:
+    tried: Sequence[EpisodeCandidate], most: Mapping[str, int], dropped: Counter[str]
+) -> list[EpisodeCandidate]:
     """Those to learn from: without tools if it was right like that each time, then the shortest."""
     without = [it for it in tried if it.direct]
     lucky = not all(it.correct for it in without)
-    usable = list[Candidate]()
+    usable = list[EpisodeCandidate]()
     for it in tried:
         reason = None
         if not it.correct:
@@ -75,5 +75,5 @@ def _usable(
     return sorted(usable, key=_length)
 
 
-def _length(it: Candidate) -> tuple[bool, int, int, int]:
+def _length(it: EpisodeCandidate) -> tuple[bool, int, int, int]:
     return not it.direct, it.record.manipulations, len(it.record.steps), it.record.run

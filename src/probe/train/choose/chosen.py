@@ -12,7 +12,7 @@ from typing import Literal
 import pydantic
 
 from probe import reading
-from probe.assets.fingerprint import Fingerprint
+from probe.assets.mesh.fingerprint import Fingerprint
 from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.record import EpisodeRecord
@@ -22,7 +22,7 @@ from probe.runs.checks.folder import check_records
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import Task
-from probe.train.choose.candidates import Candidate
+from probe.train.choose.candidates import EpisodeCandidate
 from probe.train.choose.evaluation import Leak
 from probe.train.choose.selection import Recipe, Selection
 
@@ -68,7 +68,7 @@ class SelectionDocument(pydantic.BaseModel, extra="forbid", frozen=True):
 
 
 @dataclass(frozen=True)
-class Chosen:
+class LoadedSelection:
     """A selection that was read."""
 
     suite: Suite
@@ -114,7 +114,7 @@ def write_selection(
     return document
 
 
-def counts_of(chosen: Sequence[Candidate]) -> dict[str, dict[str, int]]:
+def counts_of(chosen: Sequence[EpisodeCandidate]) -> dict[str, dict[str, int]]:
     """How many by type and arm."""
     counts: dict[str, dict[str, int]] = {}
     for it in chosen:
@@ -123,7 +123,7 @@ def counts_of(chosen: Sequence[Candidate]) -> dict[str, dict[str, int]]:
     return counts
 
 
-def read_selection(folder: Path) -> Chosen:
+def read_selection(folder: Path) -> LoadedSelection:
     """Read a selection.
 
     Raises:
@@ -142,7 +142,7 @@ def read_selection(folder: Path) -> Chosen:
     if empty or not records:
         what = empty[0] if empty else "any type"
         raise BadData(folder / SELECTION, f"there is no example of {what}", _REMEDY)
-    return Chosen(suite, tuple((tasks[it.task], it) for it in records), document)
+    return LoadedSelection(suite, tuple((tasks[it.task], it) for it in records), document)
 
 
 def _hash(path: Path) -> str:

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from probe.assets.split import Split
-from probe.certify.plan import ATTEMPTS
-from probe.certify.salt import PRIVATE_FROM
+from probe.assets.pools.split import Split
+from probe.generation.plan import ATTEMPTS
+from probe.generation.salt import PRIVATE_FROM
 from probe.scene.scene import Scene
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of
@@ -25,7 +25,7 @@ SHARED = 0.5
 
 
 @dataclass(frozen=True)
-class Refusal:
+class TrainingRefusal:
     """A task that mustn't be trained on.
 
     Attributes:
@@ -57,10 +57,10 @@ class Evaluation:
     split: Split | None = None
     groups: Mapping[str, str] = field(default_factory=dict[str, str])
 
-    def refusal(self, task: Task) -> Refusal | None:
+    def refusal(self, task: Task) -> TrainingRefusal | None:
         """Why a task mustn't be trained on; None if it may."""
         for leak, detail in self._leaks(task):
-            return Refusal(task.id, leak, detail)
+            return TrainingRefusal(task.id, leak, detail)
         return None
 
     def _leaks(self, task: Task) -> Iterable[tuple[Leak, str]]:

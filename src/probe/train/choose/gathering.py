@@ -6,15 +6,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from probe.assets.fingerprint import Fingerprint, same
-from probe.chat.prompts import Arm
+from probe.assets.mesh.fingerprint import Fingerprint, same
 from probe.episodes.folder import RECORDS, SUITE
 from probe.errors import BadData
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of, read_suite
-from probe.train.choose.candidates import Candidate
-from probe.train.collect.batches import Batch, Grade, batches
+from probe.train.choose.candidates import EpisodeCandidate
+from probe.train.collect.batches import Batch, EpisodeGrade, batches
 from probe.train.collect.settings import read_settings
+from probe.transcripts.prompts import Arm
 
 ARMS: tuple[Arm, ...] = "direct", "agentic"
 
@@ -50,7 +50,7 @@ class _Known:
 
 def candidates_of(
     folders: Sequence[Path], objects: dict[str, Fingerprint]
-) -> tuple[list[Candidate], int]:
+) -> tuple[list[EpisodeCandidate], int]:
     """All graded episodes of some collections.
 
     Args:
@@ -64,7 +64,7 @@ def candidates_of(
         BadData: A folder is no collection, a file can't be read, records and grades differ, or one
             id stands for several tasks or objects.
     """
-    found, unfinished, known = list[Candidate](), 0, _Known()
+    found, unfinished, known = list[EpisodeCandidate](), 0, _Known()
     for folder in folders:
         read_settings(folder)
         for batch in batches(folder):
@@ -79,7 +79,7 @@ def candidates_of(
     return found, unfinished
 
 
-def _of_batch(batch: Batch, known: _Known) -> Iterator[Candidate]:
+def _of_batch(batch: Batch, known: _Known) -> Iterator[EpisodeCandidate]:
     grades = {(it.task, it.arm, it.run): it for it in batch.grades()}
     for arm in ARMS:
         if (batch.arm(arm) / SUITE).exists():
@@ -90,8 +90,8 @@ def _of_batch(batch: Batch, known: _Known) -> Iterator[Candidate]:
 
 
 def _of_arm(
-    batch: Batch, arm: Arm, grades: dict[tuple[str, str, int], Grade], known: _Known
-) -> Iterator[Candidate]:
+    batch: Batch, arm: Arm, grades: dict[tuple[str, str, int], EpisodeGrade], known: _Known
+) -> Iterator[EpisodeCandidate]:
     """Takes each grade out that belongs to a record."""
     suite = read_suite(batch.arm(arm) / SUITE)
     known.add(suite, batch.arm(arm))
@@ -102,4 +102,4 @@ def _of_arm(
             reason = f"{task}, run {run} isn't graded"
             remedy = "Delete its batch's grades.json and collect again"
             raise BadData(batch.arm(arm) / RECORDS, reason, remedy)
-        yield Candidate(tasks[task], record, grade.correct)
+        yield EpisodeCandidate(tasks[task], record, grade.correct)

@@ -10,9 +10,9 @@ from itertools import zip_longest
 from probe.errors import BadData
 from probe.scene.seeds import generator
 from probe.tasks.suite_file import digest_of
-from probe.train.choose.candidates import Candidate, Ways, usable_by_task
+from probe.train.choose.candidates import EpisodeCandidate, Ways, usable_by_task
 from probe.train.choose.efficiency import SLACK, limits
-from probe.train.choose.evaluation import Evaluation, Refusal
+from probe.train.choose.evaluation import Evaluation, TrainingRefusal
 
 BEYOND_SHARE = "without tools, beyond --direct-share"
 """Why an episode was left out that would be wanted, if its task had been solved with tools."""
@@ -46,13 +46,15 @@ class Selection:
         limits: The most manipulations that were let pass, by type.
     """
 
-    chosen: tuple[Candidate, ...]
-    refused: tuple[Refusal, ...]
+    chosen: tuple[EpisodeCandidate, ...]
+    refused: tuple[TrainingRefusal, ...]
     dropped: Counter[str]
     limits: Mapping[str, int]
 
 
-def select(candidates: Sequence[Candidate], evaluation: Evaluation, recipe: Recipe) -> Selection:
+def select(
+    candidates: Sequence[EpisodeCandidate], evaluation: Evaluation, recipe: Recipe
+) -> Selection:
     """Choose.
 
     Raises:
@@ -64,7 +66,7 @@ def select(candidates: Sequence[Candidate], evaluation: Evaluation, recipe: Reci
     agentic = [it for it in allowed if it.correct and not it.direct]
     most = limits([(it.task.kind, it.record) for it in agentic], recipe.slack)
     tasks = usable_by_task(allowed, most, dropped)
-    chosen = list[Candidate]()
+    chosen = list[EpisodeCandidate]()
     for kind in sorted({*(ways[0].task.kind for ways in tasks), *recipe.counts}):
         mine = [ways for ways in tasks if ways[0].task.kind == kind]
         wanted = recipe.counts.get(kind, len(mine))
@@ -81,11 +83,11 @@ def select(candidates: Sequence[Candidate], evaluation: Evaluation, recipe: Reci
 
 
 def _allowed(
-    candidates: Sequence[Candidate], evaluation: Evaluation
-) -> tuple[list[Candidate], list[Refusal]]:
+    candidates: Sequence[EpisodeCandidate], evaluation: Evaluation
+) -> tuple[list[EpisodeCandidate], list[TrainingRefusal]]:
     # By content: an id tells a task's type and seed alone.
-    verdicts: dict[str, Refusal | None] = {}
-    allowed = list[Candidate]()
+    verdicts: dict[str, TrainingRefusal | None] = {}
+    allowed = list[EpisodeCandidate]()
     for it in candidates:
         digest = digest_of(it.task)
         if digest not in verdicts:
@@ -108,7 +110,9 @@ def _nothing(kind: str, recipe: Recipe, *, without_tools: bool) -> BadData:
     return BadData(kind, reason, f"{remedy}, or say --counts {kind} 0")
 
 
-def _mixed(mine: Sequence[Ways], wanted: int, recipe: Recipe) -> tuple[list[Candidate], list[Ways]]:
+def _mixed(
+    mine: Sequence[Ways], wanted: int, recipe: Recipe
+) -> tuple[list[EpisodeCandidate], list[Ways]]:
     """One episode a task, no more of them without tools than the recipe's share of all.
 
     Where that is reached, a task is shown with tools if the teacher solved it like that as well;
@@ -133,9 +137,11 @@ def _mixed(mine: Sequence[Ways], wanted: int, recipe: Recipe) -> tuple[list[Cand
     return mixed, left
 
 
-def _balanced(mine: Sequence[Candidate], wanted: int, recipe: Recipe) -> list[Candidate]:
+def _balanced(
+    mine: Sequence[EpisodeCandidate], wanted: int, recipe: Recipe
+) -> list[EpisodeCandidate]:
     """So many, letters in turn as far as they are there; in order of tasks."""
-    by_letter: defaultdict[str, list[Candidate]] = defaultdict(list)
+    by_letter: defaultdict[str, list[EpisodeCandidate]] = defaultdict(list)
     for it in sorted(mine, key=lambda it: _place(it, recipe)):
         by_letter[it.task.answer].append(it)
     turns = zip_longest(*(by_letter[letter] for letter in sorted(by_letter)))
@@ -143,6 +149,6 @@ def _balanced(mine: Sequence[Candidate], wanted: int, recipe: Recipe) -> list[Ca
     return sorted(in_turn[:wanted], key=lambda it: (it.task.seed, it.task.id))
 
 
-def _place(it: Candidate, recipe: Recipe) -> tuple[float, str]:
+def _place(it: EpisodeCandidate, recipe: Recipe) -> tuple[float, str]:
     """Its place among equals, which depends on nothing but its task and the recipe's seed."""
     return generator(recipe.seed, "select", it.task.id).random(), it.task.id

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Literal
 
-from probe.certify.parts import Place
 from probe.errors import BadData
+from probe.generation.build_folder import TaskSlot
 from probe.tasks.task import QuestionKind
-from probe.train.collect.batches import Harvest, fresh_places
+from probe.train.collect.batches import CollectedBatches, fresh_places
 from probe.types import Shard
 
 PAPER_COUNTS: Mapping[QuestionKind, int] = {
@@ -86,36 +86,36 @@ class Aim:
         """At most."""
         return {"both": self.direct_runs + 1, "direct": self.direct_runs, "agentic": 1}[self.mode]
 
-    def reached(self, so_far: Harvest) -> int:
+    def reached(self, so_far: CollectedBatches) -> int:
         """Successes that count; more of a type than wanted don't."""
         return sum(min(so_far.successes[kind], self.wanted(kind)) for kind in self.counts)
 
-    def spent(self, so_far: Harvest) -> str | None:
+    def spent(self, so_far: CollectedBatches) -> str | None:
         """Which budget has no room for another task; None if there is room."""
         if self._room(so_far) > 0:
             return None
         few = self.most_episodes is not None and self._by_episodes(so_far) <= 0
         return "episodes" if few else "cost"
 
-    def next_places(self, so_far: Harvest) -> list[Place]:
+    def next_places(self, so_far: CollectedBatches) -> list[TaskSlot]:
         """What to make next: as much as is lacking by the success rates so far, within a batch."""
         needs = {kind: self._need(kind, so_far) for kind in self.counts}
         most, total = min(self.batch, self._room(so_far)), sum(needs.values())
         if total > most:
             # Every type that lacks some gets its part, from the largest need on.
             needs = {kind: math.ceil(need * most / total) for kind, need in needs.items()}
-        places = list[Place]()
+        places = list[TaskSlot]()
         for kind in sorted(self.counts, key=lambda kind: -needs[kind]):
             fresh = fresh_places(kind, self.first, self.shard, so_far.last.get(kind))
             places += islice(fresh, needs[kind])
         return places[:most]
 
-    def _need(self, kind: QuestionKind, so_far: Harvest) -> int:
+    def _need(self, kind: QuestionKind, so_far: CollectedBatches) -> int:
         lacking = self.wanted(kind) - so_far.successes[kind]
         rate = (so_far.successes[kind] + 1) / (so_far.tasks[kind] + 2)
         return math.ceil(_MARGIN * lacking / rate) if lacking > 0 else 0
 
-    def _room(self, so_far: Harvest) -> int:
+    def _room(self, so_far: CollectedBatches) -> int:
         """Tasks that the budgets still allow."""
         room = self.batch
         if self.most_episodes is not None:
@@ -124,11 +124,11 @@ class Aim:
             room = min(room, self._by_cost(so_far))
         return room
 
-    def _by_episodes(self, so_far: Harvest) -> int:
+    def _by_episodes(self, so_far: CollectedBatches) -> int:
         assert self.most_episodes is not None
         return (self.most_episodes - so_far.episodes) // self.episodes_a_task
 
-    def _by_cost(self, so_far: Harvest) -> int:
+    def _by_cost(self, so_far: CollectedBatches) -> int:
         """By what episodes have cost so far; a first batch is small.
 
         Episodes whose cost isn't known are taken to cost as much as others; if none is known,

@@ -14,23 +14,23 @@ from typing import Literal
 
 import pydantic
 
-from probe.certify.parts import Place
-from probe.certify.plan import ATTEMPTS
-from probe.chat.prompts import Arm
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE, in_order
 from probe.episodes.record import EpisodeRecord
 from probe.files import read_document, write_text
+from probe.generation.build_folder import TaskSlot
+from probe.generation.plan import ATTEMPTS
 from probe.runs.checks.folder import check_records
 from probe.tasks.suite import Suite
 from probe.tasks.task import QuestionKind
+from probe.transcripts.prompts import Arm
 from probe.types import Shard
 
 BATCHES, TASKS, GRADES = "batches", "tasks", "grades.json"
 _REMEDY = "Delete it and collect again: the batch's records are graded anew"
 
 
-class Grade(pydantic.BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
+class EpisodeGrade(pydantic.BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
     """What came of one episode.
 
     Attributes:
@@ -57,7 +57,7 @@ class Grades(pydantic.BaseModel, extra="forbid", frozen=True):
     """Of a whole batch."""
 
     version: Literal[1] = 1
-    grades: tuple[Grade, ...]
+    grades: tuple[EpisodeGrade, ...]
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ class Batch:
         """Whether nothing is left to do there."""
         return (self.folder / GRADES).exists()
 
-    def grades(self) -> tuple[Grade, ...]:
+    def grades(self) -> tuple[EpisodeGrade, ...]:
         """What came of its episodes.
 
         Raises:
@@ -95,13 +95,13 @@ class Batch:
         """
         return read_document(self.folder / GRADES, Grades, _REMEDY, _REMEDY).grades
 
-    def keep(self, grades: Sequence[Grade]) -> None:
+    def keep(self, grades: Sequence[EpisodeGrade]) -> None:
         """Write down what came of all episodes; the batch is whole then."""
         write_text(self.folder / GRADES, Grades(grades=tuple(grades)).model_dump_json() + "\n")
 
 
 @dataclass(frozen=True)
-class Harvest:
+class CollectedBatches:
     """What whole batches have brought.
 
     Attributes:
@@ -140,7 +140,7 @@ def new_batch(out: Path, shard: Shard) -> Batch:
     return Batch(out / BATCHES / f"{_mark(shard)}-{number:05d}")
 
 
-def harvest(some: Iterable[Batch]) -> Harvest:
+def harvest(some: Iterable[Batch]) -> CollectedBatches:
     """What whole batches have brought together.
 
     Raises:
@@ -158,7 +158,7 @@ def harvest(some: Iterable[Batch]) -> Harvest:
     last: dict[str, int] = {}
     for grade in grades:
         last[grade.kind] = max(last.get(grade.kind, 0), grade.seed // ATTEMPTS)
-    return Harvest(
+    return CollectedBatches(
         tasks=Counter(grade.kind for grade in tried.values()),
         successes=Counter(tried[task].kind for task in solved),
         episodes=len(grades),
@@ -173,7 +173,7 @@ def harvest(some: Iterable[Batch]) -> Harvest:
 
 def fresh_places(
     kind: QuestionKind, first: int, shard: Shard, after: int | None
-) -> Iterator[Place]:
+) -> Iterator[TaskSlot]:
     """A shard's places of a type, one after another.
 
     Args:
@@ -184,7 +184,7 @@ def fresh_places(
     """
     episode = first + shard.number if after is None else after + shard.count
     while True:
-        yield Place(kind, episode)
+        yield TaskSlot(kind, episode)
         episode += shard.count
 
 

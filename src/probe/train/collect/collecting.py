@@ -12,18 +12,26 @@ from pathlib import Path
 from typing import Protocol
 
 from probe.assets.library import Library
-from probe.certify.build import assemble
-from probe.certify.parts import Parts, Place
-from probe.chat.prompts import Arm
 from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import Unsatisfiable
-from probe.report.darkroom import Darkroom
+from probe.generation.build import assemble
+from probe.generation.build_folder import BuildFolder, TaskSlot
+from probe.report.scene_renderer import SceneRenderer
 from probe.tasks.suite import Suite, check_objects, selection
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import Task
 from probe.train.collect.aim import Aim
-from probe.train.collect.batches import TASKS, Batch, Grade, Harvest, batches, harvest, new_batch
+from probe.train.collect.batches import (
+    TASKS,
+    Batch,
+    CollectedBatches,
+    EpisodeGrade,
+    batches,
+    harvest,
+    new_batch,
+)
+from probe.transcripts.prompts import Arm
 
 
 class Play(Protocol):
@@ -34,12 +42,12 @@ class Play(Protocol):
         ...
 
 
-Make = Callable[[Sequence[Place]], Iterable[tuple[Place, str | None]]]
+Make = Callable[[Sequence[TaskSlot]], Iterable[tuple[TaskSlot, str | None]]]
 """Makes tasks into the folder's parts; yields each place with what went wrong, if it did."""
 
 
 @dataclass(frozen=True)
-class Hands:
+class TeacherWorkers:
     """Who does the work.
 
     Attributes:
@@ -52,11 +60,11 @@ class Hands:
     make: Make
     play: Play
     library: Library
-    darkroom: Callable[[Suite], Darkroom]
+    darkroom: Callable[[Suite], SceneRenderer]
 
 
 @dataclass(frozen=True)
-class Progress:
+class CollectionProgress:
     """How far it is.
 
     Attributes:
@@ -64,11 +72,11 @@ class Progress:
         doing: What was done last, in words.
     """
 
-    so_far: Harvest
+    so_far: CollectedBatches
     doing: str
 
 
-def collect(out: Path, aim: Aim, hands: Hands) -> Generator[Progress]:
+def collect(out: Path, aim: Aim, hands: TeacherWorkers) -> Generator[CollectionProgress]:
     """Collect into a folder; yields after each step.
 
     Raises:
@@ -81,19 +89,19 @@ def collect(out: Path, aim: Aim, hands: Hands) -> Generator[Progress]:
             suite = read_suite(batch.folder / SUITE)
             check_objects(suite, hands.library)
             for doing in _played(batch, suite, aim, hands):
-                yield Progress(harvest(batches(out, aim.shard)), doing)
+                yield CollectionProgress(harvest(batches(out, aim.shard)), doing)
     so_far = harvest(batches(out, aim.shard))
-    yield Progress(so_far, "begun")
+    yield CollectionProgress(so_far, "begun")
     while aim.reached(so_far) < aim.total and aim.spent(so_far) is None:
         for doing in _new(out, aim, hands, so_far):
-            yield Progress(so_far, doing)
+            yield CollectionProgress(so_far, doing)
         so_far = harvest(batches(out, aim.shard))
-        yield Progress(so_far, "a batch is done")
+        yield CollectionProgress(so_far, "a batch is done")
 
 
-def _new(out: Path, aim: Aim, hands: Hands, so_far: Harvest) -> Generator[str]:
+def _new(out: Path, aim: Aim, hands: TeacherWorkers, so_far: CollectedBatches) -> Generator[str]:
     """Make and play one more batch."""
-    wanted, failures, made = aim.next_places(so_far), list[str](), list[Place]()
+    wanted, failures, made = aim.next_places(so_far), list[str](), list[TaskSlot]()
     for place, failure in hands.make(wanted):
         if failure is None:
             made.append(place)
@@ -102,16 +110,16 @@ def _new(out: Path, aim: Aim, hands: Hands, so_far: Harvest) -> Generator[str]:
         yield f"{len(made)} of {len(wanted)} tasks made"
     if not made:
         raise Unsatisfiable(f"None of {len(wanted)} tasks could be made. {failures[0]}")
-    batch, parts = new_batch(out, aim.shard), Parts(out / TASKS)
+    batch, parts = new_batch(out, aim.shard), BuildFolder(out / TASKS)
     # In the order in which they were wanted: which worker was first mustn't matter.
     assemble(batch.folder / SUITE, parts, sorted(made), hands.library)
     suite = read_suite(batch.folder / SUITE)
     yield from _played(batch, suite, aim, hands)
 
 
-def _played(batch: Batch, suite: Suite, aim: Aim, hands: Hands) -> Generator[str]:
+def _played(batch: Batch, suite: Suite, aim: Aim, hands: TeacherWorkers) -> Generator[str]:
     """Play what a batch lacks and grade it."""
-    grades = list[Grade]()
+    grades = list[EpisodeGrade]()
     with hands.darkroom(suite) as darkroom:
         rest = suite
         if aim.mode != "agentic":
@@ -125,7 +133,7 @@ def _played(batch: Batch, suite: Suite, aim: Aim, hands: Hands) -> Generator[str
     batch.keep(grades)
 
 
-def graded(batch: Batch, arm: Arm, runs: int, darkroom: Darkroom) -> list[Grade]:
+def graded(batch: Batch, arm: Arm, runs: int, darkroom: SceneRenderer) -> list[EpisodeGrade]:
     """What came of each run of an arm's tasks, also of those that left no record.
 
     Raises:
@@ -141,11 +149,11 @@ def graded(batch: Batch, arm: Arm, runs: int, darkroom: Darkroom) -> list[Grade]
 
 
 def _grade(
-    task: Task, arm: Arm, run: int, record: EpisodeRecord | None, darkroom: Darkroom
-) -> Grade:
+    task: Task, arm: Arm, run: int, record: EpisodeRecord | None, darkroom: SceneRenderer
+) -> EpisodeGrade:
     score = darkroom.score(task, record) if record and record.end != "fault" else None
     fault = record.fault if record else "no record was left"
-    return Grade(
+    return EpisodeGrade(
         task=task.id,
         kind=task.kind,
         seed=task.seed,
@@ -158,7 +166,7 @@ def _grade(
     )
 
 
-def _without(suite: Suite, grades: Sequence[Grade]) -> Suite:
+def _without(suite: Suite, grades: Sequence[EpisodeGrade]) -> Suite:
     """The tasks that weren't right each time."""
     wrong = {grade.task for grade in grades if not grade.correct}
     known = {grade.task for grade in grades}

@@ -9,12 +9,12 @@ from functools import partial
 from pathlib import Path
 
 from probe.assets.library import Library
-from probe.assets.split import part_of, read_split
-from probe.certify.build import Workshop, fill
-from probe.certify.parts import Parts, Place
+from probe.assets.pools.split import part_of, read_split
 from probe.errors import Unsatisfiable
+from probe.generation.build import BuildResources, fill
+from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.render.renderer import Renderer
-from probe.runs.crew import Lost, carry_out
+from probe.runs.worker_pool import LostJob, carry_out
 
 FIRST_EPISODE = 2_000_000
 """Training seeds start at 2,000,000,000: no suite's episode comes that far."""
@@ -43,7 +43,7 @@ class Training:
 
 
 @dataclass(frozen=True)
-class Studio:
+class TaskWorker:
     """A worker that makes tasks; see probe.runs.worker.Opening.
 
     Attributes:
@@ -53,30 +53,30 @@ class Studio:
         cache: Folder for prepared light.
     """
 
-    parts: Parts
+    parts: BuildFolder
     library: Callable[[], Library]
     tables: Sequence[str]
     cache: Path | None = None
 
     @contextmanager
-    def __call__(self) -> Generator[Callable[[Place], bytes]]:
+    def __call__(self) -> Generator[Callable[[TaskSlot], bytes]]:
         """Open the library and start a renderer; gives what makes a task."""
         things = self.library()
         with Renderer(self.cache) as renderer:
-            workshop = Workshop(things, self.tables, renderer, unchecked=True)
+            workshop = BuildResources(things, self.tables, renderer, unchecked=True)
             yield partial(_made, self.parts, workshop)
 
 
 def make_tasks(
-    studio: Studio, places: Sequence[Place], workers: int
-) -> Generator[tuple[Place, str | None]]:
+    studio: TaskWorker, places: Sequence[TaskSlot], workers: int
+) -> Generator[tuple[TaskSlot, str | None]]:
     """Make the tasks that aren't there yet; yields each place with what went wrong, if it did.
 
     Raises:
         WorkerUnfit: A worker couldn't be set up.
         WorkerDied: Workers die before they begin.
     """
-    waiting = list[Place]()
+    waiting = list[TaskSlot]()
     for place in places:
         if studio.parts.task_path(place).exists():
             yield place, None
@@ -85,7 +85,7 @@ def make_tasks(
     results = carry_out(studio, waiting, workers)
     try:
         for place, result in results:
-            if isinstance(result, Lost):
+            if isinstance(result, LostJob):
                 yield place, result.reason
             else:
                 yield place, result.decode() or None
@@ -93,7 +93,7 @@ def make_tasks(
         results.close()
 
 
-def _made(parts: Parts, workshop: Workshop, place: Place) -> bytes:
+def _made(parts: BuildFolder, workshop: BuildResources, place: TaskSlot) -> bytes:
     try:
         for _ in fill(place, parts, workshop):
             pass

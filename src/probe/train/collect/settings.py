@@ -12,7 +12,7 @@ SETTINGS = "collection.json"
 _REMEDY = "Collect anew into another folder"
 
 
-class Settings(pydantic.BaseModel, extra="forbid", frozen=True):
+class CollectionSettings(pydantic.BaseModel, extra="forbid", frozen=True):
     """How a collection is made.
 
     Attributes:
@@ -37,7 +37,7 @@ class Settings(pydantic.BaseModel, extra="forbid", frozen=True):
     first: int
 
 
-def claim(out: Path, settings: Settings) -> None:
+def claim(out: Path, settings: CollectionSettings) -> None:
     """Begin a collection, or see that it was begun in this way.
 
     Raises:
@@ -47,10 +47,10 @@ def claim(out: Path, settings: Settings) -> None:
     claim_folder(out / SETTINGS, settings, _REMEDY)
 
 
-def read_settings(out: Path) -> Settings:
+def read_settings(out: Path) -> CollectionSettings:
     """How a collection was begun.
 
     Raises:
         BadData: It is none, or the file is broken.
     """
-    return read_document(out / SETTINGS, Settings, _REMEDY)
+    return read_document(out / SETTINGS, CollectionSettings, _REMEDY)

@@ -9,30 +9,30 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from probe.agents.glance import Asked, Said, at_a_glance
+from probe.agents.first_look_policy import FirstLookAnswer, FirstLookQuestion, at_a_glance
+from probe.agents.phrases import PhraseBook
 from probe.agents.reading import read_graph
 from probe.agents.scripted import Scripted
-from probe.agents.speech import Speaker
 from probe.assets.library import Library
-from probe.chat.coordinates import as_whole, told
 from probe.episodes.grading import question_of
+from probe.episodes.participation import ModelReply, Participation, Points
 from probe.episodes.play import set_table
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.seat import Points, Reply, Seat
 from probe.episodes.turns import Agent, Call, Question, Turn
 from probe.render.renderer import Renderer
-from probe.runs.plan import Job, Order
-from probe.runs.sights import sight_of
-from probe.runs.work import Workplace, stopped
+from probe.runs.plan import Job, RunOrder
+from probe.runs.viewpoints import sight_of
+from probe.runs.work import WorkerSetup, stopped
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
 from probe.toolshed.result import Answer
+from probe.transcripts.coordinates import as_whole, told
 
 TEACHER = "scripted-teacher"
 
 
 @dataclass(frozen=True)
-class Whole:
+class RoundedPlaces:
     """An agent whose places are whole numbers in the way in which a model will read them."""
 
     agent: Agent
@@ -44,9 +44,9 @@ class Whole:
         return None if call is None else as_whole(call, self.points)
 
 
-def speaker(task: Task, run: int) -> Speaker:
+def speaker(task: Task, run: int) -> PhraseBook:
     """What chooses the teacher's words in one episode."""
-    return Speaker(generator(task.seed, "words", run))
+    return PhraseBook(generator(task.seed, "words", run))
 
 
 def teacher(task: Task, run: int) -> Agent:
@@ -71,11 +71,11 @@ class _Made:
     def __call__(
         self, name: str, task: Task, run: int, library: Library, renderer: Renderer
     ) -> Agent:
-        return Whole(teacher(task, run), self.points)
+        return RoundedPlaces(teacher(task, run), self.points)
 
 
 @dataclass(frozen=True)
-class Classroom(Workplace):
+class TeacherWorker(WorkerSetup):
     """Where the teacher works: its records tell of a seat, as a model's do."""
 
     def played(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
@@ -84,8 +84,8 @@ class Classroom(Workplace):
         if order.arm == "direct":
             return self._told(job, things, renderer)
         record = super().played(job, things, renderer)
-        replies = tuple(Reply(1) for _ in record.steps)
-        return replace(record, seat=Seat(order.arm, order.points, replies, cost=0.0))
+        replies = tuple(ModelReply(1) for _ in record.steps)
+        return replace(record, seat=Participation(order.arm, order.points, replies, cost=0.0))
 
     def _told(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
         order, task = self.order, job.task
@@ -101,19 +101,19 @@ class Classroom(Workplace):
             run=job.run,
         )
         graph = read_graph(tools.call("perceive_scene", {}).text)
-        asked = Asked(question_of(task), task.subject, task.form, graph)
+        asked = FirstLookQuestion(question_of(task), task.subject, task.form, graph)
         said = at_a_glance(task.kind, asked, speaker(task, job.run))
         return answered(replace(stopped(job, order), sight=sight), order, said)
 
 
-def answered(record: EpisodeRecord, order: Order, said: Said | None) -> EpisodeRecord:
+def answered(record: EpisodeRecord, order: RunOrder, said: FirstLookAnswer | None) -> EpisodeRecord:
     """A record of an episode that was ended at once, with an answer in words, or with none."""
     if said is None:
-        seat = Seat(order.arm, order.points, cost=0.0)
+        seat = Participation(order.arm, order.points, cost=0.0)
         return replace(record, seat=seat)
     place = f" ({said.point[0]}, {said.point[1]})" if said.point else ""
     words = told(f"{said.words}\nANSWER: {said.letter}{place}", order.points)
-    seat = Seat(order.arm, order.points, (Reply(0, words),), cost=0.0)
+    seat = Participation(order.arm, order.points, (ModelReply(0, words),), cost=0.0)
     point = (float(said.point[0]), float(said.point[1])) if said.point else None
     answer = Answer(said.letter, point)
     return replace(record, answer=answer, end="answered", seat=seat)

@@ -8,13 +8,15 @@ from importlib.resources import files
 
 from probe.assets.spec import ObjectSpec
 from probe.scene.layout import PICTURE_PX
-from probe.train.choose.chosen import Chosen
+from probe.train.choose.chosen import LoadedSelection
 from probe.train.dataset.manifest import Manifest
 
 _PLACES = {"pixels": "in pixels of a picture 1024 wide and high", "0-1000": "in thousandths"}
 
 
-def card(name: str, manifest: Manifest, chosen: Chosen, specs: Mapping[str, ObjectSpec]) -> str:
+def card(
+    name: str, manifest: Manifest, chosen: LoadedSelection, specs: Mapping[str, ObjectSpec]
+) -> str:
     """The page, as Markdown.
 
     Args:
@@ -58,7 +60,7 @@ def _counts(examples: Mapping[str, Mapping[str, int]]) -> str:
     return "\n".join(rows)
 
 
-def _shown(chosen: Chosen) -> set[str]:
+def _shown(chosen: LoadedSelection) -> set[str]:
     return {it.object_id for task in chosen.suite.tasks for it in task.scene.objects}
 
 

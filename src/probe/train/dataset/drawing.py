@@ -14,11 +14,11 @@ from probe.assets.library import Library
 from probe.episodes.files import line_of
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
-from probe.report.darkroom import Darkroom
-from probe.runs.crew import Lost, carry_out
+from probe.report.scene_renderer import SceneRenderer
+from probe.runs.worker_pool import LostJob, carry_out
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
-from probe.train.dataset.showing import Shown, shown
+from probe.train.dataset.showing import EpisodePictures, shown
 from probe.types import Array
 
 Drawing = tuple[Task, EpisodeRecord]
@@ -35,7 +35,7 @@ class NotDrawn(ProbeError):
 
 
 @dataclass(frozen=True)
-class Studio:
+class DrawingWorker:
     """A worker that draws; see probe.runs.worker.Opening.
 
     Attributes:
@@ -53,14 +53,14 @@ class Studio:
     @contextmanager
     def __call__(self) -> Generator[Callable[[Drawing], bytes]]:
         """Make a darkroom; gives what draws an episode."""
-        with Darkroom(self.suite, self.library) as darkroom:
+        with SceneRenderer(self.suite, self.library) as darkroom:
             yield partial(self._drawn, darkroom)
 
     def key(self, record: EpisodeRecord) -> str:
         """Under which an episode's pictures are kept."""
         return content_key("pictures", _EDITION, line_of(record, timed=False), str(self.side_px))
 
-    def _drawn(self, darkroom: Darkroom, job: Drawing) -> bytes:
+    def _drawn(self, darkroom: SceneRenderer, job: Drawing) -> bytes:
         task, record = job
         try:
             self.kept.store(self.key(record), _packed(shown(task, record, darkroom, self.side_px)))
@@ -69,7 +69,7 @@ class Studio:
         return b""
 
 
-def draw(studio: Studio, episodes: Sequence[Drawing], workers: int) -> Iterator[None]:
+def draw(studio: DrawingWorker, episodes: Sequence[Drawing], workers: int) -> Iterator[None]:
     """Draw what isn't kept yet; yields once for each episode.
 
     Raises:
@@ -81,7 +81,7 @@ def draw(studio: Studio, episodes: Sequence[Drawing], workers: int) -> Iterator[
     results = carry_out(studio, waiting, workers)
     try:
         for (_, record), result in results:
-            reason = result.reason if isinstance(result, Lost) else result.decode()
+            reason = result.reason if isinstance(result, LostJob) else result.decode()
             if reason:
                 raise NotDrawn(record, reason)
             yield
@@ -89,7 +89,7 @@ def draw(studio: Studio, episodes: Sequence[Drawing], workers: int) -> Iterator[
         results.close()
 
 
-def pictures_of(studio: Studio, record: EpisodeRecord) -> Shown:
+def pictures_of(studio: DrawingWorker, record: EpisodeRecord) -> EpisodePictures:
     """The pictures that draw() kept.
 
     Raises:
@@ -101,13 +101,13 @@ def pictures_of(studio: Studio, record: EpisodeRecord) -> Shown:
     return _unpacked(arrays, len(record.steps))
 
 
-def _packed(pictures: Shown) -> dict[str, Array]:
+def _packed(pictures: EpisodePictures) -> dict[str, Array]:
     named = {f"first {n}": it for n, it in enumerate(pictures.first)}
     named |= {f"later {n}": it for n, it in enumerate(pictures.later) if it is not None}
     return {name: np.frombuffer(file, np.uint8) for name, file in named.items()}
 
 
-def _unpacked(arrays: Mapping[str, Array], steps: int) -> Shown:
+def _unpacked(arrays: Mapping[str, Array], steps: int) -> EpisodePictures:
     files = {name: array.tobytes() for name, array in arrays.items()}
     first = tuple(files[name] for name in sorted(files) if name.startswith("first"))
-    return Shown(first, tuple(files.get(f"later {n}") for n in range(steps)))
+    return EpisodePictures(first, tuple(files.get(f"later {n}") for n in range(steps)))

@@ -10,16 +10,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from probe.chat.coordinates import told
-from probe.chat.messages import PLAIN, Message, messages
-from probe.chat.prompts import arm_named
-from probe.chat.tools import as_sent
+from probe.episodes.participation import ModelReply, Points
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.seat import Points, Reply
 from probe.errors import BadData
 from probe.tasks.suite_file import CANARY
 from probe.tasks.task import Task
-from probe.train.dataset.showing import Shown
+from probe.train.dataset.showing import EpisodePictures
+from probe.transcripts.coordinates import told
+from probe.transcripts.messages import PLAIN, Message, messages
+from probe.transcripts.prompts import arm_named
+from probe.transcripts.tools import as_sent
 
 
 class Canary(BadData):
@@ -27,7 +27,7 @@ class Canary(BadData):
 
 
 @dataclass(frozen=True)
-class Example:
+class TrainingExample:
     """One conversation.
 
     Attributes:
@@ -57,8 +57,8 @@ class Example:
 
 
 def example_of(
-    task: Task, record: EpisodeRecord, shown: Shown, points: Points | None = None
-) -> Example:
+    task: Task, record: EpisodeRecord, shown: EpisodePictures, points: Points | None = None
+) -> TrainingExample:
     """An episode as an example.
 
     Args:
@@ -76,7 +76,7 @@ def example_of(
     arm = arm_named(record.seat.arm)
     conversation = _until_last_reply(messages(record, shown.first, shown.later))
     tools = json.dumps(as_sent(record.seat.points)) if arm == "agentic" else ""
-    made = Example(
+    made = TrainingExample(
         id=f"{task.id}-{record.agent}-{arm}-{record.run}".replace("/", "-"),
         kind=task.kind,
         arm=arm,
@@ -90,14 +90,14 @@ def example_of(
 
 def _retold(record: EpisodeRecord, points: Points | None) -> EpisodeRecord:
     """What the teacher said, told in the way in which a student counts places."""
-    seat = record.seat or replace(PLAIN, replies=tuple(Reply(1) for _ in record.steps))
+    seat = record.seat or replace(PLAIN, replies=tuple(ModelReply(1) for _ in record.steps))
     if points is None or points == seat.points:
         return replace(record, seat=seat)
     if seat.points != "pixels":
         reason = f"the teacher counted places {seat.points}, and wrote them down so"
         remedy = f"Say --points {seat.points}, or collect with --points {points}"
         raise BadData(record.task, reason, remedy)
-    replies = tuple(Reply(it.calls, told(it.words, points)) for it in seat.replies)
+    replies = tuple(ModelReply(it.calls, told(it.words, points)) for it in seat.replies)
     steps = tuple(
         replace(step, call=replace(step.call, words=told(step.call.words, points)))
         for step in record.steps
@@ -111,7 +111,7 @@ def _until_last_reply(conversation: Sequence[Message]) -> list[Message]:
     return list(conversation[: last + 1])
 
 
-def _check_canary(example: Example) -> None:
+def _check_canary(example: TrainingExample) -> None:
     texts = [message.text for message in example.messages]
     texts += [call.arguments for message in example.messages for _, call in message.calls]
     if any(CANARY in text or CANARY.split()[-1] in text for text in texts):

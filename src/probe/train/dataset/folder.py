@@ -13,9 +13,9 @@ from pathlib import Path
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData
 from probe.files import check_new, whole_folder, write_bytes, write_text
-from probe.train.choose.chosen import Chosen
+from probe.train.choose.chosen import LoadedSelection
 from probe.train.dataset.card import card
-from probe.train.dataset.examples import Example
+from probe.train.dataset.examples import TrainingExample
 from probe.train.dataset.manifest import Manifest, mark_of, write_manifest
 from probe.train.dataset.rows import IMAGE, Row, sharegpt_row, trl_row, vila_row
 from probe.train.dataset.table import SHARD_ROWS, table_names, write_table
@@ -77,8 +77,8 @@ class _Written:
 
 def write_dataset(
     out: Path,
-    examples: Iterable[Example],
-    chosen: Chosen,
+    examples: Iterable[TrainingExample],
+    chosen: LoadedSelection,
     form: Form,
     specs: Mapping[str, ObjectSpec],
 ) -> Manifest:
@@ -120,7 +120,7 @@ def write_dataset(
 
 
 def _add(
-    folder: Path, name: str, examples: list[Example], written: _Written, *, others: bool
+    folder: Path, name: str, examples: list[TrainingExample], written: _Written, *, others: bool
 ) -> None:
     write_table(folder / name, [trl_row(example) for example in examples])
     for example in examples:
@@ -151,7 +151,7 @@ def _write_others(folder: Path, written: _Written) -> None:
     write_text(folder / "vila/train.json", json.dumps(written.vila, indent=1))
 
 
-def _check(written: _Written, chosen: Chosen, out: Path) -> None:
+def _check(written: _Written, chosen: LoadedSelection, out: Path) -> None:
     """As many of each type and arm as were chosen."""
     for kind, arms in chosen.document.examples.items():
         for arm, count in arms.items():

@@ -13,14 +13,14 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from probe.chat.messages import PICTURE_FOLLOWS, Message
-from probe.train.dataset.examples import Example, call_arguments
+from probe.train.dataset.examples import TrainingExample, call_arguments
+from probe.transcripts.messages import PICTURE_FOLLOWS, Message
 
 Row = dict[str, Any]
 IMAGE = "<image>"
 
 
-def trl_row(example: Example) -> Row:
+def trl_row(example: TrainingExample) -> Row:
     """As TRL takes it; arguments and tools are JSON text, since a table's columns have one form."""
     return {
         "id": example.id,
@@ -33,7 +33,7 @@ def trl_row(example: Example) -> Row:
     }
 
 
-def sharegpt_row(example: Example, files: Sequence[str]) -> Row:
+def sharegpt_row(example: TrainingExample, files: Sequence[str]) -> Row:
     """As LLaMA-Factory takes it.
 
     Calls are written out as Qwen's template does, in a turn of "gpt": its own turn for calls takes
@@ -53,7 +53,7 @@ def sharegpt_row(example: Example, files: Sequence[str]) -> Row:
     }
 
 
-def vila_row(example: Example, files: Sequence[str]) -> Row:
+def vila_row(example: TrainingExample, files: Sequence[str]) -> Row:
     """As VILA's LLaVANextDataset takes it; see sharegpt_row."""
     rules, turns = _turns(example)
     first = "\n\n".join(filter(None, [rules, _tools_in_words(example), turns[0][1]]))
@@ -85,7 +85,7 @@ def _trl_message(message: Message) -> Row:
     }
 
 
-def _turns(example: Example) -> tuple[str, list[tuple[str, str]]]:
+def _turns(example: TrainingExample) -> tuple[str, list[tuple[str, str]]]:
     """The rules, and turns of "human" or "observation" and of "gpt" by turns."""
     rules, turns = "", list[tuple[str, str]]()
     for message in example.messages:
@@ -116,13 +116,13 @@ def _in_words(message: Message) -> str:
     return "\n".join(filter(None, [text, *calls, *(IMAGE for _ in message.pictures)]))
 
 
-def _functions(example: Example) -> str:
+def _functions(example: TrainingExample) -> str:
     """The tools without the wrapping that LLaMA-Factory adds itself."""
     tools: list[Row] = json.loads(example.tools) if example.tools else []
     return json.dumps([tool["function"] for tool in tools]) if tools else ""
 
 
-def _tools_in_words(example: Example) -> str:
+def _tools_in_words(example: TrainingExample) -> str:
     """What Qwen's template says of tools, for a trainer that knows none."""
     if not example.tools:
         return ""

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from PIL import Image
 
-from probe.chat.pictures import jpeg
-from probe.chat.prompts import arm_named
 from probe.episodes.conditions import NO_DIALS
 from probe.episodes.record import EpisodeRecord, Step
 from probe.errors import ProbeError
 from probe.perception.things import Thing, Words
-from probe.report.darkroom import Darkroom
+from probe.report.scene_renderer import SceneRenderer
 from probe.scene.layout import PICTURE_PX
 from probe.scene.scene import Scene
 from probe.tasks.marks import drawn
 from probe.tasks.task import Task
 from probe.toolshed.pictures import outlined
+from probe.transcripts.pictures import jpeg
+from probe.transcripts.prompts import arm_named
 from probe.types import Array
 
 _NOTHING = Words(None, "", (), "")
@@ -37,7 +37,7 @@ class OtherPerception(ProbeError):
 
 
 @dataclass(frozen=True)
-class Shown:
+class EpisodePictures:
     """An episode's pictures, as JPEG files.
 
     Attributes:
@@ -55,8 +55,8 @@ class Shown:
 
 
 def shown(
-    task: Task, record: EpisodeRecord, darkroom: Darkroom, side_px: int = PICTURE_PX
-) -> Shown:
+    task: Task, record: EpisodeRecord, darkroom: SceneRenderer, side_px: int = PICTURE_PX
+) -> EpisodePictures:
     """Draw an episode's pictures.
 
     Args:
@@ -76,7 +76,7 @@ def shown(
         for number, step in enumerate(record.steps)
     ]
     files = [None if it is None else jpeg(_sized(it, side_px)) for it in later]
-    return Shown((jpeg(_sized(drawn(start, task.marks), side_px)),), tuple(files))
+    return EpisodePictures((jpeg(_sized(drawn(start, task.marks), side_px)),), tuple(files))
 
 
 def _check(record: EpisodeRecord) -> None:
@@ -89,7 +89,7 @@ def _check(record: EpisodeRecord) -> None:
 
 
 def _result(
-    task: Task, record: EpisodeRecord, step: Step, before: Scene, darkroom: Darkroom
+    task: Task, record: EpisodeRecord, step: Step, before: Scene, darkroom: SceneRenderer
 ) -> Array | None:
     """What a step's result showed: nothing if nothing was done, else the table after it."""
     if step.status in _SILENT or step.call.name == "answer_question":
@@ -105,7 +105,7 @@ def _result(
     return outlined(picture, Thing.of(labels == labels[v, u], _NOTHING))
 
 
-def _picture(task: Task, record: EpisodeRecord, scene: Scene, darkroom: Darkroom) -> Array:
+def _picture(task: Task, record: EpisodeRecord, scene: Scene, darkroom: SceneRenderer) -> Array:
     frame = darkroom.frame(task, scene, record.sight)
     assert frame.rgb is not None
     return frame.rgb

@@ -12,7 +12,7 @@ _START = "<tool_call>"
 
 
 @dataclass(frozen=True)
-class Reply:
+class ServedReply:
     """What a model said.
 
     Attributes:
@@ -24,19 +24,23 @@ class Reply:
     calls: tuple[tuple[str, str], ...] = ()
 
 
-def read_reply(text: str) -> Reply:
+def read_reply(text: str) -> ServedReply:
     """A reply; where a call can't be read all of it is words, as vLLM's parser has it.
 
     Words end without the line break that the template puts before a call: it would stand there
     twice when the conversation is told again.
     """
     if _START not in text:
-        return Reply(text.strip())
+        return ServedReply(text.strip())
     try:
         calls = tuple(_call(found) for found in _CALL.findall(text))
     except (ValueError, KeyError, TypeError, RecursionError):
         calls = ()
-    return Reply(text[: text.find(_START)].strip(), calls) if calls else Reply(text.strip())
+    return (
+        ServedReply(text[: text.find(_START)].strip(), calls)
+        if calls
+        else ServedReply(text.strip())
+    )
 
 
 def _call(found: str) -> tuple[str, str]:

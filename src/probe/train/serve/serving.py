@@ -12,7 +12,7 @@ from importlib import import_module
 from typing import Any, cast
 
 from probe.errors import BadData, MissingExtra, ProbeError
-from probe.train.serve.speaking import Said, Speaker
+from probe.train.serve.speaking import GeneratedReply, ServedModel
 from probe.train.tune.conversations import NotUnderstood
 
 _LOOPBACK = "127.0.0.1"
@@ -25,7 +25,7 @@ class NotServed(ProbeError):
         super().__init__(f"There is no model {asked!r} here; this is {called!r}.")
 
 
-def application(speaker: Speaker, called: str) -> Any:
+def application(speaker: ServedModel, called: str) -> Any:
     """The server, for uvicorn.
 
     Args:
@@ -77,7 +77,7 @@ def reserved(port: int) -> Generator[socket.socket]:
         yield held
 
 
-def serve(speaker: Speaker, called: str, held: socket.socket) -> None:
+def serve(speaker: ServedModel, called: str, held: socket.socket) -> None:
     """Serve on this machine alone until it is stopped.
 
     Args:
@@ -99,7 +99,7 @@ def serve(speaker: Speaker, called: str, held: socket.socket) -> None:
         web.Server(config).run(sockets=[held])
 
 
-def completion(said: Said, called: str) -> dict[str, Any]:
+def completion(said: GeneratedReply, called: str) -> dict[str, Any]:
     """A reply as the protocol has it."""
     message: dict[str, Any] = {"role": "assistant", "content": said.reply.words or None}
     if said.reply.calls:

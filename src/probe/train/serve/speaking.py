@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import Any
 
-from probe.train.serve.replying import Reply, read_reply
+from probe.train.serve.replying import ServedReply, read_reply
 from probe.train.tune import libraries
 from probe.train.tune.collating import encoded
 from probe.train.tune.conversations import of_request
@@ -18,7 +18,7 @@ MOST_WORDS = 512
 
 
 @dataclass(frozen=True)
-class Said:
+class GeneratedReply:
     """A reply and what it took.
 
     Attributes:
@@ -27,13 +27,13 @@ class Said:
         cut: The reply was cut off.
     """
 
-    reply: Reply
+    reply: ServedReply
     tokens_in: int
     tokens_out: int
     cut: bool
 
 
-class Speaker:
+class ServedModel:
     """A model in memory; one reply at a time.
 
     Args:
@@ -59,7 +59,7 @@ class Speaker:
         tools: Sequence[Mapping[str, Any]] | None = body.get("tools") or None
         return encoded(self._processor, of_request(body["messages"]), tools, asking=True)
 
-    def reply(self, body: Mapping[str, Any]) -> Said:
+    def reply(self, body: Mapping[str, Any]) -> GeneratedReply:
         """Reply to a request; without a temperature the likeliest words.
 
         Raises:
@@ -77,4 +77,4 @@ class Speaker:
         ended = tokenizer.eos_token_id in fresh.tolist()
         # Tags of calls are no special tokens of Qwen's tokenizer, and stay.
         text = tokenizer.decode(fresh, skip_special_tokens=True)
-        return Said(read_reply(text), start, len(fresh), cut=not ended)
+        return GeneratedReply(read_reply(text), start, len(fresh), cut=not ended)

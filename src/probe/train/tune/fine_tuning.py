@@ -8,11 +8,11 @@ from typing import Any
 
 from probe.train.dataset.manifest import Manifest, check_dataset
 from probe.train.tune import libraries
-from probe.train.tune.diary import diary_callback
 from probe.train.tune.loading import collator_for, load
 from probe.train.tune.run_card import write_card
 from probe.train.tune.started import MODEL, ROWS, begun, last_checkpoint, take_up
 from probe.train.tune.trainer_settings import settings_for
+from probe.train.tune.training_log import diary_callback
 from probe.train.tune.tuning import Tuning
 
 

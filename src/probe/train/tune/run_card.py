@@ -15,8 +15,14 @@ import pydantic
 from probe.files import write_text
 from probe.train.dataset.manifest import Manifest
 from probe.train.tune import libraries
-from probe.train.tune.diary import Entry, Stretch, learning_curve, read_diary, seconds_of
-from probe.train.tune.started import Begun
+from probe.train.tune.started import TrainingStart
+from probe.train.tune.training_log import (
+    LoggedStep,
+    LossInterval,
+    learning_curve,
+    read_diary,
+    seconds_of,
+)
 
 RUN, CARD = "run.json", "README.md"
 _LINES = 12
@@ -38,7 +44,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
     """
 
     version: Literal[1] = 1
-    begun: Begun
+    begun: TrainingStart
     examples: dict[str, dict[str, int]]
     versions: dict[str, str]
     hardware: str
@@ -49,7 +55,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
     last_loss: float
 
 
-def write_card(out: Path, begun: Begun, manifest: Manifest, weights: str) -> Run:
+def write_card(out: Path, begun: TrainingStart, manifest: Manifest, weights: str) -> Run:
     """Write run.json and README.md into a training's folder.
 
     Args:
@@ -79,7 +85,7 @@ def write_card(out: Path, begun: Begun, manifest: Manifest, weights: str) -> Run
     return run
 
 
-def told_curve(diary: Sequence[Entry]) -> list[str]:
+def told_curve(diary: Sequence[LoggedStep]) -> list[str]:
     """A training's learning curve as rows of Markdown: steps, mean loss, learning rate at the end.
 
     Args:
@@ -97,7 +103,7 @@ def hardware() -> str:
     return f"{platform.machine()}, {threads}, no GPU"
 
 
-def _row(it: Stretch) -> str:
+def _row(it: LossInterval) -> str:
     return f"| {it.first}-{it.last} | {it.loss:.4f} | {it.learning_rate:.2e} |"
 
 
@@ -122,5 +128,5 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
     )
 
 
-def _mean(diary: Sequence[Entry]) -> float:
+def _mean(diary: Sequence[LoggedStep]) -> float:
     return sum(it.loss for it in diary) / len(diary) if diary else float("nan")

@@ -23,7 +23,7 @@ _LAST_FILE = "trainer_state.json"
 """What transformers writes last into a checkpoint: one without it, or a part of it, was cut off."""
 
 
-class Begun(pydantic.BaseModel, extra="forbid", frozen=True):
+class TrainingStart(pydantic.BaseModel, extra="forbid", frozen=True):
     """What a training was begun with.
 
     Attributes:
@@ -40,13 +40,15 @@ class Begun(pydantic.BaseModel, extra="forbid", frozen=True):
     tuning: dict[str, Any]
 
 
-def begun(dataset: Path, model: str, tuning: Tuning) -> Begun:
+def begun(dataset: Path, model: str, tuning: Tuning) -> TrainingStart:
     """What is to be trained; the data set must have been checked."""
     mark = hashlib.sha256((dataset / MANIFEST).read_bytes()).hexdigest()
-    return Begun(model=model, dataset=str(dataset), dataset_sha256=mark, tuning=asdict(tuning))
+    return TrainingStart(
+        model=model, dataset=str(dataset), dataset_sha256=mark, tuning=asdict(tuning)
+    )
 
 
-def take_up(out: Path, asked: Begun) -> None:
+def take_up(out: Path, asked: TrainingStart) -> None:
     """Begin a folder, or see that it was begun with the same.
 
     Raises:
@@ -57,7 +59,7 @@ def take_up(out: Path, asked: Begun) -> None:
     if not path.exists():
         write_text(path, asked.model_dump_json(indent=1) + "\n")
         return
-    before = read_document(path, Begun, "Train anew into another folder")
+    before = read_document(path, TrainingStart, "Train anew into another folder")
     remedy = "Say the same again, or choose another folder"
     if before.model != asked.model:
         raise BadData(path, f"was begun with {before.model}, not {asked.model}", remedy)

@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from probe.chat.prompts import reminder, system_prompt
 from probe.files import check_new, whole_folder
 from probe.train.dataset.manifest import check_dataset
 from probe.train.tune import libraries
 from probe.train.tune.tiny_parts import Shape, processor_for, untrained
+from probe.transcripts.prompts import reminder, system_prompt
 
 
 def make_tiny(dataset: Path, out: Path, shape: Shape) -> int:

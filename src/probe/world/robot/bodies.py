@@ -7,14 +7,14 @@ from collections.abc import Sequence
 import mujoco
 
 from probe.types import Array, Vector3
-from probe.world.robot.solids import Box, Cylinder
+from probe.world.robot.solids import Cylinder, SolidBox
 
 
-def add_solids(body: mujoco.MjsBody, solids: Sequence[Cylinder | Box]) -> None:
+def add_solids(body: mujoco.MjsBody, solids: Sequence[Cylinder | SolidBox]) -> None:
     """Add geoms that collide and are seen, named after the body and numbered from 0."""
     for number, solid in enumerate(solids):
         geom = body.add_geom(name=f"{body.name}_{number}", rgba=[*solid.colour, 1.0])
-        if isinstance(solid, Box):
+        if isinstance(solid, SolidBox):
             geom.type = mujoco.mjtGeom.mjGEOM_BOX
             geom.pos = solid.centre
             geom.size = solid.half_size

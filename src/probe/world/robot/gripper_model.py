@@ -17,7 +17,7 @@ from probe.world.robot.gripper import (
     tendon_force,
 )
 from probe.world.robot.gripper_shape import INNER_CRANK, INNER_FINGER, OUTER_CRANK, PAD, PALM
-from probe.world.robot.solids import Box, box_inertia, cylinder_inertia
+from probe.world.robot.solids import SolidBox, box_inertia, cylinder_inertia
 
 DRIVE = "grip"
 """Name of the drive; its command is the joint angle wanted, 0 (open) to 0.7 (closed)."""
@@ -93,7 +93,7 @@ def _add_crank(
     side: str,
     name: str,
     pivot: tuple[float, float],
-    solids: tuple[Box, ...],
+    solids: tuple[SolidBox, ...],
 ) -> mujoco.MjsBody:
     """A crank that turns from `TILT` outwards to upright; the right one is turned about z by pi."""
     sign = -1.0 if side == "left" else 1.0

@@ -20,21 +20,21 @@ from probe.world.robot.gripper import (
     TILT,
     joint_for,
 )
-from probe.world.robot.solids import BLACK, GREY, RUBBER, SILVER, Box, Cylinder
+from probe.world.robot.solids import BLACK, GREY, RUBBER, SILVER, Cylinder, SolidBox
 
 PALM = (
     Cylinder((0.0, 0.0, 0.0), (0.0, 0.0, 0.046), 0.0375, BLACK),
-    Box((0.0, 0.0, 0.058), (0.0125, 0.0424, 0.012), GREY),
-    Box((0.0, 0.0, 0.080), (0.0105, 0.0260, 0.010), GREY),
+    SolidBox((0.0, 0.0, 0.058), (0.0125, 0.0424, 0.012), GREY),
+    SolidBox((0.0, 0.0, 0.080), (0.0105, 0.0260, 0.010), GREY),
 )
 OUTER_CRANK = (
-    Box((0.0, -0.005, 0.002), (0.0120, 0.020, 0.016), SILVER),
-    Box((0.0, -0.017, 0.045), (0.0125, 0.012, 0.027), BLACK),
-    Box((0.0, -0.004, 0.088), (0.0125, 0.010, 0.018), BLACK),
+    SolidBox((0.0, -0.005, 0.002), (0.0120, 0.020, 0.016), SILVER),
+    SolidBox((0.0, -0.017, 0.045), (0.0125, 0.012, 0.027), BLACK),
+    SolidBox((0.0, -0.004, 0.088), (0.0125, 0.010, 0.018), BLACK),
 )
-INNER_CRANK = (Box((0.0, 0.0, 0.050), (0.0150, 0.006, 0.056), BLACK),)
-INNER_FINGER = (Box((0.0, 0.009, 0.019), (0.0075, 0.0149, 0.025), BLACK),)
-PAD = Box((0.0, *PAD_CENTRE), PAD_HALF, RUBBER)
+INNER_CRANK = (SolidBox((0.0, 0.0, 0.050), (0.0150, 0.006, 0.056), BLACK),)
+INNER_FINGER = (SolidBox((0.0, 0.009, 0.019), (0.0075, 0.0149, 0.025), BLACK),)
+PAD = SolidBox((0.0, *PAD_CENTRE), PAD_HALF, RUBBER)
 
 SLICES = 3  # pieces that a tilted crank is cut into before it is boxed
 
@@ -69,15 +69,15 @@ def _bounds(points: Array) -> tuple[Array, Array]:
     return (low + high) / 2, (high - low) / 2
 
 
-def _cut(box: Box) -> list[Box]:
+def _cut(box: SolidBox) -> list[SolidBox]:
     """The box in slices along z."""
     x, y, z = box.half_size
     half: Vector3 = (x, y, z / SLICES)
     heights = box.centre[2] + z * (np.arange(1, 2 * SLICES, 2) / SLICES - 1)
-    return [Box((*box.centre[:2], float(height)), half, box.colour) for height in heights]
+    return [SolidBox((*box.centre[:2], float(height)), half, box.colour) for height in heights]
 
 
-def _corners(box: Box, joint: float, pivot: tuple[float, float]) -> Array:
+def _corners(box: SolidBox, joint: float, pivot: tuple[float, float]) -> Array:
     """Corners of a crank's box in the gripper's frame, shape (8, 3)."""
     x, y, z = box.corners.T
     c, s = math.cos(TILT - joint), math.sin(TILT - joint)

@@ -11,7 +11,7 @@ from probe.world.robot import gripper_model, ur5
 from probe.world.robot.arm_model import add_arm
 from probe.world.robot.bodies import add_solids
 from probe.world.robot.gripper_model import add_gripper
-from probe.world.robot.solids import GREY, Box
+from probe.world.robot.solids import GREY, SolidBox
 
 PREFIX = "robot/"
 """What every name of the robot's starts with."""
@@ -56,6 +56,6 @@ def _robot(height: float) -> mujoco.MjSpec:
     base = robot.worldbody.add_body(name="arm_base")
     if height > 0:
         pedestal = robot.worldbody.add_body(name="pedestal")
-        add_solids(pedestal, [Box((0.0, 0.0, -height / 2), (0.075, 0.075, height / 2), GREY)])
+        add_solids(pedestal, [SolidBox((0.0, 0.0, -height / 2), (0.075, 0.075, height / 2), GREY)])
     add_gripper(robot, add_arm(robot, base, PARKED))
     return robot

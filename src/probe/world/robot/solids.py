@@ -29,7 +29,7 @@ class Cylinder:
 
 
 @dataclass(frozen=True)
-class Box:
+class SolidBox:
     """A box along the axes of its link's frame, metres."""
 
     centre: Vector3

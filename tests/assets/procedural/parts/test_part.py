@@ -6,7 +6,7 @@ import trimesh
 from scipy.spatial import ConvexHull
 
 from probe.assets.procedural.parts.ball import Ball
-from probe.assets.procedural.parts.box import Box
+from probe.assets.procedural.parts.box import RoundedBox
 
 RNG = np.random.default_rng(0)
 
@@ -24,18 +24,18 @@ def test_a_ball_has_its_diameters_and_volume() -> None:
 
 def test_copies_are_shifted_and_turned() -> None:
     cube = {"kind": "box", "size": (0.01, 0.01, 0.01), "paint": "all"}
-    row = Box.model_validate(cube | {"copies": {"count": 3, "step": (0.02, 0, 0)}})
+    row = RoundedBox.model_validate(cube | {"copies": {"count": 3, "step": (0.02, 0, 0)}})
     middles = [corners.mean(axis=0) for corners in row.placed_hulls(RNG)]
     np.testing.assert_allclose(middles, [[k * 0.02, 0, 0.005] for k in range(3)], atol=1e-9)
     assert len(row.placed_surfaces(RNG)) == 3 * 6
     place = {"at": (0.03, 0, 0)}
-    ring = Box.model_validate(cube | {"place": place, "copies": {"count": 4, "turn": 90}})
+    ring = RoundedBox.model_validate(cube | {"place": place, "copies": {"count": 4, "turn": 90}})
     middles = [corners.mean(axis=0)[:2] for corners in ring.placed_hulls(RNG)]
     expected = [[0.03, 0], [0, 0.03], [-0.03, 0], [0, -0.03]]
     np.testing.assert_allclose(middles, expected, atol=1e-9)
 
 
 def test_what_is_for_the_eye_alone_has_no_pieces() -> None:
-    box = Box(kind="box", size=(0.01, 0.01, 0.01), paint="all", solid=False)
+    box = RoundedBox(kind="box", size=(0.01, 0.01, 0.01), paint="all", solid=False)
     assert box.placed_hulls(RNG) == []
     assert len(box.placed_surfaces(RNG)) == 6

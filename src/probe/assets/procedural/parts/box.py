@@ -12,7 +12,7 @@ from probe.assets.procedural.parts.part import Painted, Piecewise, Triple
 from probe.types import Array
 
 
-class Box(Piecewise):
+class RoundedBox(Piecewise):
     """A box with rounded edges that stands on z = 0.
 
     Attributes:

@@ -17,7 +17,7 @@ from probe.assets.procedural.form.hulls import shell
 from probe.assets.procedural.form.lathe import turn
 from probe.assets.procedural.parts.part import Painted, Piecewise
 from probe.assets.procedural.parts.profile import (
-    Footprint,
+    ProfileFootprint,
     Rows,
     corner_rows,
     cut_at,
@@ -46,7 +46,7 @@ class Hollow(Piecewise):
     inside: str
     lip: str = ""
     lip_width: float = 0.0015
-    footprint: Footprint = Footprint()
+    footprint: ProfileFootprint = ProfileFootprint()
     bands: int = 2
     sectors: int = 14
 

@@ -15,7 +15,7 @@ Triple = tuple[float, float, float]
 Painted = tuple[Sheet, str]  # a surface and the name of its paint
 
 
-class Place(Data):
+class PartPlacement(Data):
     """Where a part goes: turned about x, then y, then z (degrees), then shifted (metres)."""
 
     at: Triple = (0, 0, 0)
@@ -43,7 +43,7 @@ class Copies(Data):
     @property
     def poses(self) -> list[Pose]:
         steps = [(k * np.asarray(self.step), k * self.turn) for k in range(self.count)]
-        return [Place(at=tuple(at), turn=(0, 0, turn)).pose for at, turn in steps]
+        return [PartPlacement(at=tuple(at), turn=(0, 0, turn)).pose for at, turn in steps]
 
 
 class Piecewise(Data, ABC):
@@ -53,7 +53,7 @@ class Piecewise(Data, ABC):
         solid: False if it is for the eye alone and has no convex pieces.
     """
 
-    place: Place = Place()
+    place: PartPlacement = PartPlacement()
     copies: Copies = Copies()
     solid: bool = True
 

@@ -16,7 +16,7 @@ Row = tuple[float, ...]
 Rows = tuple[Row, ...]
 
 
-class Footprint(Data):
+class ProfileFootprint(Data):
     """What a profile is led around; see `form.lathe.Base`."""
 
     half: tuple[float, float] = (0, 0)

@@ -14,7 +14,7 @@ from probe.assets.procedural.form.sheet import Sheet, grid_normals
 from probe.assets.procedural.paint.data import Data
 from probe.assets.procedural.parts.part import Painted, Piecewise
 from probe.assets.procedural.parts.profile import (
-    Footprint,
+    ProfileFootprint,
     Rows,
     corner_rows,
     cut_at,
@@ -80,7 +80,7 @@ class Turned(Piecewise):
     profile: Rows
     smooth: bool = False
     bands: tuple[Band, ...]
-    footprint: Footprint = Footprint()
+    footprint: ProfileFootprint = ProfileFootprint()
     cuts: tuple[float, ...] = ()
     lumps: Lumps | None = None
 

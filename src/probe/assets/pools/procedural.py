@@ -1,0 +1,39 @@
+"""Specs and bodies of the procedural objects, through the cache."""
+
+from __future__ import annotations
+
+from probe.assets.cache import Cache, content_key
+from probe.assets.mesh.mesh import Body
+from probe.assets.mesh.packing import LAYOUT, pack_body, pack_specs, unpack_body, unpack_specs
+from probe.assets.procedural import build, specs
+from probe.assets.recipes import recipe
+from probe.assets.spec import ObjectSpec
+
+_PACKAGE = "probe.assets.procedural"
+
+
+def procedural_specs(cache: Cache) -> tuple[ObjectSpec, ...]:
+    """All procedural objects."""
+    key = content_key("procedural specs", LAYOUT, recipe(_PACKAGE))
+    stored = cache.load(key)
+    found = None if stored is None else unpack_specs(stored)
+    if found is None:
+        found = specs()
+        cache.store(key, pack_specs(found))
+    return found
+
+
+def procedural_body(object_id: str, cache: Cache) -> Body:
+    """Mesh and convex pieces of a procedural object.
+
+    Raises:
+        UnknownName: No procedural object has this id.
+        OutputFailed: The cache can't be written.
+    """
+    key = content_key("procedural body", LAYOUT, recipe(_PACKAGE), object_id)
+    stored = cache.load(key)
+    if stored is not None:
+        return unpack_body(stored)
+    body = build(object_id)
+    cache.store(key, pack_body(body))
+    return body

@@ -1,0 +1,159 @@
+"""A model in the seat, for `probe run --model`: what is run, and how much that asks of it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from probe.assets.library import Library
+from probe.bench.models import settings_of
+from probe.bench.plan import ModelRunPlan
+from probe.bench.prices import Price, Prices, read_prices
+from probe.cli.resources import cache_folder
+from probe.cli.screen import say
+from probe.cli.variation import varied
+from probe.episodes.conditions import Conditions
+from probe.episodes.noise import Noise
+from probe.episodes.participation import Points
+from probe.errors import BadData, MissingExtra
+from probe.runs.vary import changes_scenes
+from probe.tasks.suite import Suite, check_objects
+from probe.tasks.task import Task
+from probe.transcripts.prompts import Arm
+from probe.types import Shard
+
+
+@dataclass(frozen=True, kw_only=True)
+class ModelRunOptions:
+    """What is to be run, as the command line has it; see probe.cli.run.run.
+
+    Attributes:
+        library: Opens the objects; a value that can be sent to another process.
+    """
+
+    library: Callable[[], Library]
+    model: str
+    arm: Arm
+    epochs: int
+    points: Points | None
+    pointer: str
+    endpoint: str | None
+    prices: Path | None
+    noise: Noise
+    conditions: Conditions
+    shard: Shard
+    workers: int
+
+    @property
+    def counting(self) -> Points:
+        """How the model counts places."""
+        return self.points or settings_of(self.model).points
+
+    def tasks_of(self, suite: Suite) -> tuple[Task, ...]:
+        """Those that this shard runs, all their epochs."""
+        return tuple(suite.tasks[self.shard.number :: self.shard.count])
+
+
+def take_seats(suite: Suite, seats: ModelRunOptions, out: Path, *, plain: bool = False) -> int:
+    """Run a suite with a model.
+
+    Args:
+        suite: What is asked.
+        seats: Who is asked, and how.
+        out: Folder of the records.
+        plain: Print lines even to a terminal, where a bar of the caller's stands.
+
+    Returns:
+        How many episodes are missing by our fault.
+
+    Raises:
+        MissingExtra: The harness isn't installed.
+        BadData: The folder is about something else, prices can't be read, or nobody has the model.
+    """
+    check_address(seats.endpoint)
+    price = price_of(seats.prices, seats.model)
+    for name in {seats.model, seats.pointer} - {"oracle", "self"}:
+        if seats.endpoint is None:
+            _check_served(name)
+    things = seats.library()
+    check_objects(suite, things)
+    if changes_scenes(seats.conditions):
+        suite = varied(suite, seats.conditions, things, out)
+    try:
+        from probe.bench.evaluation import Participants, evaluate
+    except ImportError as error:
+        raise MissingExtra("A model in the seat", "bench") from error
+    plan = plan_of(suite, seats, out, price)
+    key = os.environ.get("OPENAI_API_KEY") or "none"
+    pointer = settings_of(seats.pointer).id if plan.pointer == "role" else None
+    its_price = price_of(seats.prices, seats.pointer) if pointer else None
+    chosen = Participants(settings_of(seats.model).id, seats.endpoint, key, pointer, its_price)
+    return evaluate(plan, chosen, "rich" if sys.stdout.isatty() and not plain else "plain")
+
+
+def price_of(path: Path | None, name: str) -> Price | None:
+    """Of a model's tokens; says so if there is a file of prices and its isn't among them.
+
+    Raises:
+        BadData: The file can't be read.
+    """
+    if path is None:
+        return None
+    prices: Prices = read_prices(path)
+    price = prices.get(name) or prices.get(settings_of(name).id)
+    if price is None:
+        known = ", ".join(sorted(prices)) or "none"
+        say(f"{path} has no price of {name}: no cost is told. Known: {known}.")
+    return price
+
+
+def check_address(endpoint: str | None) -> None:
+    """See that it is one.
+
+    Raises:
+        BadData: It isn't.
+    """
+    if endpoint is not None and not endpoint.startswith(("http://", "https://")):
+        remedy = "Begin it with http:// or https://"
+        raise BadData("--endpoint", f"{endpoint!r} is no address of a server", remedy)
+
+
+def _check_served(name: str) -> None:
+    """See that a model needs no --endpoint.
+
+    Raises:
+        BadData: It does.
+    """
+    known = settings_of(name)
+    where = "--endpoint, such as http://localhost:8000/v1"
+    if known.serve is not None and "VLLM_BASE_URL" not in os.environ:
+        remedy = f"Start a server of its weights ({known.serve}) and say its address with {where}"
+        raise BadData(name, "has no server of its own", remedy)
+    if "/" not in known.id:
+        remedy = f"Say where its server is with {where}, or a name such as openai/{name}"
+        raise BadData(name, "is no short name, and names no provider", remedy)
+
+
+def plan_of(suite: Suite, seats: ModelRunOptions, out: Path, price: Price | None) -> ModelRunPlan:
+    """What is run, in the terms of `probe.bench`."""
+    pointing = settings_of(seats.model if seats.pointer == "self" else seats.pointer)
+    return ModelRunPlan(
+        arm=seats.arm,
+        suite=suite,
+        tasks=seats.tasks_of(suite),
+        out=out,
+        library=seats.library,
+        cache=cache_folder() / "light",
+        epochs=seats.epochs,
+        points=seats.counting,
+        noise=seats.noise,
+        conditions=seats.conditions,
+        pointer=seats.pointer if seats.pointer in ("oracle", "self") else "role",
+        convention=pointing.pointing,
+        workers=seats.workers,
+        prices={seats.model: price} if price else {},
+        called=seats.model,
+    )

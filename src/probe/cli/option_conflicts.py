@@ -1,0 +1,39 @@
+"""Options of `probe run` that don't go together are refused, rather than left out of account."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from probe.episodes.conditions import NO_DIALS, Conditions
+from probe.errors import BadData
+from probe.transcripts.prompts import Arm
+
+
+def refuse_stray(when: str, given: Mapping[str, object]) -> None:
+    """See that nothing is said that would do nothing.
+
+    Args:
+        when: When it would: "with --model", "without --model".
+        given: Values of these options by name; None where nothing was said.
+
+    Raises:
+        BadData: Something is.
+    """
+    for name, value in given.items():
+        if value is not None:
+            raise BadData(name, f"does nothing {when}", "See `probe run --help`")
+
+
+def check_pointer(pointer: str, arm: Arm, conditions: Conditions) -> None:
+    """See that a model that is to point would be asked.
+
+    Raises:
+        BadData: It wouldn't: there are no tools, or perception is the oracle's all the same.
+    """
+    if pointer == "oracle":
+        return
+    if arm != "agentic":
+        raise BadData("--pointer", f"does nothing with --arm {arm}", "Leave it out")
+    if conditions.dials != NO_DIALS or conditions.ideal == "perception":
+        reason = "does nothing with --dials or --ideal perception, which are about the oracle"
+        raise BadData("--pointer", reason, "Leave one of the two out")

@@ -1,0 +1,47 @@
+"""How a model took part in an episode: what it may do, said and cost. Knows no model.
+
+An agent in a process of its own has one if it failed there: with no arm, and what went wrong.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Points = Literal["pixels", "0-1000"]
+"""How a model counts places in a picture: in pixels, or in thousandths of its width and height."""
+
+
+@dataclass(frozen=True)
+class ModelReply:
+    """One reply of a model.
+
+    Attributes:
+        calls: How many tools it called; each call is a step of the record.
+        words: All that it said, if it called none.
+    """
+
+    calls: int
+    words: str = ""
+
+
+@dataclass(frozen=True)
+class Participation:
+    """A model's part in an episode.
+
+    Attributes:
+        arm: How it was allowed to answer.
+        points: How it counted places; the record itself always counts pixels.
+        replies: All of them, in order.
+        tokens_in, tokens_out: Of all its replies; None where its server doesn't say.
+        cost: US dollars; None without a price.
+        faults: What went wrong between it and us, whether or not it could be mended.
+    """
+
+    arm: str
+    points: Points = "pixels"
+    replies: tuple[ModelReply, ...] = ()
+    tokens_in: int | None = None
+    tokens_out: int | None = None
+    cost: float | None = None
+    faults: tuple[str, ...] = ()

@@ -1,0 +1,50 @@
+"""A model's part in an episode on disk, as a part of its record."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+import pydantic
+
+from probe.episodes.participation import ModelReply, Participation, Points
+
+
+class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
+    pass
+
+
+class ReplyDocument(_Document):
+    """How many calls a reply made, and its words if it made none."""
+
+    calls: int = pydantic.Field(ge=0)
+    words: str = ""
+
+
+class ParticipationDocument(_Document):
+    """How a model took part."""
+
+    arm: str
+    points: Points
+    replies: tuple[ReplyDocument, ...]
+    tokens_in: int | None
+    tokens_out: int | None
+    cost: float | None
+    faults: tuple[str, ...]
+
+    @staticmethod
+    def of(seat: Participation) -> ParticipationDocument:
+        """The document of a model's part."""
+        return ParticipationDocument.model_validate(asdict(seat))
+
+    def seat(self) -> Participation:
+        """The part it describes."""
+        replies = tuple(ModelReply(reply.calls, reply.words) for reply in self.replies)
+        return Participation(
+            self.arm,
+            self.points,
+            replies,
+            self.tokens_in,
+            self.tokens_out,
+            self.cost,
+            self.faults,
+        )

@@ -1,0 +1,90 @@
+"""One try at making a task: what it is made from, and what the task may show of that."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from probe.generation.build_folder import TaskSlot
+from probe.generation.plan import ATTEMPTS, TaskPlan, plan_of
+from probe.generation.result import TaskCandidate
+from probe.generation.salt import Salt
+from probe.generation.task_writer import task_id
+from probe.scene.scene import Scene
+from probe.tasks.task import QuestionKind, Task
+
+_ID_DIGITS = 16
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One try at a place's task.
+
+    Attributes:
+        place: Which task.
+        number: Of the try, from 0.
+        salt: Of a private suite; None for a public one, where type and numbers decide all.
+    """
+
+    place: TaskSlot
+    number: int
+    salt: Salt | None = None
+
+    @staticmethod
+    def of_seed(kind: QuestionKind, seed: int, salt: Salt | None = None) -> Attempt:
+        """The try at the public task that is made from a seed, or its like with a salt."""
+        episode, number = divmod(seed, ATTEMPTS)
+        return Attempt(TaskSlot(kind, episode), number, salt)
+
+    @property
+    def plan(self) -> TaskPlan:
+        """What the episode is to be like."""
+        return plan_of(*self.place, self.salt)
+
+    @property
+    def seed(self) -> int:
+        """What the scene is made from."""
+        if self.salt is None:
+            return self._public_seed
+        return self.salt.number("scene", *self.place, self.number)
+
+    @property
+    def bears(self) -> int:
+        """The seed that the task bears: the scene's, or one that only the salt leads from to it."""
+        if self.salt is None:
+            return self._public_seed
+        return self.salt.seal(self._public_seed, self.place.kind)
+
+    @property
+    def id(self) -> str:
+        """The task's."""
+        if self.salt is None:
+            return task_id(self.place.kind, self._public_seed)
+        digits = self.salt.keyed("id", *self.place, self.number).hex()[:_ID_DIGITS]
+        return f"{self.place.kind}-{digits}"
+
+    @property
+    def _public_seed(self) -> int:
+        return self.place.episode * ATTEMPTS + self.number
+
+    def named(self, candidate: TaskCandidate) -> TaskCandidate:
+        """What this try made, under the names that it may bear."""
+
+        def renamed(scene: Scene) -> Scene:
+            return replace(scene, seed=self.bears)
+
+        task = candidate.task
+        task = replace(task, id=self.id, seed=self.bears, scene=renamed(task.scene))
+        return TaskCandidate(task, tuple(map(renamed, candidate.twins)))
+
+
+def origins(tasks: Iterable[Task], salt: Salt) -> Mapping[str, Attempt]:
+    """By which tries a private suite's tasks came about, by their ids; others are left out."""
+    found = dict[str, Attempt]()
+    for task in tasks:
+        value = salt.unseal(task.seed, task.kind)
+        if value is not None:
+            attempt = Attempt.of_seed(task.kind, value, salt)
+            if attempt.id == task.id:
+                found[task.id] = attempt
+    return found

@@ -1,0 +1,108 @@
+"""Beneath: what is under the cover? Lifting it alone must tell, and looking must not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.generation.alike import TWIN_TOLERANCE
+from probe.generation.covers import draw_cover
+from probe.generation.frame import frame_of
+from probe.generation.object_selection import LARGEST, ObjectSelection, draw_cast
+from probe.generation.plan import TaskPlan
+from probe.generation.removal import GhostRemoval
+from probe.generation.result import Rejected, TaskCandidate
+from probe.generation.scene_view import SceneView
+from probe.generation.stage import Stage
+from probe.generation.task_writer import Draft, write_task
+from probe.generation.twins import Twin, check_hidden, draw_post, draw_twins, right_above
+from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_seen
+from probe.render.renderer import Renderer
+from probe.scene.seeds import generator
+from probe.tasks.truth import covered_share, lies_under, which_beneath
+
+_KEEP_OFF = 1.05
+
+
+def generate_beneath(
+    seed: int, plan: TaskPlan, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> TaskCandidate:
+    """One attempt.
+
+    Raises:
+        Rejected: It failed a check.
+    """
+    rng = generator(seed, "beneath")
+    cast = cast_beneath(library, plan, rng)
+    post = draw_post(cast.covers, _KEEP_OFF, rng)
+    stage = Stage(cast.specs, library, [post])
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
+    judge = _Judge(cast, GhostRemoval(stage, view, frame))
+    lay = right_above(cast.covering[0], cast.covers[0])
+    twins = draw_twins(cast, stage, post, lay, judge.check, frame, rng)
+    true = cast.draw_true(rng)
+    scene, cover = twins[true].scene, frame.number_of[cast.covering[0]]
+    ids = [spec.id for spec in cast.candidates]
+    silhouettes = view.silhouettes(scene, [frame.number_of[1], cover])
+    target = which_beneath(scene, ids, cover, silhouettes)
+    draft = Draft(
+        kind="beneath",
+        scene=scene,
+        subject=cast.covers[0].spec.name,
+        slots={"cover": cast.covers[0].spec.name},
+        candidates=tuple(spec.name for spec in cast.candidates),
+        truth=ids.index(target.object_id),
+        targets=(target.instance,),
+        cover=cover,
+        measures=judge.measures[true],
+        drawn_from=tuple(ids),
+    )
+    return TaskCandidate(write_task(draft, plan, view), tuple(twin.scene for twin in twins))
+
+
+def cast_beneath(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
+    """Who plays; see draw_cast()."""
+    return draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng)
+
+
+@dataclass(frozen=True, eq=False)
+class _Judge:
+    """Checks the rules of Beneath on one twin after the other and keeps what it measured."""
+
+    cast: ObjectSelection
+    ghosts: GhostRemoval
+    measures: dict[int, dict[str, float]] = field(default_factory=dict[int, dict[str, float]])
+
+    def check(self, twin: Twin) -> None:
+        """All rules on one scene; cheap ones first.
+
+        Raises:
+            Rejected: It breaks one.
+        """
+        look = self.ghosts.look(twin)
+        target, cover = look.number_of[1], look.number_of[self.cast.covering[0]]
+        seen = look.before([target, cover])
+        check_hidden(seen[target])
+        if not is_seen(seen[cover]):
+            raise Rejected("cover unseen", f"{seen[cover].fraction:.0%} of the cover show")
+        shapes = self.ghosts.view.silhouettes(twin.scene, [target, cover])
+        share = covered_share(shapes[target], shapes[cover])
+        if not lies_under(shapes[target], shapes[cover]):
+            raise Rejected("under", f"{share:.0%} within the cover's outline")
+        revealed: dict[str, float] = {}
+        for how, after in look.removals([self.cast.covering[0]]):
+            revealed[f"revealed_{how}"] = shown = look.share(after, target)
+            if shown < REVEALED_SHARE:
+                raise Rejected(f"revealed {how}", f"only {shown:.0%} show")
+            gain = max(look.gains(after, but=target), default=0.0)
+            if gain > LARGEST_GAIN:
+                raise Rejected(f"others {how}", f"another gains {gain:.0%}")
+        self.measures[twin.candidate] = {
+            "hidden_share": seen[target].fraction,
+            "covered_share": share,
+            **revealed,
+        }

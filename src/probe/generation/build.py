@@ -1,0 +1,189 @@
+"""Builds a suite: candidates, their checks, the solvable check; place by place, resumable."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import monotonic
+
+from probe.assets.library import Library
+from probe.errors import BadData, Unsatisfiable
+from probe.generation.attempt import Attempt
+from probe.generation.build_folder import (
+    KEPT,
+    RESTLESS,
+    UNSOLVED,
+    BuildFolder,
+    CandidateLog,
+    TaskSlot,
+)
+from probe.generation.generate import make
+from probe.generation.needs import NEEDS
+from probe.generation.plan import ATTEMPTS
+from probe.generation.restored_stage import RestoredStage
+from probe.generation.result import Rejection, TaskCandidate
+from probe.generation.salt import Salt
+from probe.generation.solve import SolveAttempt, noted, trials
+from probe.render.renderer import Renderer
+from probe.tasks.suite import freeze
+from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.task import KINDS, QuestionKind, Task
+
+_REASONS = 3
+
+
+@dataclass(frozen=True)
+class BuildResources:
+    """What tasks are made with.
+
+    Attributes:
+        unchecked: Leave out the scripted agents' check: for tests of the generator alone.
+        salt: Of a private suite.
+    """
+
+    library: Library
+    tables: Sequence[str]
+    renderer: Renderer
+    unchecked: bool = False
+    salt: Salt | None = None
+
+
+def places_of(counts: Mapping[QuestionKind, int], first: int) -> list[TaskSlot]:
+    """The places of a suite with so many tasks a type, numbered from `first` in each."""
+    return [
+        TaskSlot(kind, first + number) for kind, count in counts.items() for number in range(count)
+    ]
+
+
+def fill(place: TaskSlot, parts: BuildFolder, workshop: BuildResources) -> Iterator[CandidateLog]:
+    """Make candidates for a place until one is kept; goes on where an earlier run stopped.
+
+    Yields:
+        A line for each candidate, once its result is on disk.
+
+    Raises:
+        Unsatisfiable: None of ATTEMPTS seeds gave a task.
+    """
+    log = parts.log(place)
+    if log and log[-1].check == KEPT and parts.task_path(place).exists():
+        return
+    tried = sum(line.check != KEPT for line in log)
+    for number in range(tried, ATTEMPTS):
+        start, attempt = monotonic(), Attempt(place, number, workshop.salt)
+        result, made = _attempt(attempt, workshop)
+        solved = made[0].solved if made else None
+        if isinstance(result, Rejection):
+            check, detail = result.check, result.detail
+        elif not workshop.unchecked and not any(trial.solved for trial in made):
+            parts.keep_unsolved(result.task, workshop.library)
+            check, detail = UNSOLVED, f"none of {len(made)} attempts"
+        else:
+            parts.keep(place, noted(result.task, made), workshop.library)
+            check, detail = KEPT, ""
+        line = CandidateLog(place.kind, attempt.bears, check, solved, detail, monotonic() - start)
+        parts.add(place, line)
+        yield line
+        if line.check == KEPT:
+            return
+    raise Unsatisfiable(
+        f"No {place.kind} task in {ATTEMPTS} candidates for place {place.episode}: "
+        f"{why_none(parts.log(place))}. {place.kind.capitalize()} needs {NEEDS[place.kind]}."
+    )
+
+
+def why_none(log: Sequence[CandidateLog]) -> str:
+    """What most candidates failed by, each with what was measured on one of them."""
+    checks = Counter(line.check for line in log if line.check != KEPT).most_common(_REASONS)
+    example = {line.check: line.detail for line in reversed(log)}
+    return "; ".join(f"{count} by {check!r} ({example[check]})" for check, count in checks)
+
+
+def assemble(
+    path: Path,
+    parts: BuildFolder,
+    places: Sequence[TaskSlot],
+    library: Library,
+    salt: Salt | None = None,
+) -> None:
+    """Join the parts of a suite, in the order of its places; see in_order() for a private one.
+
+    Raises:
+        BadData: A part is missing, isn't whole, or isn't of this salt.
+    """
+    tasks = [task for place in places for task in _kept(place, parts, salt)]
+    _write(path, tasks, library, salt)
+
+
+def assemble_unsolved(
+    path: Path,
+    parts: BuildFolder,
+    places: Sequence[TaskSlot],
+    library: Library,
+    most: int,
+    salt: Salt | None = None,
+) -> int:
+    """Join candidates that failed only the scripted agents' check, evenly over the places.
+
+    Args:
+        path: File for them, a suite.
+        parts: Where they lie.
+        places: Of which suite.
+        library: Has their objects.
+        most: How many to take.
+        salt: Of a private suite.
+
+    Returns:
+        How many there were in all.
+    """
+    found = list(parts.unsolved(places))
+    step = max(1.0, len(found) / most)
+    chosen = [found[int(number * step)] for number in range(min(most, len(found)))]
+    _write(path, chosen, library, salt)
+    return len(found)
+
+
+def in_order(tasks: Iterable[Task]) -> list[Task]:
+    """A private suite's order: by type, then by id, which tells nothing of the place."""
+    return sorted(tasks, key=lambda task: (KINDS.index(task.kind), task.id))
+
+
+def _write(path: Path, tasks: Sequence[Task], library: Library, salt: Salt | None) -> None:
+    if salt is None:
+        write_suite(path, freeze(path.stem, tuple(tasks), library))
+        return
+    suite = freeze(path.stem, tuple(in_order(tasks)), library)
+    write_suite(path, replace(suite, commitment=salt.commitment))
+
+
+def _kept(place: TaskSlot, parts: BuildFolder, salt: Salt | None) -> tuple[Task, ...]:
+    path = parts.task_path(place)
+    tasks = read_suite(path).tasks
+    if salt is not None:
+        ours = {Attempt(place, number, salt).id for number in range(len(parts.log(place)))}
+        if not {task.id for task in tasks} <= ours:
+            remedy = "Delete it and its log; its place is then made anew"
+            raise BadData(path, "was made with another salt", remedy)
+    return tasks
+
+
+def _attempt(
+    attempt: Attempt, workshop: BuildResources
+) -> tuple[TaskCandidate | Rejection, tuple[SolveAttempt, ...]]:
+    result = make(attempt, workshop.library, workshop.renderer, workshop.tables)
+    if isinstance(result, Rejection):
+        return result, ()
+    if restless := RestoredStage.of(result.task.scene, workshop.library).unrest():
+        return Rejection(RESTLESS, restless), ()
+    if workshop.unchecked:
+        return result, ()
+    table = workshop.library.table(result.task.scene.table)
+    return result, trials(result.task, workshop.library, table, workshop.renderer)
+
+
+def without_notes(task: Task) -> Task:
+    """A task as it was generated, before scripted agents tried it."""
+    proof = task.certificate
+    kept = {name: value for name, value in proof.measures.items() if not name.startswith("solved")}
+    return replace(task, certificate=replace(proof, measures=kept))

@@ -1,0 +1,174 @@
+"""The folder in which a suite grows: a log and a file a place, so that any number may work on it.
+
+A place is one task to be made: a type and the number of its episode. Its log has a line for every
+candidate, written when that is settled; whoever comes back goes on after the last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+import pydantic
+
+from probe.assets.library import Library
+from probe.errors import BadData
+from probe.files import claim_folder, read_document, write_text
+from probe.reading import words
+from probe.tasks.suite import freeze
+from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.task import QuestionKind, Task
+from probe.texts import cell, uncell
+
+KEPT, UNSOLVED, RESTLESS = "kept", "solvable", "at rest"
+"""Names of results: a task; a candidate that failed only the scripted agents' check; one whose
+things move once its table stands alone."""
+
+_UNTRIED = "-"
+_MAKING = "making.json"
+_REMEDY = "Build into another file"
+
+
+class TaskSlot(NamedTuple):
+    """One task to be made."""
+
+    kind: QuestionKind
+    episode: int
+
+
+class BuildSettings(pydantic.BaseModel, extra="forbid", frozen=True):
+    """How all tasks of a folder are made.
+
+    Attributes:
+        pool: Which objects appear.
+        unchecked: Whether the scripted agents' check is left out.
+        commitment: To a private suite's salt; None for a public suite, as in older folders.
+    """
+
+    pool: str
+    unchecked: bool
+    commitment: str | None = None
+
+
+@dataclass(frozen=True)
+class CandidateLog:
+    """What became of one candidate.
+
+    Attributes:
+        kind, seed: The type, and the seed that the task bears or would have borne.
+        check: KEPT, or the check that it failed.
+        solved: Whether the very first scripted attempt succeeded; None if none was made.
+        detail: What was measured, for people.
+        seconds: Time that it took.
+    """
+
+    kind: str
+    seed: int
+    check: str
+    solved: bool | None
+    detail: str
+    seconds: float
+
+    def __str__(self) -> str:
+        """Separated by tabs."""
+        solved = _UNTRIED if self.solved is None else str(self.solved)
+        detail = " ".join(self.detail.split())
+        cells = (self.kind, self.seed, self.check, solved, cell(detail), f"{self.seconds:.1f}")
+        return "\t".join(str(each) for each in cells)
+
+    @staticmethod
+    def parse(text: str) -> CandidateLog:
+        """The line of a log.
+
+        Raises:
+            ValueError: It is none.
+        """
+        kind, seed, check, solved, detail, seconds = text.split("\t")
+        tried = None if solved == _UNTRIED else solved == "True"
+        return CandidateLog(kind, int(seed), check, tried, uncell(detail), float(seconds))
+
+
+@dataclass(frozen=True)
+class BuildFolder:
+    """The folder."""
+
+    folder: Path
+
+    def claim(self, making: BuildSettings) -> None:
+        """Begin the folder, or see that it was begun in this way.
+
+        Raises:
+            BadData: It was begun otherwise.
+            OutputFailed: It can't be written.
+        """
+        claim_folder(self.folder / _MAKING, making, _REMEDY)
+
+    def making(self) -> BuildSettings | None:
+        """How its tasks are made; None if nothing was begun there.
+
+        Raises:
+            BadData: That can't be read.
+        """
+        path = self.folder / _MAKING
+        return read_document(path, BuildSettings, _REMEDY) if path.exists() else None
+
+    def task_path(self, place: TaskSlot) -> Path:
+        """Where a place's task lies once it is made."""
+        return self._path(place, "json")
+
+    def log_path(self, place: TaskSlot) -> Path:
+        """Where a place's log lies."""
+        return self._path(place, "tsv")
+
+    def log(self, place: TaskSlot) -> list[CandidateLog]:
+        """What was tried for a place.
+
+        Raises:
+            BadData: The log can't be read.
+        """
+        file = self.log_path(place)
+        try:
+            lines = words(file).splitlines() if file.exists() else []
+            return [CandidateLog.parse(line) for line in lines]
+        except (OSError, ValueError) as error:
+            raise BadData(file, str(error), "Delete it; its place is then made anew") from error
+
+    def add(self, place: TaskSlot, line: CandidateLog) -> None:
+        """Add a line to a place's log; whole or not at all.
+
+        A candidate that is there already counts once: two processes may be at the same place.
+        """
+        before = self.log(place)
+        if line.seed in {each.seed for each in before}:
+            return
+        lines = [*before, line]
+        write_text(self.log_path(place), "".join(f"{each}\n" for each in lines))
+
+    def is_exhausted(self, place: TaskSlot, attempts: int) -> bool:
+        """Whether all of so many candidates were tried for a place in vain."""
+        log = self.log(place)
+        return len(log) >= attempts and not self.task_path(place).exists()
+
+    def keep(self, place: TaskSlot, task: Task, library: Library) -> None:
+        """Write a place's task."""
+        write_suite(
+            self.task_path(place), freeze(f"{place.kind}-{place.episode}", (task,), library)
+        )
+
+    def keep_unsolved(self, task: Task, library: Library) -> None:
+        """Write a candidate that failed only the scripted agents' check."""
+        suite = freeze(f"unsolved-{task.kind}-{task.seed}", (task,), library)
+        write_suite(self.folder / f"{suite.name}.json", suite)
+
+    def unsolved(self, places: Sequence[TaskSlot]) -> Iterator[Task]:
+        """The candidates of some places that failed only the scripted agents' check."""
+        for place in places:
+            for line in self.log(place):
+                if line.check == UNSOLVED:
+                    path = self.folder / f"unsolved-{place.kind}-{line.seed}.json"
+                    yield from read_suite(path).tasks
+
+    def _path(self, place: TaskSlot, suffix: str) -> Path:
+        return self.folder / f"{place.kind}-{place.episode}.{suffix}"

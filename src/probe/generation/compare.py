@@ -1,0 +1,113 @@
+"""Compare: which of two marked things has a colour? What shows of them can't tell."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.generation.marked import (
+    MarkedSelection,
+    build_set,
+    cast_marked,
+    draw_marks,
+    markable,
+    settle_around,
+)
+from probe.generation.paint_twins import PaintTwins, paint_twins
+from probe.generation.plan import TaskPlan
+from probe.generation.result import Rejected, TaskCandidate
+from probe.generation.scene_view import SceneView
+from probe.generation.task_writer import Draft, write_task
+from probe.generation.twin_pairs import ColourQuestion, draw_duels
+from probe.generation.twin_placement import check_unpainted, draw_unpainted
+from probe.generation.twin_worlds import CompareQuestion, look_at_worlds
+from probe.generation.visibility_rules import is_clear
+from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
+from probe.scene.seeds import generator
+from probe.tasks.task import PAIR
+from probe.types import Array
+
+
+def generate_compare(
+    seed: int, plan: TaskPlan, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> TaskCandidate:
+    """One attempt.
+
+    The opposite plan gives the same scene, but for paint that doesn't show: it fails where this one
+    does. So nothing that can be seen goes with the answer.
+
+    Raises:
+        Rejected: It failed a check.
+    """
+    rng = generator(seed, "compare")
+    asked, cast = cast_compare(library, plan, rng)
+    made = build_set(cast, seed, library, renderer, tables, rng)
+    twins = asked.twins[0].id, asked.twins[1].id
+    more_of_a = plan.cues[1] == (plan.letter == PAIR[0])
+    nests = draw_unpainted(made, twins, library, asked.facing, more_of_a, rng)
+    scene = settle_around(made, nests, rng)
+    labels = made.view.labels(scene)
+    reference = made.frame.number_of[len(cast.specs)] if asked.reference else None
+    _check_reference(made.view, scene, labels, reference)
+    marks = draw_marks(made, labels)
+    check_unpainted(made, scene, labels, twins, library, more_of_a)
+    matter = CompareQuestion(plan.form, made.marked, twins, asked.word, reference)
+    measures = look_at_worlds(matter, scene, labels, asked.right, library, renderer)
+    if (measures["patch_lead"] > 0) != plan.cues[0]:
+        raise Rejected("cues", "in the picture, the other patch fits better")
+    draft = Draft(
+        kind="compare",
+        scene=scene,
+        subject=asked.word or (asked.reference.name if asked.reference else ""),
+        slots={"colour": asked.word, "name": asked.reference.name if asked.reference else ""},
+        candidates=(),
+        truth=asked.right,
+        targets=made.marked,
+        marks=marks,
+        measures=measures,
+        drawn_from=tuple(spec.id for spec in (*asked.marked, *asked.twins)),
+    )
+    # Pictures loaded textures; the certificate's visibilities need none, and both see the same.
+    return TaskCandidate(write_task(draft, plan, made.view))
+
+
+def cast_compare(
+    library: Library, plan: TaskPlan, rng: np.random.Generator
+) -> tuple[ColourQuestion, MarkedSelection]:
+    """What is asked, and who plays.
+
+    Raises:
+        Rejected: The library has no paint twins that do, nothing to cover them, or no crowd.
+    """
+    twins, uncovered = paint_twins_of(library), False
+    if len({each.pair[0].category for each in twins}) < len(PAIR):
+        mine = " of your own" if library.leading else ""
+        raise Rejected("paint twins", f"{len(twins)} pairs of things{mine} differ in paint alone")
+    for duel in draw_duels(library, twins, plan.form, rng):
+        asked = duel.asked(plan)
+        needed = [asked.reference] if asked.reference else []
+        if cast := cast_marked(library, asked.marked, needed, rng, unlike_too=asked.twins):
+            return asked, cast
+        uncovered = True
+    if uncovered:
+        raise Rejected("cover", "no two things cover any pair that could be asked about")
+    raise Rejected("candidates", f"no pair can be asked about in the form {plan.form!r}")
+
+
+@lru_cache(maxsize=4)
+def paint_twins_of(library: Library) -> tuple[PaintTwins, ...]:
+    """All paint twins among what may be marked; where things lead, among those alone."""
+    pool = markable(library)
+    return paint_twins(library, filter(library.leads, pool) if library.leading else pool)
+
+
+def _check_reference(view: SceneView, scene: Scene, labels: Array, reference: int | None) -> None:
+    if reference is None:
+        return
+    seen = view.visibility(scene, labels, [reference])[reference]
+    if not is_clear(seen):
+        raise Rejected("reference", f"only {seen.fraction:.0%} of what it is compared with show")

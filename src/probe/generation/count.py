@@ -1,0 +1,177 @@
+"""Count: how many are there? Some lie open, some beneath things, none in between."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.assets.spec import ObjectSpec
+from probe.generation.alike import LOOSE_TOLERANCE, draw_alike, unlike
+from probe.generation.covers import Cover, Footprint, draw_cover, footprint_of
+from probe.generation.frame import SceneFrame
+from probe.generation.object_selection import CAST_TRIES, LEADING, draw_crowd, hideable
+from probe.generation.plan import TaskPlan
+from probe.generation.result import Rejected, TaskCandidate
+from probe.generation.scene_view import SceneView
+from probe.generation.stage import Poses, Stage
+from probe.generation.task_writer import Draft, write_task
+from probe.generation.twins import build_nest, right_above
+from probe.generation.visibility_rules import is_clear, is_hidden
+from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
+from probe.scene.seeds import generator
+from probe.tasks.english import plural
+from probe.tasks.options import count_candidates
+from probe.tasks.truth import how_many
+from probe.types import Array
+from probe.world.model import Post
+
+NESTS = 2
+"""Things hidden beneath others in every scene; those that aren't counted are there as decoys, so
+that a suspicious cover tells nothing."""
+
+_FEWEST, _MOST = 12, 15
+_FROM_MIDDLE = 0.11
+_KEEP_OFF = 1.05
+
+
+@dataclass(frozen=True, eq=False)
+class _Cast:
+    """Who plays: what is beneath each cover, the covers, the crowd, and the open instances."""
+
+    counted: ObjectSpec
+    beneath: tuple[ObjectSpec, ...]
+    covers: tuple[Cover, ...]
+    crowd: tuple[ObjectSpec, ...]
+    open: int
+
+    @property
+    def specs(self) -> tuple[ObjectSpec, ...]:
+        """All of them, in the order of their instances on the stage."""
+        covers = [cover.spec for cover in self.covers]
+        return (*self.beneath, *covers, *self.crowd, *[self.counted] * self.open)
+
+
+def generate_count(
+    seed: int, plan: TaskPlan, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> TaskCandidate:
+    """One attempt.
+
+    Raises:
+        Rejected: It failed a check.
+    """
+    rng = generator(seed, "count")
+    cast = cast_count(library, plan, rng)
+    posts = _draw_posts(cast.covers, rng)
+    stage = Stage(cast.specs, library, posts)
+    table = tables[int(rng.integers(len(tables)))]
+    frame = SceneFrame.of(cast.specs, seed, table, rng)
+    scene = frame.scene(_settle(cast, stage, posts, rng))
+    view = SceneView(renderer, library, frame.ids.values())
+    hidden = [frame.number_of[number] for number in range(1, NESTS + 1)]
+    _check(cast, scene, view, hidden)
+    truth = how_many(scene, cast.counted.id)
+    candidates = count_candidates(plan.visible, rng)
+    draft = Draft(
+        kind="count",
+        scene=scene,
+        subject=cast.counted.name,
+        slots={"names": str(plural(cast.counted.name))},
+        candidates=candidates,
+        truth=candidates.index(str(truth)),
+        targets=tuple(o.instance for o in scene.objects if o.object_id == cast.counted.id),
+        measures={"clear": float(plan.visible), "hidden": float(plan.hidden)},
+        drawn_from=candidates,
+    )
+    return TaskCandidate(write_task(draft, plan, view))
+
+
+def cast_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> _Cast:
+    """What is counted, what else is hidden, what covers both, and the crowd.
+
+    Raises:
+        Rejected: The library has no such set.
+    """
+    pool = [spec for spec in hideable(library) if plural(spec.name)]
+    reason = ""
+    for _ in range(CAST_TRIES):
+        counted, *decoys = draw_alike(
+            pool, library.specs, LOOSE_TOLERANCE, 1 + NESTS, rng, leads=library.leads
+        )
+        free = unlike(library.specs, [counted, *decoys])
+        room = [footprint_of(library, spec.id) for spec in (counted, *decoys)]
+        covers = _draw_covers(library, free, room, rng)
+        if len(covers) == NESTS:
+            break
+        drawn = ", ".join(spec.name for spec in (counted, *decoys))
+        reason = f"only {len(covers)} of {NESTS} covers for {drawn}"
+    else:
+        raise Rejected("cover", reason)
+    if library.leading and not any(map(library.leads, (counted, *(c.spec for c in covers)))):
+        raise Rejected(LEADING, f"neither {counted.name} nor what covers it is of your own")
+    beneath = [counted] * plan.hidden + decoys[: NESTS - plan.hidden]
+    order = [int(index) for index in rng.permutation(NESTS)]
+    total = int(rng.integers(_FEWEST, _MOST + 1))
+    free = unlike(free, [cover.spec for cover in covers])
+    crowd = draw_crowd(free, total - 2 * NESTS - plan.visible, rng)
+    return _Cast(
+        counted, tuple(beneath[index] for index in order), tuple(covers), crowd, plan.visible
+    )
+
+
+def _draw_covers(
+    library: Library,
+    free: Sequence[ObjectSpec],
+    room: Sequence[Footprint],
+    rng: np.random.Generator,
+) -> list[Cover]:
+    """Covers with different names, each of which may hide any of the things; all there are."""
+    covers: list[Cover] = []
+    for _ in range(NESTS):
+        others = unlike(free, [cover.spec for cover in covers])
+        cover = draw_cover(library, others, room, rng)
+        if cover:
+            covers.append(cover)
+    return covers
+
+
+def _settle(cast: _Cast, stage: Stage, posts: Sequence[Post], rng: np.random.Generator) -> Poses:
+    """Nests on two sides of the middle, the crowd around them, open instances last."""
+    nests: Poses = {}
+    for index, (cover, post) in enumerate(zip(cast.covers, posts, strict=True)):
+        nests |= build_nest(stage, index + 1, right_above(NESTS + index + 1, cover), post, rng)
+    falling = range(2 * NESTS + 1, len(cast.specs) + 1)
+    return stage.settle(stage.heap(nests, list(falling), rng))
+
+
+def _draw_posts(covers: Sequence[Cover], rng: np.random.Generator) -> list[Post]:
+    """Places across the middle from each other, further apart than the covers reach."""
+    angle = float(rng.uniform(0, 2 * math.pi))
+    distance = max(_FROM_MIDDLE, sum(cover.reach for cover in covers) / 2)
+    turns = angle + 2 * math.pi * np.arange(len(covers)) / len(covers)
+    places: Array = distance * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    return [
+        Post(float(x), float(y), cover.reach * _KEEP_OFF)
+        for (x, y), cover in zip(places, covers, strict=True)
+    ]
+
+
+def _check(cast: _Cast, scene: Scene, view: SceneView, hidden: Sequence[int]) -> None:
+    """What is beneath is hidden, decoys included; every other instance lies open.
+
+    Raises:
+        Rejected: Something is in between.
+    """
+    instances = [o.instance for o in scene.objects if o.object_id == cast.counted.id]
+    seen = view.visibility(scene, view.labels(scene), {*hidden, *instances})
+    for number in hidden:
+        if not is_hidden(seen[number]):
+            share, pixels = seen[number].fraction, seen[number].visible_px
+            raise Rejected("hidden", f"{share:.0%}, {pixels} px of one beneath a cover")
+    for number in set(instances) - set(hidden):
+        if not is_clear(seen[number]):
+            raise Rejected("clear", f"only {seen[number].fraction:.0%} of one in the open")

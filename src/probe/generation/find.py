@@ -1,0 +1,143 @@
+"""Find: which of these is on the table? It is hidden, or shows too little to be named."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE
+from probe.generation.covers import draw_cover, draw_lean
+from probe.generation.frame import SceneFrame, frame_of
+from probe.generation.object_selection import ObjectSelection, draw_cast
+from probe.generation.plan import TaskPlan
+from probe.generation.result import Rejected, TaskCandidate
+from probe.generation.scene_view import SceneView
+from probe.generation.stage import Layer, Poses, Stage
+from probe.generation.task_writer import Draft, write_task
+from probe.generation.twins import Twin, check_hidden, draw_post, draw_twins, right_above
+from probe.generation.visibility_rules import PARTLY, is_partly_visible
+from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
+from probe.scene.seeds import generator
+from probe.scene.visibility import Visibility
+from probe.tasks.truth import which_on_table
+from probe.types import Array
+from probe.world.model import Post
+
+LARGEST_HIDDEN, LARGEST_PARTLY = 0.11, 0.16
+"""Longest side of what is to be found, metres."""
+
+_KEEP_OFF_HIDDEN, _KEEP_OFF_PARTLY = 0.8, 1.0
+_NEST_TRIES = 8
+_NEST_WINDOW = (PARTLY[0], PARTLY[1] + 0.1)
+
+
+def generate_find(
+    seed: int, plan: TaskPlan, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> TaskCandidate:
+    """One attempt.
+
+    Raises:
+        Rejected: It failed a check.
+    """
+    rng = generator(seed, "find")
+    cast = cast_find(library, plan, rng)
+    post = draw_post(cast.covers, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
+    stage = Stage(cast.specs, library, [post])
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
+    if plan.partly:
+        scene, twins = _partly_scene(cast, stage, post, view, frame, rng), ()
+    else:
+        scene, twins = _hidden_scene(cast, stage, post, view, frame, rng)
+    ids = [spec.id for spec in cast.candidates]
+    target = which_on_table(scene, ids)
+    seen = _seen(view, scene, target.instance)
+    draft = Draft(
+        kind="find",
+        scene=scene,
+        subject="",
+        slots={},
+        candidates=tuple(spec.name for spec in cast.candidates),
+        truth=ids.index(target.object_id),
+        targets=(target.instance,),
+        measures={"visible_share": seen.fraction, "partly": float(plan.partly)},
+        drawn_from=tuple(ids),
+    )
+    return TaskCandidate(write_task(draft, plan, view), twins)
+
+
+def cast_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
+    """Who plays; see draw_cast()."""
+    if plan.partly:
+        # A colour that shows would tell; so all candidates have it.
+        return draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
+    return draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng)
+
+
+def _hidden_scene(
+    cast: ObjectSelection,
+    stage: Stage,
+    post: Post,
+    view: SceneView,
+    frame: SceneFrame,
+    rng: np.random.Generator,
+) -> tuple[Scene, tuple[Scene, ...]]:
+    """A scene that hides any of the candidates, and all its twins."""
+
+    def check(twin: Twin) -> None:
+        seen = _seen(view, twin.scene, frame.number_of[1])
+        check_hidden(seen)
+
+    lay = right_above(cast.covering[0], cast.covers[0])
+    twins = draw_twins(cast, stage, post, lay, check, frame, rng)
+    return twins[cast.draw_true(rng)].scene, tuple(twin.scene for twin in twins)
+
+
+def _partly_scene(
+    cast: ObjectSelection,
+    stage: Stage,
+    post: Post,
+    view: SceneView,
+    frame: SceneFrame,
+    rng: np.random.Generator,
+) -> Scene:
+    """A scene that leaves a little of one candidate to be seen."""
+    target = 1 + cast.draw_true(rng)
+    nest = _partly_nest(cast, stage, post, view, frame, target, rng)
+    scene = frame.scene(stage.settle(stage.heap(nest, cast.crowd, rng)))
+    seen = _seen(view, scene, frame.number_of[target])
+    if not is_partly_visible(seen):
+        raise Rejected("partly visible", f"{seen.fraction:.0%} show")
+    return scene
+
+
+def _partly_nest(
+    cast: ObjectSelection,
+    stage: Stage,
+    post: Post,
+    view: SceneView,
+    frame: SceneFrame,
+    target: int,
+    rng: np.random.Generator,
+) -> Poses:
+    """Lay the cover beside the middle of the target until the right share of it shows."""
+    size = stage.items[target - 1].spec.size
+    (covering,), (cover,) = cast.covering, cast.covers
+    share = 0.0
+    for _ in range(_NEST_TRIES):
+        turn, towards = rng.uniform(0, 2 * math.pi, size=2)
+        distance = rng.uniform(0.1, 0.6) * min(*cover.extent[:2], 2 * max(size))
+        off: Array = distance * np.array([np.cos(towards), np.sin(towards)])
+        poses = stage.nest(target, [Layer(covering, cover, off, float(turn))], post)
+        share = _seen(view, frame.scene(poses), frame.number_of[target]).fraction
+        if _NEST_WINDOW[0] < share < _NEST_WINDOW[1]:
+            return poses
+    raise Rejected("nest", f"{cover.spec.name} leaves {share:.0%} in view")
+
+
+def _seen(view: SceneView, scene: Scene, target: int) -> Visibility:
+    return view.visibility(scene, view.labels(scene), [target])[target]

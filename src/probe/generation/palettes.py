@@ -1,0 +1,69 @@
+"""The colours of things, for Compare: of whole objects, and of what a picture shows of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from probe.assets.colour.names import lab, nearest_colours
+from probe.assets.library import Library
+from probe.assets.mesh.sampling import colours_at, spots
+from probe.types import Array
+
+_SPOTS = 4000
+_SMALLEST_SHARE = 0.08
+_BLACK = np.array([16.0, 0.0, 0.0])
+
+
+@dataclass(frozen=True)
+class ThingColour:
+    """One colour of a thing.
+
+    Attributes:
+        lab: Mean CIELAB of the parts that have it.
+        share: Of the surface, or of the pixels, 0 to 1.
+    """
+
+    lab: tuple[float, float, float]
+    share: float
+
+
+@lru_cache(maxsize=2048)
+def palette_of(library: Library, object_id: str) -> tuple[ThingColour, ...]:
+    """Colours of an object's surface, by its texture."""
+    mesh = library.body(object_id).mesh
+    return shades(colours_at(mesh, *spots(mesh.vertices, mesh.faces, _SPOTS)))
+
+
+def main_colour(library: Library, object_id: str) -> Array:
+    """CIELAB of the colour that most of an object's surface has, shape (3,)."""
+    return np.array(palette_of(library, object_id)[0].lab)
+
+
+def dimmed(colours: Array, root: float) -> Array:
+    """CIELAB of surfaces in less light, shape (..., 3).
+
+    Args:
+        colours: CIELAB in full light.
+        root: Cube root of the share of the light that is left: what CIELAB's three functions of
+            the light are multiplied by (CIE 15:2004, 8.2.1), but for very dark colours.
+    """
+    return (colours + _BLACK) * root - _BLACK
+
+
+def shades(pixels: Array) -> tuple[ThingColour, ...]:
+    """Colours of pixels, sRGB uint8, shape (n, 3), as everyday words tell them apart.
+
+    The most frequent first; rare ones are left out.
+    """
+    sample = pixels[:: max(1, len(pixels) // _SPOTS)]
+    names, values = nearest_colours(sample), lab(sample)
+    found: list[ThingColour] = []
+    for name in np.unique(names):
+        mine = values[names == name]
+        lightness, a, b = (float(value) for value in mine.mean(axis=0))
+        found.append(ThingColour((lightness, a, b), len(mine) / len(sample)))
+    found.sort(key=lambda shade: -shade.share)
+    return tuple(shade for shade in found if shade.share >= _SMALLEST_SHARE or shade is found[0])

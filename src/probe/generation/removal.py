@@ -1,0 +1,86 @@
+"""Ghost removal: what shows of a scene once some things have vanished, frozen and re-settled."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.generation.frame import SceneFrame
+from probe.generation.scene_view import SceneView
+from probe.generation.stage import Stage
+from probe.generation.twins import Twin
+from probe.scene.scene import Scene
+from probe.scene.visibility import Visibility
+from probe.types import Array
+
+_NOTABLE_PX = 100
+"""An object that gains fewer pixels than this can't gain a fifth of its outline unnoticed."""
+
+
+@dataclass(frozen=True, eq=False)
+class GhostRemoval:
+    """What is needed to take things away from scenes of a stage."""
+
+    stage: Stage
+    view: SceneView
+    frame: SceneFrame
+
+    def look(self, twin: Twin) -> RemovalView:
+        """A first look at one scene."""
+        return RemovalView(self, twin, self.view.labels(twin.scene))
+
+
+@dataclass(frozen=True, eq=False)
+class RemovedScene:
+    """A scene without some things, and instance numbers of its picture, shape (h, w)."""
+
+    scene: Scene
+    labels: Array
+
+
+@dataclass(frozen=True, eq=False)
+class RemovalView:
+    """What shows of a scene as it is, and of the same scene without some things.
+
+    Attributes:
+        labels: Instance numbers of the scene's picture, shape (h, w).
+    """
+
+    ghosts: GhostRemoval
+    twin: Twin
+    labels: Array
+
+    @property
+    def number_of(self) -> Mapping[int, int]:
+        """The scene's number of each instance on the stage."""
+        return self.ghosts.frame.number_of
+
+    def before(self, of: Collection[int]) -> dict[int, Visibility]:
+        """Visibility of some of the scene's instances."""
+        return self.ghosts.view.visibility(self.twin.scene, self.labels, of)
+
+    def removals(self, removed: Collection[int]) -> Iterator[tuple[str, RemovedScene]]:
+        """The scene without some of the stage's instances: "frozen", then "resettled"."""
+        numbers = [self.number_of[instance] for instance in removed]
+        yield "frozen", self._after(self.twin.scene.without(*numbers))
+        lifted = self.ghosts.stage.lift(self.twin.poses, *removed)
+        yield "resettled", self._after(self.ghosts.frame.scene(lifted))
+
+    def share(self, after: RemovedScene, number: int) -> float:
+        """Visible share of one of the scene's instances afterwards."""
+        return self.ghosts.view.visibility(after.scene, after.labels, [number])[number].fraction
+
+    def gains(self, after: RemovedScene, but: int) -> list[float]:
+        """By how much the visible share of each other thing that shows more has grown."""
+        size = int(max(self.labels.max(), after.labels.max())) + 1
+        counts = [np.bincount(seen.ravel(), minlength=size) for seen in (after.labels, self.labels)]
+        grown = np.nonzero(counts[0] - counts[1] > _NOTABLE_PX)[0]
+        others = [int(number) for number in grown if number not in (0, but)]
+        then = self.ghosts.view.visibility(after.scene, after.labels, others)
+        first = self.before(others)
+        return [then[number].fraction - first[number].fraction for number in others]
+
+    def _after(self, scene: Scene) -> RemovedScene:
+        return RemovedScene(scene, self.ghosts.view.labels(scene))

@@ -1,0 +1,203 @@
+"""Size: which of two marked things is longer, larger or smaller? What shows of them misleads."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.assets.spec import ObjectSpec
+from probe.generation.alike import told_apart
+from probe.generation.colour_views import ColourViews
+from probe.generation.marked import (
+    MARKABLE,
+    CoveredThing,
+    MarkedSelection,
+    MarkedStage,
+    build_set,
+    cast_marked,
+    draw_marks,
+    markable,
+    settle_around,
+)
+from probe.generation.pairing import draw_nests
+from probe.generation.palettes import main_colour
+from probe.generation.plan import TaskPlan
+from probe.generation.result import Rejected, TaskCandidate
+from probe.generation.size_cues import WINDOWS, SizeCues, VisiblePatch, are_within, leads_of
+from probe.generation.sizes import extent_of
+from probe.generation.task_writer import Draft, write_task
+from probe.render.renderer import Renderer
+from probe.scene.seeds import generator
+from probe.scene.visibility import Visibility
+from probe.tasks.task import PAIR
+from probe.tasks.truth import Extent, which_size
+from probe.types import Array
+
+_PAIRS = 400
+
+_LARGEST_RATIO = 2.5
+"""Most by which the bare areas of the two differ: else a little of both can't look alike."""
+
+
+def generate_size(
+    seed: int, plan: TaskPlan, library: Library, renderer: Renderer, tables: Sequence[str]
+) -> TaskCandidate:
+    """One attempt.
+
+    Raises:
+        Rejected: It failed a check.
+    """
+    rng = generator(seed, "size")
+    cast = cast_size(library, plan, rng)
+    a, b = (extent_of(library, spec.id) for spec in cast.marked)
+    made = build_set(cast, seed, library, renderer, tables, rng)
+    view = made.view
+    scene = settle_around(made, _nests(made, plan, rng), rng)
+    labels, (first, second) = view.labels(scene), made.marked
+    leads = _leads(plan, VisiblePatch.of(labels, first), VisiblePatch.of(labels, second))
+    if not are_within(leads, _signs(plan)):
+        raise Rejected("cues", "what shows tells something else than planned")
+    marks = draw_marks(made, labels)
+    seen = view.visibility(scene, labels, made.marked)
+    looks = ColourViews(renderer, scene, labels, made.marked, library)
+    if not _is_lighter_as_planned(plan, looks.patch(first), looks.patch(second)):
+        raise Rejected("cues", "what shows of the other one is lighter")
+    draft = Draft(
+        kind="size",
+        scene=scene,
+        subject="",
+        slots={},
+        candidates=(),
+        truth=PAIR.index(which_size(plan.form, a, b)),
+        targets=made.marked,
+        marks=marks,
+        measures=_measures((a, b), (seen[first], seen[second]), leads),
+        drawn_from=tuple(spec.id for spec in cast.marked),
+    )
+    # Looks loaded textures; the certificate's visibilities need none, and both see the same.
+    return TaskCandidate(write_task(draft, plan, view))
+
+
+def _measures(
+    extents: tuple[Extent, Extent], seen: tuple[Visibility, Visibility], leads: SizeCues
+) -> dict[str, float]:
+    (a, b), (seen_a, seen_b) = extents, seen
+    return {
+        "longest_a": a.longest,
+        "longest_b": b.longest,
+        "volume_a": a.volume,
+        "volume_b": b.volume,
+        "visible_a": seen_a.fraction,
+        "visible_b": seen_b.fraction,
+        "area_lead": leads.area,
+        "length_lead": leads.length,
+        "outline_lead": leads.outline,
+    }
+
+
+def cast_size(library: Library, plan: TaskPlan, rng: np.random.Generator) -> MarkedSelection:
+    """Two things of clearly different size, the right answer under the planned letter.
+
+    Raises:
+        Rejected: The library has no two that do, nothing to cover them, or no crowd.
+    """
+    uncovered = False
+    for a, b in draw_pairs(library, rng):
+        if not told_apart([a, b]) or _bare_ratio(a, b) > _LARGEST_RATIO:
+            continue
+        try:
+            right = which_size(plan.form, extent_of(library, a.id), extent_of(library, b.id))
+        except ValueError:
+            continue
+        pair = (a, b) if right == plan.letter else (b, a)
+        first, second = (main_colour(library, spec.id) for spec in pair)
+        if not _is_lighter_as_planned(plan, first, second):
+            continue
+        if cast := cast_marked(library, pair, (), rng):
+            return _covered(cast, plan)
+        uncovered = True
+    if uncovered:
+        raise Rejected("cover", "no two things cover any pair that was drawn")
+    raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
+
+
+def draw_pairs(
+    library: Library, rng: np.random.Generator
+) -> Iterator[tuple[ObjectSpec, ObjectSpec]]:
+    """Pairs at random; where things lead, of one of those and any other.
+
+    In half of the calls those come first of which both lead: a small library has few, and few of
+    those lie as planned.
+
+    Raises:
+        Rejected: Too few things have a size to be marked.
+    """
+    pool = markable(library)
+    leading = [spec for spec in pool if library.leads(spec)]
+    if len(pool) < len(PAIR) or (library.leading and not leading):
+        mine = " of your own" if library.leading else ""
+        raise Rejected("candidates", f"{MARKABLE}: too few things{mine}")
+    alone = len(leading) >= len(PAIR) and rng.random() < 1 / 2
+    for number in range(_PAIRS):
+        if not library.leading:
+            first, second = rng.choice(len(pool), size=2, replace=False)
+            yield pool[int(first)], pool[int(second)]
+            continue
+        one = leading[int(rng.integers(len(leading)))]
+        among = leading if alone and 2 * number < _PAIRS else pool
+        others = [spec for spec in among if spec is not one]
+        yield one, others[int(rng.integers(len(others)))]
+
+
+def _covered(cast: MarkedSelection, plan: TaskPlan) -> MarkedSelection:
+    """The cast with its longer cover on the thing that it is planned for."""
+    longer_on_a = max(cast.covers[0].spec.size) > max(cast.covers[1].spec.size)
+    if longer_on_a == (plan.longer_cover == _a_is_larger(plan)):
+        return cast
+    return replace(cast, covers=(cast.covers[1], cast.covers[0]))
+
+
+def _a_is_larger(plan: TaskPlan) -> bool:
+    return (plan.letter == "A") != (plan.form == "smaller")
+
+
+def _is_lighter_as_planned(plan: TaskPlan, a: Array, b: Array) -> bool:
+    """By colours in CIELAB."""
+    return bool(a[0] > b[0]) == (plan.lighter == _a_is_larger(plan))
+
+
+def _bare_ratio(a: ObjectSpec, b: ObjectSpec) -> float:
+    """Of the areas that two things cover where they lie on their largest side, at least 1."""
+    one, other = (math.prod(sorted(spec.size)[1:]) for spec in (a, b))
+    return max(one / other, other / one)
+
+
+def _nests(
+    made: MarkedStage, plan: TaskPlan, rng: np.random.Generator
+) -> tuple[CoveredThing, CoveredThing]:
+    """A and B, each beneath its cover so that what shows is as planned.
+
+    Of what is tried, the nearest is taken to a goal that is drawn alike for every plan.
+    """
+    goal = [sign * rng.uniform(*window) for sign, window in zip(_signs(plan), WINDOWS, strict=True)]
+
+    def shown(place: int, nest: CoveredThing) -> VisiblePatch:
+        return VisiblePatch.of(nest.labels, made.marked[place])
+
+    def off(a: VisiblePatch, b: VisiblePatch) -> float:
+        leads = _leads(plan, a, b)
+        return math.dist(leads, goal) if are_within(leads, _signs(plan)) else math.inf
+
+    return draw_nests(made, shown, off, rng)
+
+
+def _leads(plan: TaskPlan, a: VisiblePatch, b: VisiblePatch) -> SizeCues:
+    return leads_of(a, b) if _a_is_larger(plan) else leads_of(b, a)
+
+
+def _signs(plan: TaskPlan) -> list[int]:
+    return [1 if cue else -1 for cue in plan.cues]

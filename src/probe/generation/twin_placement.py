@@ -1,0 +1,99 @@
+"""Lays Compare's two things so that nothing shows of them but what their paint twins share."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.generation.marked import INSIDE_PX, CoveredThing, MarkedStage
+from probe.generation.paint_twins import ALIKE, alike
+from probe.generation.pairing import draw_nests
+from probe.generation.result import Rejected
+from probe.generation.scene_view import SceneView
+from probe.perception.outline import deepest_inside
+from probe.scene.scene import Scene
+from probe.types import Array
+
+_ROOM_PX = 1.2 * INSIDE_PX
+"""Some of it may be lost to the crowd."""
+
+
+def draw_unpainted(
+    made: MarkedStage,
+    twins: Sequence[str],
+    library: Library,
+    facing: tuple[Array, Array],
+    more_of_a: bool,
+    rng: np.random.Generator,
+) -> tuple[CoveredThing, CoveredThing]:
+    """Nests of both in which only what they share shows.
+
+    Args:
+        made: The set.
+        twins: Ids of the paint twins of A and of B.
+        library: Has them.
+        facing: Angles of the sides of A and of B that may look out, radians.
+        more_of_a: Whether more pixels of A are to show than of B.
+        rng: Draws how they lie.
+
+    Raises:
+        Rejected: Nothing that was tried does.
+    """
+
+    def shown(place: int, nest: CoveredThing) -> int | None:
+        mask = nest.labels == made.marked[place]
+        if deepest_inside(mask)[1] < _ROOM_PX:
+            return None
+        number = made.marked[place]
+        share = shared(made.view, nest.scene, nest.labels, number, twins[place], library)
+        return int(np.count_nonzero(mask)) if share >= ALIKE else None
+
+    def off(a: int, b: int) -> float:
+        return 0.0 if (a > b) == more_of_a else math.inf
+
+    return draw_nests(made, shown, off, rng, facing)
+
+
+def check_unpainted(
+    made: MarkedStage,
+    scene: Scene,
+    labels: Array,
+    twins: Sequence[str],
+    library: Library,
+    more_of_a: bool,
+) -> None:
+    """That it is still so once the crowd lies around them.
+
+    Raises:
+        Rejected: It isn't.
+    """
+    for number, twin in zip(made.marked, twins, strict=True):
+        share = shared(made.view, scene, labels, number, twin, library)
+        if share < ALIKE:
+            raise Rejected("paint", f"{1 - share:.0%} of what shows tells a thing from its twin")
+    a, b = (np.count_nonzero(labels == number) for number in made.marked)
+    if (a > b) != more_of_a:
+        raise Rejected("cues", "more of the other one shows than was planned")
+
+
+def shared(
+    view: SceneView, scene: Scene, labels: Array, number: int, twin: str, library: Library
+) -> float:
+    """Share of what shows of a thing on which its paint twin's paint is alike, 0 to 1.
+
+    Args:
+        view: Of the scene.
+        scene: Has the thing.
+        labels: Of the scene, shape (h, w).
+        number: The thing's.
+        twin: Object id of its twin.
+        library: Has both.
+    """
+    face, weights = view.shown(scene, labels, number)
+    if not len(face):
+        return 0.0
+    mesh = library.body(scene[number].object_id).mesh
+    return float(alike(mesh, library.body(twin).mesh, face, weights).mean())

@@ -1,0 +1,152 @@
+"""What a person at a table may know, as a value and as JSON. Knows no table and no truth."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, replace
+from typing import Any
+
+from probe.episodes.remarks import Remark
+from probe.episodes.turns import Call, Turn
+from probe.interfaces.human.progress import HumanProgress
+from probe.tasks.task import Task
+from probe.toolshed.result import Status
+from probe.toolshed.toolshed import MANIPULATIONS, TURNS
+
+_HANDLE = "object_id: "
+
+
+@dataclass(frozen=True)
+class CallEntry:
+    """One call, what was told, and which picture was the newest then.
+
+    Attributes:
+        call: As it was sent.
+        status: How it went.
+        text: What the tool told.
+        picture: Number of the newest picture, 0 being the first.
+        fresh: Whether the picture came with this call.
+    """
+
+    call: Call
+    status: Status
+    text: str
+    picture: int
+    fresh: bool
+
+
+@dataclass(frozen=True)
+class State:
+    """All that a person's page shows.
+
+    Attributes:
+        number: Of the question, from 1; 0 before the first and when all are done.
+        total: Questions of the suite.
+        done: Questions that this person is through with.
+        question: Its words; empty while there is none.
+        options: Letter and text of each.
+        asks_point: Whether the answer takes a point.
+        entries: Of each call so far.
+        manipulations: That have been carried out.
+        pictures: How many there are.
+        doing: What is going on, in words; None if it is the person's turn.
+        trouble: What went wrong on our side, in words.
+        over: Whether this question's episode has ended.
+        ambiguous, note: What the person said of the question.
+    """
+
+    number: int = 0
+    total: int = 0
+    done: int = 0
+    question: str = ""
+    options: tuple[tuple[str, str], ...] = ()
+    asks_point: bool = False
+    entries: tuple[CallEntry, ...] = ()
+    manipulations: int = 0
+    pictures: int = 0
+    doing: str | None = None
+    trouble: str | None = None
+    over: bool = False
+    ambiguous: bool = False
+    note: str = ""
+
+
+def entry_of(turn: Turn, picture: int, *, fresh: bool) -> CallEntry:
+    """The entry of a call that was done."""
+    return CallEntry(turn.call, turn.result.status, turn.result.text, picture, fresh)
+
+
+def between(state: State, progress: HumanProgress) -> State:
+    """No question: before the first, between two, and when all are done."""
+    return State(
+        total=progress.total, done=progress.done, over=True, doing=state.doing, trouble=None
+    )
+
+
+def at_table(state: State, place: int, task: Task, said: Remark | None) -> State:
+    """A question of the suite, nothing done yet.
+
+    Args:
+        state: Before.
+        place: Of the question, from 0.
+        task: Only its words are taken.
+        said: What the person has said of it.
+    """
+    return replace(
+        state,
+        number=place + 1,
+        question=task.question,
+        options=tuple((option.letter, option.text) for option in task.options),
+        asks_point=task.kind == "find",
+        ambiguous=said is not None and said.ambiguous,
+        note="" if said is None else said.note,
+    )
+
+
+def as_json(state: State) -> dict[str, Any]:
+    """A state as the page reads it."""
+    return {
+        "number": state.number,
+        "total": state.total,
+        "done": state.done,
+        "question": state.question,
+        "options": state.options,
+        "asksPoint": state.asks_point,
+        "entries": [_entry_json(entry) for entry in state.entries],
+        "objects": handles_of(state.entries),
+        "turnsLeft": max(0, TURNS - len(state.entries)),
+        "manipulationsLeft": MANIPULATIONS - state.manipulations,
+        "pictures": state.pictures,
+        "doing": state.doing,
+        "trouble": state.trouble,
+        "over": state.over,
+        "remark": {"ambiguous": state.ambiguous, "note": state.note},
+    }
+
+
+def handles_of(entries: tuple[CallEntry, ...]) -> list[dict[str, str]]:
+    """The object_ids that find_object gave out, with the words that they were asked for by."""
+    return [
+        {"id": entry.text.splitlines()[0].removeprefix(_HANDLE), "asked": _asked(entry.call)}
+        for entry in entries
+        if entry.call.name == "find_object" and entry.text.startswith(_HANDLE)
+    ]
+
+
+def _asked(call: Call) -> str:
+    values = call.values
+    return str(values.get("description", "")) if isinstance(values, dict) else ""
+
+
+def _entry_json(entry: CallEntry) -> dict[str, Any]:
+    arguments: dict[str, Any] = {}
+    if isinstance(values := entry.call.values, dict):
+        arguments.update(values)
+    return {
+        "tool": entry.call.name,
+        "arguments": {name: json.dumps(value) for name, value in arguments.items()},
+        "status": entry.status,
+        "text": entry.text,
+        "picture": entry.picture,
+        "fresh": entry.fresh,
+    }

@@ -1,0 +1,30 @@
+"""Where the camera stands and how the table is lit in a task under given conditions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from probe.assets.environments import environment_names
+from probe.episodes.conditions import Conditions
+from probe.scene.layout import top_camera
+from probe.scene.lighting import AMBIENT
+from probe.scene.perturb import VIEW_RANGES, CameraName, any_lighting, moved_view
+from probe.scene.seeds import generator
+from probe.scene.viewpoint import Viewpoint
+from probe.tasks.task import Task
+from probe.types import Camera
+
+
+def sight_of(task: Task, conditions: Conditions, assets: Path | None) -> Viewpoint:
+    """Drawn from the task's seed: the same for all agents and runs, another one for each task."""
+    lighting = AMBIENT
+    if conditions.lighting == "hdri":
+        lighting = any_lighting(environment_names(assets), generator(task.seed, "lighting"))
+    return Viewpoint(camera_of(task, conditions.camera), lighting)
+
+
+def camera_of(task: Task, name: CameraName) -> Camera:
+    """The fixed camera, or one that strayed by what the task's seed draws."""
+    if name == "fixed":
+        return top_camera()
+    return moved_view(top_camera(), generator(task.seed, "camera"), VIEW_RANGES[name])

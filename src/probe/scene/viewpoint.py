@@ -1,0 +1,22 @@
+"""From where, and in which light, a table is looked at. Data only."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from probe.scene.layout import top_camera
+from probe.scene.lighting import AMBIENT, Lighting
+from probe.types import Camera
+
+
+@dataclass(frozen=True)
+class Viewpoint:
+    """How the station's camera sees.
+
+    Attributes:
+        camera: The fixed one, or one that has strayed.
+        lighting: Of colour pictures; depth and labels need none.
+    """
+
+    camera: Camera = field(default_factory=top_camera)
+    lighting: Lighting = AMBIENT

@@ -1,0 +1,77 @@
+"""What is reached without looking at a table: the best constant answer, and the question alone."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+from statistics import fmean
+
+import numpy as np
+
+from probe.agents.baselines import Rule, always, always_none
+from probe.agents.question_classifier import QuestionClassifier, most_likely
+from probe.episodes.grading import grade_episode, question_of
+from probe.episodes.turns import Question
+from probe.errors import BadData
+from probe.runs.plan import Job, RunOrder
+from probe.runs.work import stopped
+from probe.scores.marking import row_of
+from probe.scores.row import Row
+from probe.tasks.suite import Suite
+from probe.tasks.task import LETTERS, Task
+from probe.toolshed.result import Answer
+
+ARM = "blind"
+QUESTION_ONLY = "question-only"
+
+
+def floors(
+    suite: Suite, held_out: Collection[str], learnt: Mapping[str, QuestionClassifier]
+) -> list[Row]:
+    """Rows of the best constant answer over the types that were trained, and of question-only.
+
+    Args:
+        suite: What is asked.
+        held_out: Types on which the best constant answer isn't chosen.
+        learnt: By question-only. About a type that is missing it gives no answer.
+
+    Raises:
+        BadData: No type is left that was trained.
+    """
+    if {task.kind for task in suite.tasks} <= {*held_out}:
+        reason = f"leaves no type of {suite.name} that was trained"
+        raise BadData("--types", reason, "Name fewer, or compare runs of a suite with more types")
+    constants: dict[str, Rule] = {f"always-{letter}": always(letter) for letter in LETTERS}
+    constants["always-none"] = always_none
+    played = {
+        name: [_row(suite, task, name, rule) for task in suite.tasks]
+        for name, rule in constants.items()
+    }
+    best = max(sorted(played), key=lambda name: _macro(played[name], held_out))
+    if not learnt:
+        return played[best]
+    rules = {kind: most_likely(known.weights) for kind, known in learnt.items()}
+    blind = [
+        _row(suite, task, QUESTION_ONLY, rules.get(task.kind, _silent)) for task in suite.tasks
+    ]
+    return [*played[best], *blind]
+
+
+def _silent(question: Question) -> None:
+    return None
+
+
+def _row(suite: Suite, task: Task, name: str, rule: Rule) -> Row:
+    question = question_of(task)
+    letter = rule(question)
+    record = stopped(Job(task, 0), RunOrder(name, 1))
+    if letter is not None:
+        record = replace(record, answer=Answer(letter), end="answered")
+    # No place is pointed at, so that no labels are needed.
+    score = grade_episode(task, record, np.zeros((0, 0), np.int32))
+    return row_of(task, record, score, suite=suite.name, arm=ARM)
+
+
+def _macro(rows: Sequence[Row], held_out: Collection[str]) -> float:
+    kinds = {row.kind for row in rows} - set(held_out)
+    return fmean(fmean(row.correct for row in rows if row.kind == kind) for kind in kinds)

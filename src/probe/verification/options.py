@@ -1,0 +1,80 @@
+"""Are a task's options those that were planned, and the truth under its letter? No pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from probe.assets.library import Library
+from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, longest, told_apart
+from probe.tasks.options import MOST_COUNTED
+from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Task
+
+_ROUNDING = 1e-9
+
+
+def option_problems(task: Task, library: Library) -> Iterator[str]:
+    """What is offered that wasn't planned, and whether the answer's letter bears the truth.
+
+    Args:
+        task: One of which nothing is missing; see makeup_problems().
+        library: Has its objects and its candidates.
+    """
+    texts = [option.text for option in task.options]
+    if task.marks:
+        if texts != [f"Object {letter}" for letter in PAIR]:
+            yield f"it offers {_shown(texts)}"
+        return
+    if task.kind == "count":
+        yield from _numbers(task)
+        drawn, truth = task.certificate.candidates, str(len(task.targets))
+    else:
+        yield from _candidates(task, library)
+        drawn = [library[object_id].name for object_id in task.certificate.candidates]
+        truth = library[task.scene[task.targets[0]].object_id].name
+    yield from _offered(task, texts, drawn, truth)
+
+
+def _offered(task: Task, texts: Sequence[str], drawn: Sequence[str], truth: str) -> Iterator[str]:
+    """Four of five candidates and "none of the above", the truth where the letter says."""
+    *offered, last = texts
+    if len(texts) != len(LETTERS) or last != NONE_OF_THE_ABOVE:
+        yield f"it offers {_shown(texts)}, and not four things and {NONE_OF_THE_ABOVE!r}"
+        return
+    if strange := [text for text in offered if text not in drawn]:
+        yield f"it offers {_shown(strange)}, not among its candidates"
+    if len(set(offered)) < len(offered):
+        yield "it offers something twice"
+    right = LETTERS[offered.index(truth)] if truth in offered else LETTERS[-1]
+    if task.answer != right:
+        yield f"{ascii(truth)} is true, so that {right} is right, not {task.answer}"
+
+
+def _numbers(task: Task) -> Iterator[str]:
+    drawn = task.certificate.candidates
+    every = [str(number) for number in range(MOST_COUNTED + 1)]
+    if list(drawn) != [number for number in every if number in drawn]:
+        yield f"its candidates are {_shown(drawn)}: not numbers to {MOST_COUNTED}, in order"
+    clear = int(task.certificate.measures["clear"])
+    if not {str(clear + more) for more in range(3)} <= set(drawn):
+        yield f"{clear} are clear, but {clear} to {clear + 2} aren't all among its candidates"
+
+
+def _candidates(task: Task, library: Library) -> Iterator[str]:
+    """One candidate alone is on the table, the hidden one; all could be it."""
+    drawn = task.certificate.candidates
+    specs = [library[object_id] for object_id in drawn]
+    there = [o.instance for o in task.scene.objects if o.object_id in drawn]
+    if there != list(task.targets):
+        yield f"of its candidates, objects {there} are on the table, not {list(task.targets)} alone"
+    if not told_apart(specs):
+        yield "two candidates share a name, or category and main colour"
+    loose = task.certificate.measures.get("partly", 0.0) > 0
+    tolerance = LOOSE_TOLERANCE if loose else TWIN_TOLERANCE
+    sizes = [longest(spec) for spec in specs]
+    if max(sizes) > min(sizes) * (1 + tolerance) + _ROUNDING:
+        yield f"its candidates' longest sides differ by more than {tolerance:.0%}"
+
+
+def _shown(texts: Sequence[str]) -> str:
+    # ascii() shows what can't be seen, or looks like something else.
+    return ", ".join(ascii(text) for text in texts)

@@ -1,0 +1,157 @@
+"""The scripted teacher's words: true of what the tools told it, and without any effect."""
+
+from __future__ import annotations
+
+import re
+import string
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from probe.agents.first_look_policy import FirstLookQuestion, at_a_glance
+from probe.agents.phrases import PhraseBook, phrases, silent
+from probe.agents.reading import read_graph
+from probe.agents.scripted import Scripted
+from probe.errors import UnknownName
+from probe.perception.oracle import Oracle
+from probe.toolshed.graph import scene_text
+from tabletops import Block, Obedient, paint, spec
+
+SPECS = {
+    1: spec("blue bowl", "blue"),
+    2: spec("red die", "red"),
+    3: spec("yellow duck", "yellow"),
+    4: spec("green book", "green"),
+    6: spec("brown box", "brown"),
+}
+COVER = Block(1, (300, 300, 499, 499), 0.08, (30, 60, 150))
+BOOK = Block(4, (700, 100, 899, 299), 0.03, (40, 120, 50))
+BOX = Block(6, (600, 600, 899, 899), 0.15, (110, 70, 42))
+DIE = Block(2, (370, 370, 429, 429), 0.02)
+NONE = "None of the above"
+OPTIONS = ["red die", "white cup", "black pen", "gray tin", NONE]
+TEXT = "Which? In the first picture, the marks are A at (330, 250) and B at (720, 700)."
+PAIR = ["Object A", "Object B"]
+MARKED = [
+    Block(2, (200, 200, 349, 299), 0.02),
+    Block(3, (640, 660, 739, 739), 0.02, (200, 180, 40)),
+    Block(1, (150, 150, 319, 349), 0.08, (30, 60, 150)),
+    Block(4, (560, 620, 689, 779), 0.08, (40, 120, 50)),
+]
+CASES = {
+    "beneath": ("blue bowl", "plain", OPTIONS, [COVER, BOOK, DIE], "?"),
+    "reduce": ("blue bowl, green book", "plain", OPTIONS, [COVER, BOOK, DIE], "?"),
+    "find": ("", "plain", OPTIONS, [COVER, BOOK, BOX, DIE], "?"),
+    "count": ("red die", "plain", ["1", "2", "3", "4", NONE], [COVER, BOOK, BOX, DIE], "?"),
+    "size": ("", "longer", PAIR, MARKED, TEXT),
+    "compare": ("yellow", "colour", PAIR, MARKED, TEXT),
+}
+
+
+def rng(seed=5):
+    return np.random.default_rng(seed)
+
+
+def played(play, kind, say, skills=None):
+    subject, form, options, blocks, text = CASES[kind]
+    agent = Scripted(kind, subject, rng(), form=form, say=say)
+    return play(agent, options, SPECS, blocks, skills or Obedient(), text)
+
+
+def unspoken(record):
+    steps = tuple(replace(it, call=replace(it.call, words="")) for it in record.steps)
+    return replace(record, steps=steps).untimed()
+
+
+@pytest.mark.parametrize("kind", CASES)
+def test_words_change_nothing_that_is_done(play, kind):
+    spoken = played(play, kind, PhraseBook(rng()))
+    mute = played(play, kind, silent)
+    assert unspoken(spoken) == mute.untimed()
+    assert spoken.answer is not None
+    assert all(step.call.words for step in spoken.steps)
+    assert not any(step.call.words for step in mute.steps)
+
+
+@pytest.mark.parametrize("kind", CASES)
+def test_names_that_it_says_were_told_before(play, kind):
+    record = played(play, kind, PhraseBook(rng()))
+    told = CASES[kind][0] + "\n"
+    for step in record.steps:
+        for name in (it.name for it in SPECS.values()):
+            assert name not in step.call.words or name in told
+        told += step.text
+
+
+@pytest.mark.parametrize("kind", CASES)
+def test_the_answer_it_explains_is_the_one_it_gives(play, kind):
+    record = played(play, kind, PhraseBook(rng()))
+    letter = record.answer.choice
+    if letter != "E":
+        assert re.search(rf"\b{letter}\b", record.steps[-1].call.words)
+
+
+def test_after_a_failure_it_says_so_and_why_it_does_something_else(play):
+    record = played(play, "beneath", PhraseBook(rng()), Obedient("blocked"))
+    told = [step.call.words for step in record.steps]
+    pushed = next(n for n, step in enumerate(record.steps) if step.call.name == "push")
+    after = phrases()["look blocked"]
+    assert told[pushed - 2] in [way.format(thing="blue bowl") for way in after]
+    assert any(told[pushed - 1].endswith(way) for way in phrases()["push blocked"])
+
+
+def test_seeds_choose_other_words(play):
+    ways = {played(play, "find", PhraseBook(rng(n))).steps[1].call.words for n in range(12)}
+    assert len(ways) > 3
+    one, same = (played(play, "find", PhraseBook(rng(3))).untimed() for _ in range(2))
+    assert one == same
+
+
+def test_each_phrase_can_be_said():
+    slots = {"thing", "other", "letter", "number", "direction", "one", "two"}
+    for occasion, ways in phrases().items():
+        used = [{name for _, name, _, _ in string.Formatter().parse(way) if name} for way in ways]
+        assert all(names <= slots for names in used), occasion
+        assert len(set(ways)) == len(ways), occasion
+        assert all(way[0].isupper() and way.endswith(".") for way in ways), occasion
+    with pytest.raises(UnknownName, match="occasion"):
+        PhraseBook(rng())("never", {})
+
+
+def glance(kind, subject, form, options, blocks, text="?"):
+    from probe.episodes.turns import Question
+
+    frame = paint(blocks)
+    graph = read_graph(scene_text(Oracle(SPECS).detect(frame), frame))
+    question = Question(text, tuple(zip("ABCDE", options, strict=False)))
+    return at_a_glance(kind, FirstLookQuestion(question, subject, form, graph), PhraseBook(rng()))
+
+
+@pytest.mark.parametrize("kind", ["beneath", "reduce", "find", "count", "size"])
+def test_at_first_sight_it_is_silent_where_the_evidence_is_hidden(kind):
+    subject, form, options, blocks, text = CASES[kind]
+    lying_on = [replace(block, share=0.1) if block.height < 0.03 else block for block in blocks]
+    assert glance(kind, subject, form, options, lying_on, text) is None
+
+
+def test_one_of_two_that_can_be_named_tells_the_colour():
+    half = [MARKED[0], replace(MARKED[1], share=0.1), *MARKED[2:]]
+    asked = ("compare", "red", "colour", PAIR, half, TEXT)
+    said = glance(*asked)
+    assert said and said.letter == "A" and "red die" in said.words
+    other = glance("compare", "yellow", "colour", PAIR, half, TEXT)
+    assert other and other.letter == "B" and "red die" in other.words
+    assert glance("compare", "", "darker", PAIR, half, TEXT) is None
+
+
+def test_what_shows_is_answered_at_once():
+    found = glance("find", "", "plain", OPTIONS, [BOOK, Block(2, (500, 500, 559, 559))])
+    assert found and found.letter == "A" and found.point == (529, 529)
+    both = [Block(2, (280, 200, 379, 299)), Block(3, (660, 660, 799, 799))]
+    size = glance("size", "", "larger", PAIR, both, TEXT)
+    assert size and size.letter == "B"
+    none = glance(
+        "count", "red die", "plain", ["1", "2", "3", "4", NONE], [Block(3, (1, 1, 60, 60))]
+    )
+    assert none and none.letter == "E"

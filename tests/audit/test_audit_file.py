@@ -1,0 +1,115 @@
+"""How far a folder's audit has come, on folders made by hand; nothing is replayed."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from forgeries import TASK, honest, write_folder
+from probe.audit.audit_file import AUDIT, AuditProgress, ReplayVerdict, earlier, keep, tally_of
+from probe.audit.auditing import begin
+from probe.episodes.files import append_record
+from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.participation import ModelReply, Participation
+from probe.episodes.record import Seconds
+from probe.errors import BadData
+from probe.tasks.suite import part
+from probe.tasks.suite_file import read_suite, write_suite
+from run_folders import DEMO
+
+EQUAL, DIFFERS = (
+    ReplayVerdict(outcome="equal"),
+    ReplayVerdict(outcome="differs", reason="step 3: text"),
+)
+UNABLE = ReplayVerdict(outcome="not replayable", reason="there is no scan here")
+RECORD = honest()
+SPEECH = f"ANSWER: {TASK.answer} (100, 200)"
+
+
+def lines(out: Path) -> list[str]:
+    content = (out / RECORDS).read_bytes().split(b"\n")[:-1]
+    return [hashlib.sha256(line).hexdigest() for line in content]
+
+
+@pytest.fixture
+def out(tmp_path: Path) -> Path:
+    """A folder of two records, of which one has been replayed."""
+    out = write_folder(tmp_path, RECORD, replace(RECORD, run=1))
+    keep(out, {lines(out)[0]: EQUAL}, results=2)
+    return out
+
+
+def test_nobody_has_audited_a_fresh_folder(tmp_path):
+    assert tally_of(write_folder(tmp_path, RECORD)).words == "not audited"
+
+
+def test_an_audit_is_told_by_its_counts(out):
+    assert tally_of(out) == AuditProgress(results=2, equal=1, differ=0, unable=0)
+    assert tally_of(out).words == "audited: 1 of 2 replayed, all equal"
+    keep(out, dict(zip(lines(out), (EQUAL, DIFFERS), strict=True)), results=2)
+    words = "audited: 2 of 2 replayed, 1 DIFFER from what is recorded"
+    assert tally_of(out).words == words
+    keep(out, dict(zip(lines(out), (EQUAL, UNABLE), strict=True)), results=2)
+    words = "audited: 1 of 2 replayed, all equal; 1 of 2 can't be replayed"
+    assert tally_of(out).words == words
+    keep(out, {lines(out)[1]: UNABLE}, results=2)
+    assert tally_of(out).words == "not audited; 1 of 2 can't be replayed"
+
+
+def test_records_that_have_changed_since_are_not_audited(out):
+    append_record(out / RECORDS, replace(RECORD, agent="bea"))
+    assert tally_of(out).words.startswith("not audited: records, suite or")
+    # What is still there needn't be replayed again.
+    assert earlier(out) == {lines(out)[0]: EQUAL}
+
+
+def test_a_suite_that_has_changed_since_begins_an_audit_anew(out):
+    write_suite(out / SUITE, part(DEMO, next(it for it in DEMO.tasks if it.id == RECORD.task)))
+    assert tally_of(out).words.startswith("not audited: records, suite or")
+    assert earlier(out) == {}
+
+
+def test_another_release_begins_an_audit_anew(out, monkeypatch):
+    monkeypatch.setattr("probe.audit.audit_file.RELEASE", "9.9.9")
+    assert tally_of(out).words.startswith("not audited: ") and earlier(out) == {}
+
+
+def test_what_could_not_be_replayed_is_tried_again(out):
+    keep(out, dict(zip(lines(out), (DIFFERS, UNABLE), strict=True)), results=2)
+    assert earlier(out) == {lines(out)[0]: DIFFERS}
+
+
+def test_an_audit_with_a_flipped_bit_is_refused(out):
+    path = out / AUDIT
+    path.write_bytes(path.read_bytes().replace(b'"results": 2', b'"results": 3'))
+    with pytest.raises(BadData, match=r"audit\.json: its checksum says .*Delete it and audit"):
+        tally_of(out)
+
+
+def test_what_needs_a_model_again_cannot_be_replayed_and_is_counted(tmp_path):
+    pointed = Participation("agentic, pointer self", replies=(ModelReply(4),))
+    spoken = Participation("direct", replies=(ModelReply(0, SPEECH),))
+    in_words = replace(RECORD, steps=(), seconds=Seconds(), seat=spoken)
+    fault = replace(
+        in_words, run=1, seat=None, answer=None, end="fault", fault="RenderFailed: gone"
+    )
+    records = (RECORD, replace(RECORD, seat=pointed), in_words, fault)
+    audit = begin(out := write_folder(tmp_path, *records), read_suite(out / SUITE))
+    # A failure of ours claims nothing.
+    assert [claim.record for claim in audit.claims] == list(records[:3])
+    assert [claim.record for claim in audit.lacking(None)] == [RECORD]
+    assert [audit.verdicts[line].reason for line in lines(out)[1:3]] == [
+        "perception asked a model (pointer self)",
+        "a model answered in words (arm direct)",
+    ]
+
+
+def test_episodes_are_spaced_evenly(tmp_path):
+    records = [honest(task) for task in DEMO.tasks]
+    audit = begin(out := write_folder(tmp_path, *records), read_suite(out / SUITE))
+    assert [it.task for it in audit.lacking(3)] == [DEMO.tasks[at] for at in (0, 2, 4)]
+    assert len(audit.lacking(99)) == len(audit.lacking(None)) == 6
+    assert audit.lacking(0) == []

@@ -1,0 +1,118 @@
+"""Luck depends on what is done, never on when, and displaces the hand, not the outcome."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, cast
+
+import numpy as np
+import pytest
+
+from probe.episodes.noise import NO_NOISE, Noise, NoisySkills
+from probe.scene.layout import BASKET_POSITION, top_camera
+from probe.station.offset_station import OffsetStation
+from probe.station.station import Arm as UrArm
+from probe.station.station import Hand
+from probe.station.ur5 import Gripper, Ur5
+from probe.types import Frame, Pose
+
+NOISE = Noise(grasp=0.01, push=0.02)
+LABELS = np.zeros((8, 8), np.int32)
+LABELS[:4, :4], LABELS[4:, 4:] = 1, 2
+FRAME = Frame(top_camera(8), np.ones((8, 8), np.float32), labels=LABELS)
+
+
+@dataclass
+class Arm:
+    """A station that goes wherever it is sent and remembers where that was."""
+
+    arm: UrArm = field(default_factory=Ur5)
+    hand: Hand = field(default_factory=Gripper)
+    paths: list[np.ndarray] = field(default_factory=list)
+
+    def joints(self):
+        return self.paths[-1][-1] if self.paths else self.arm.parked
+
+    def follow(self, path):
+        self.paths.append(path)
+        return True
+
+    def grip(self, opening):
+        return opening
+
+    def observe(self, *, rgb):
+        return FRAME
+
+    def wait(self, seconds):
+        pass
+
+
+class Noted:
+    """Skills that do nothing but note by how much the hand they got errs."""
+
+    def __init__(self):
+        self.errors = []
+
+    def grasp_and_remove(self, station, frame, mask, drop_at):
+        start = station.arm.inverse(Pose((0.0, 0.1, 0.3), (0.0, 1.0, 0.0, 0.0)))[0]
+        before = np.array(station.arm.forward(start).position)
+        station.follow(start[None])
+        real = station if isinstance(station, Arm) else station._station
+        self.errors.append(np.array(station.arm.forward(real.paths[-1][-1]).position) - before)
+
+    def push(self, station, frame, mask, direction, distance, basket):
+        self.grasp_and_remove(station, frame, mask, basket)
+
+
+def errors(*calls, noise=NOISE, seed=5, run=0):
+    """Errors of the hand in calls, each ("grasp" or "push", instance)."""
+    skills = Noted()
+    lucky = NoisySkills(cast(Any, skills), noise, seed, run)
+    for tool, instance in calls:
+        mask = instance == LABELS
+        if tool == "grasp":
+            lucky.grasp_and_remove(Arm(), FRAME, mask, BASKET_POSITION)
+        else:
+            lucky.push(Arm(), FRAME, mask, "left", 0.1, BASKET_POSITION)
+    return skills.errors
+
+
+def test_the_same_act_has_the_same_luck_whatever_came_before():
+    (alone,) = errors(("grasp", 2))
+    later = errors(("push", 2), ("grasp", 1), ("grasp", 1), ("grasp", 2))[-1]
+    assert later == pytest.approx(alone, abs=1e-9)
+    assert np.abs(alone[:2]).max() > 1e-4 and alone[2] == pytest.approx(0, abs=1e-9)
+
+
+def test_a_retry_another_object_another_run_and_another_seed_draw_anew():
+    first, again = errors(("grasp", 1), ("grasp", 1))
+    others = [
+        again,
+        errors(("grasp", 2))[0],
+        errors(("grasp", 1), run=1)[0],
+        errors(("grasp", 1), seed=6)[0],
+        errors(("push", 1))[0] / 2,
+    ]
+    assert all(np.abs(other - first).max() > 1e-5 for other in others)
+
+
+def test_without_noise_the_hand_goes_where_it_is_sent():
+    assert errors(("grasp", 1), noise=NO_NOISE)[0] == pytest.approx([0, 0, 0], abs=1e-9)
+
+
+def test_errors_are_as_large_as_the_dial_says():
+    drawn = np.array([errors(("grasp", 1), seed=seed)[0][:2] for seed in range(300)])
+    assert drawn.std(axis=0) == pytest.approx([0.01, 0.01], rel=0.15)
+    assert np.abs(drawn.mean(axis=0)).max() < 0.002
+
+
+def test_a_misplaced_hand_believes_to_be_where_it_was_sent_and_parks_well():
+    real = Arm()
+    station = OffsetStation(real, np.array([0.01, -0.02, 0.0]))
+    goal = station.arm.inverse(Pose((0.05, 0.0, 0.25), (0.0, 1.0, 0.0, 0.0)))[0]
+    assert station.follow(goal[None])
+    reached = np.array(station.arm.forward(real.joints()).position)
+    assert reached == pytest.approx([0.06, -0.02, 0.25], abs=1e-6)
+    assert station.joints() == pytest.approx(goal)
+    station.follow(station.arm.parked[None])
+    assert real.joints() == pytest.approx(station.arm.parked)

@@ -1,0 +1,94 @@
+"""What can be made of a library is known beforehand, and by the generators' own rules."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from probe.assets.library import Library
+from probe.generation.beneath import cast_beneath
+from probe.generation.build_folder import TaskSlot
+from probe.generation.count import cast_count
+from probe.generation.feasibility import possibilities
+from probe.generation.find import cast_find
+from probe.generation.object_selection import LEAST_LEADING
+from probe.generation.plan import plan
+from probe.generation.size import draw_pairs
+from probe.tasks.task import KINDS
+
+SOME = (
+    "proc_lime",
+    "proc_lemon",
+    "proc_golf_ball",
+    "proc_red_mug",
+    "proc_white_bowl",
+    "proc_red_book",
+    "proc_corn_can",
+)
+
+
+@pytest.fixture(scope="module")
+def mixed(library: Library) -> Library:
+    """A library in which a few things, formula-made like the others, are somebody's own."""
+    known = {spec.id for spec in library.specs}
+    assert known.issuperset(SOME), known
+    specs = tuple(
+        replace(spec, origin="own") if spec.id in SOME else spec for spec in library.specs
+    )
+    mixed = replace(library, specs=specs, leading="own")
+    for one in SOME:  # which body is made of an id is no matter of this test
+        mixed._kept[one] = library.body(one)
+    return mixed
+
+
+def test_a_library_of_one_thing_allows_nothing_and_says_why(library: Library):
+    lone = replace(library, specs=(library["proc_red_mug"],))
+    found = {it.kind: it for it in possibilities([TaskSlot(kind, 0) for kind in KINDS], lone)}
+    assert all(it.hopeless == it.places for it in found.values())
+    assert "right size" in found["beneath"].missing[0]
+    assert "paint" in found["compare"].missing[0]
+    assert "marked" in found["size"].missing[0]
+    assert "7 to 12.5 cm wide" in found["beneath"].needs
+
+
+@pytest.mark.slow
+def test_all_of_the_library_allows_every_type(library: Library):
+    places = [TaskSlot(kind, 0) for kind in KINDS if kind != "compare"]
+    assert [it.hopeless for it in possibilities(places, library)] == [()] * len(places)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("draw", [cast_beneath, cast_find])
+def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, draw):
+    for seed in range(3):
+        cast = draw(mixed, plan("beneath", 0), np.random.default_rng(seed))
+        own = [spec.id in SOME for spec in cast.candidates]
+        if sum(own) >= LEAST_LEADING:
+            assert [own[index] for index in cast.eligible] == [True] * sum(own)
+        else:
+            assert any(cover.spec.id in SOME for cover in cast.covers)
+            assert cast.eligible == (0, 1, 2, 3, 4)
+
+
+@pytest.mark.slow
+def test_what_is_counted_is_of_ones_own(mixed: Library):
+    casts = [cast_count(mixed, plan("count", 0), np.random.default_rng(k)) for k in range(4)]
+    assert all(cast.counted.id in SOME for cast in casts)
+
+
+def test_pairs_always_have_one_of_ones_own_and_often_two_at_first(mixed: Library):
+    began_alone = 0
+    for seed in range(40):
+        pairs = list(draw_pairs(mixed, np.random.default_rng(seed)))
+        own = [sum(spec.id in SOME for spec in pair) for pair in pairs]
+        assert min(own) >= 1 and min(own[len(own) // 2 :]) == 1
+        assert all(one is not other for one, other in pairs)
+        began_alone += set(own[: len(own) // 2]) == {2}
+    assert 10 <= began_alone <= 30  # half, to within three standard deviations
+
+
+def test_nobody_compares_paints_of_others_things(mixed: Library):
+    (found,) = possibilities([TaskSlot("compare", 0)], mixed)
+    assert found.hopeless and "of your own" in found.missing[0]

@@ -1,0 +1,78 @@
+"""Names, progress, states: values without a table."""
+
+from dataclasses import replace
+
+import pytest
+
+from interfaces.human.painted_hall import COUNT
+from probe.episodes.turns import Call
+from probe.errors import OutputFailed, RenderFailed
+from probe.interfaces.human.names import BadName, file_of, name_of
+from probe.interfaces.human.progress import HumanProgress
+from probe.interfaces.human.state import CallEntry, State, as_json, handles_of
+from probe.interfaces.human.words import trouble_words
+from run_folders import episode
+from task_examples import FIND
+
+FOUND = "object_id: object_1\nname: lime"
+
+
+def test_names_are_tidied():
+    assert name_of("  Ada \t Lovelace ") == "Ada Lovelace"
+    assert name_of("Zoe\u0308") == "Zo\u00eb"
+    assert name_of("x" * 40) == "x" * 40
+
+
+@pytest.mark.parametrize("said", ["", "   ", "x" * 41, "a\0b", "a\u202eb", "a\u2028b", "\x1b[31m"])
+def test_names_that_would_not_print_are_refused(said):
+    with pytest.raises(BadName, match="1 to 40 characters"):
+        name_of(said)
+
+
+def test_a_persons_file_is_safe_on_any_disk():
+    assert file_of("../../etc/passwd") != file_of("CON")
+    assert file_of("Ada").removesuffix(".jsonl").isalnum()
+
+
+def test_questions_come_in_the_suites_order_and_once():
+    progress = HumanProgress((FIND, COUNT), [])
+    assert progress.next() == (0, FIND) and progress.done == 0
+    progress.add(episode(FIND))
+    assert progress.next() == (1, COUNT) and progress.done == 1
+    progress.add(episode(COUNT))
+    assert progress.next() is None and progress.done == progress.total == 2
+
+
+def test_a_failure_of_ours_is_made_good_twice_in_the_same_run():
+    progress = HumanProgress((FIND, COUNT), [episode(FIND, fault="a dead renderer")] * 2)
+    assert progress.next() == (0, FIND) and progress.run_of(FIND) == 0
+    progress.add(episode(FIND, fault="again"))
+    assert progress.next() == (1, COUNT)
+
+
+def test_handles_come_with_the_words_they_were_asked_for_by():
+    entries = (
+        CallEntry(Call.of("find_object", {"description": "lime"}), "done", FOUND, 1, True),
+        CallEntry(
+            Call.of("find_object", {"description": "egg"}), "failed", "Nothing fits.", 2, True
+        ),
+        CallEntry(Call.of("perceive_scene"), "done", FOUND, 3, True),
+        CallEntry(Call("find_object", "[1"), "done", "object_id: object_2", 3, True),
+    )
+    assert handles_of(entries) == [
+        {"id": "object_1", "asked": "lime"},
+        {"id": "object_2", "asked": ""},
+    ]
+
+
+def test_the_page_is_told_what_is_left():
+    entry = CallEntry(Call.of("push", {"distance_cm": 5}), "refused", "No.", 0, False)
+    said = as_json(replace(State(), entries=(entry,) * 3, manipulations=10))
+    assert (said["turnsLeft"], said["manipulationsLeft"]) == (37, 0)
+    assert said["entries"][0]["arguments"] == {"distance_cm": "5"}
+
+
+def test_troubles_of_ours_are_not_told_in_detail():
+    assert "secret_mug" not in trouble_words(RenderFailed("secret_mug"))
+    assert "disk is full" in trouble_words(OutputFailed("secret/path", "No space left"))
+    assert "secret" not in trouble_words(OutputFailed("secret/path", "No space left"))

@@ -1,0 +1,50 @@
+"""The loss on disk, whatever happened to the process before."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+from probe.train.tune.training_log import (
+    DIARY,
+    LoggedStep,
+    LossInterval,
+    diary_callback,
+    learning_curve,
+    read_diary,
+)
+
+
+def note(diary, step: int) -> None:
+    state = SimpleNamespace(is_world_process_zero=True, global_step=step)
+    diary.on_log(None, state, None, logs={"loss": 1.0 / step, "learning_rate": 0.1})
+
+
+def entries(*losses: float) -> list[LoggedStep]:
+    return [
+        LoggedStep(step=n, loss=loss, learning_rate=0.25 * n, session=0, seconds=n)
+        for n, loss in enumerate(losses, 1)
+    ]
+
+
+def test_learning_curve():
+    assert learning_curve(entries(8, 6, 5, 1, 3), 2) == [
+        LossInterval(1, 2, 7, 0.5),
+        LossInterval(3, 5, 3, 1.25),
+    ]
+    assert [it.loss for it in learning_curve(entries(8, 6), 12)] == [8, 6]
+    assert learning_curve([], 12) == []
+
+
+@pytest.mark.slow  # Transformers takes seconds to import.
+def test_a_line_that_was_cut_off_spoils_neither_the_next_nor_the_end(tmp_path):
+    first = diary_callback(tmp_path)
+    note(first, 1)
+    note(first, 2)
+    text = (tmp_path / DIARY).read_text()
+    (tmp_path / DIARY).write_text(text[:-20])
+    again = diary_callback(tmp_path)
+    note(again, 2)
+    note(again, 3)
+    assert [(it.step, it.loss) for it in read_diary(tmp_path)] == [(1, 1.0), (2, 0.5), (3, 1 / 3)]
