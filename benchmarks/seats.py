@@ -27,7 +27,7 @@ import tyro
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
 
-from bench.sitting_in import metrics_of, sit_in  # noqa: E402
+from bench.sitting_in import metrics_of, run_in  # noqa: E402
 from model_server import Reply, serving  # noqa: E402
 from policy_server import Policy, agent_in_run_0, task_of  # noqa: E402
 from probe.bench.plan import ModelRunPlan  # noqa: E402
@@ -113,10 +113,10 @@ class Trouble:
         return reply
 
     def _kill_a_table(self) -> None:
-        tables = active_children()
-        if tables:
+        pool = active_children()
+        if pool:
             self._note("table killed", Reply())
-            tables[0].kill()
+            pool[0].kill()
 
     def _note(self, what: str, reply: Reply) -> Reply:
         with self._lock:
@@ -148,7 +148,7 @@ def troubled(plan: ModelRunPlan, script: Script) -> None:
     trouble = Trouble(plan.suite, script)
     start = time.monotonic()
     with serving(trouble, keep=False) as server:
-        log = sit_in(plan, server.url, EpisodeWorkerSetup, max_retries=4, attempt_timeout=PATIENCE)
+        log = run_in(plan, server.url, EpisodeWorkerSetup, max_retries=4, attempt_timeout=PATIENCE)
     whole = len(plan.tasks) * plan.epochs
     records = records_of(plan)
     faults = [fault for it in records if it.seat for fault in it.seat.faults]
@@ -170,7 +170,7 @@ def troubled(plan: ModelRunPlan, script: Script) -> None:
         return script(number, body)
 
     with serving(told, keep=False) as server:
-        log = sit_in(plan, server.url, EpisodeWorkerSetup)
+        log = run_in(plan, server.url, EpisodeWorkerSetup)
     again = {it.task for it in records if it.end == "fault"}
     print(f"  then without: {server.requests} requests, {metrics_of(log)}")
     check(asked <= again, "only what was missing is asked again")
@@ -221,7 +221,7 @@ def alike(suite: Suite, out: Path) -> None:
     with Renderer(plan.cache) as renderer:
         here = {(task.id, run): played(task, run, things, renderer) for task, run in runs}
         with serving(Policy("scripted", suite, things, renderer), keep=False) as server:
-            log = sit_in(plan, server.url, EpisodeWorkerSetup)
+            log = run_in(plan, server.url, EpisodeWorkerSetup)
     there = {(it.task, it.run): it for it in records_of(plan)}
     same = sum(
         line_of(replace(there[key], seat=None), timed=False) == line_of(record, timed=False)

@@ -73,7 +73,7 @@ def _found(args: Args, words: str, make: Make, leak: Leak, share: float) -> None
 
 
 def _finder(finding: Finding) -> str:
-    return finding.tally.by.split(" on ")[0] if " on " in finding.tally.by else "rules"
+    return finding.hits.by.split(" on ")[0] if " on " in finding.hits.by else "rules"
 
 
 def _smallest(share: float) -> Leak:

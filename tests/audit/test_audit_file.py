@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from forgeries import TASK, honest, write_folder
-from probe.audit.audit_file import AUDIT, AuditProgress, ReplayVerdict, earlier, keep, tally_of
+from probe.audit.audit_file import AUDIT, AuditProgress, ReplayVerdict, audit_of, earlier, keep
 from probe.audit.auditing import begin
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS, SUITE
@@ -43,38 +43,38 @@ def out(tmp_path: Path) -> Path:
 
 
 def test_nobody_has_audited_a_fresh_folder(tmp_path):
-    assert tally_of(write_folder(tmp_path, RECORD)).words == "not audited"
+    assert audit_of(write_folder(tmp_path, RECORD)).words == "not audited"
 
 
 def test_an_audit_is_told_by_its_counts(out):
-    assert tally_of(out) == AuditProgress(results=2, equal=1, differ=0, unable=0)
-    assert tally_of(out).words == "audited: 1 of 2 replayed, all equal"
+    assert audit_of(out) == AuditProgress(results=2, equal=1, differ=0, unable=0)
+    assert audit_of(out).words == "audited: 1 of 2 replayed, all equal"
     keep(out, dict(zip(lines(out), (EQUAL, DIFFERS), strict=True)), results=2)
     words = "audited: 2 of 2 replayed, 1 DIFFER from what is recorded"
-    assert tally_of(out).words == words
+    assert audit_of(out).words == words
     keep(out, dict(zip(lines(out), (EQUAL, UNABLE), strict=True)), results=2)
     words = "audited: 1 of 2 replayed, all equal; 1 of 2 can't be replayed"
-    assert tally_of(out).words == words
+    assert audit_of(out).words == words
     keep(out, {lines(out)[1]: UNABLE}, results=2)
-    assert tally_of(out).words == "not audited; 1 of 2 can't be replayed"
+    assert audit_of(out).words == "not audited; 1 of 2 can't be replayed"
 
 
 def test_records_that_have_changed_since_are_not_audited(out):
     append_record(out / RECORDS, replace(RECORD, agent="bea"))
-    assert tally_of(out).words.startswith("not audited: records, suite or")
+    assert audit_of(out).words.startswith("not audited: records, suite or")
     # What is still there needn't be replayed again.
     assert earlier(out) == {lines(out)[0]: EQUAL}
 
 
 def test_a_suite_that_has_changed_since_begins_an_audit_anew(out):
     write_suite(out / SUITE, part(DEMO, next(it for it in DEMO.tasks if it.id == RECORD.task)))
-    assert tally_of(out).words.startswith("not audited: records, suite or")
+    assert audit_of(out).words.startswith("not audited: records, suite or")
     assert earlier(out) == {}
 
 
 def test_another_release_begins_an_audit_anew(out, monkeypatch):
     monkeypatch.setattr("probe.audit.audit_file.RELEASE", "9.9.9")
-    assert tally_of(out).words.startswith("not audited: ") and earlier(out) == {}
+    assert audit_of(out).words.startswith("not audited: ") and earlier(out) == {}
 
 
 def test_what_could_not_be_replayed_is_tried_again(out):
@@ -86,7 +86,7 @@ def test_an_audit_with_a_flipped_bit_is_refused(out):
     path = out / AUDIT
     path.write_bytes(path.read_bytes().replace(b'"results": 2', b'"results": 3'))
     with pytest.raises(BadData, match=r"audit\.json: its checksum says .*Delete it and audit"):
-        tally_of(out)
+        audit_of(out)
 
 
 def test_what_needs_a_model_again_cannot_be_replayed_and_is_counted(tmp_path):

@@ -37,15 +37,15 @@ def replies_so_far(body: dict[str, Any]) -> int:
     return sum(message["role"] == "assistant" for message in body["messages"])
 
 
-def sit_in(
+def run_in(
     plan: ModelRunPlan, url: str, place: type[EpisodeWorkerSetup] = PaintedPlace, **config: Any
 ) -> EvalLog:
     """Let the scripted model of a server take the seat."""
-    seating = ModelRunner(plan, place)
+    runner = ModelRunner(plan, place)
     model = get_model(NAME, base_url=url, api_key="none", memoize=False)
     try:
         (log,) = evaluate(
-            harness_task(plan, seating),
+            harness_task(plan, runner),
             model=model,
             display="none",
             log_dir=str(plan.out / "logs"),
@@ -53,7 +53,7 @@ def sit_in(
             **config,
         )
     finally:
-        seating.close()
+        runner.close()
     return log
 
 

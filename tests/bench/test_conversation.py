@@ -33,8 +33,8 @@ def asked(task, *said: str) -> tuple[Answer | None, ModelConversation]:
     with serving(lambda number, body: Reply(said[number])) as server:
         model = get_model(NAME, base_url=server.url, api_key="none", memoize=False)
         first = [ChatMessageSystem(content="Answer.")]
-        listener = ModelConversation(model, [], first, cache, None, EpisodeUsage())
-        return anyio.run(in_words, listener, "direct", task, "pixels"), listener
+        conversation = ModelConversation(model, [], first, cache, None, EpisodeUsage())
+        return anyio.run(in_words, conversation, "direct", task, "pixels"), conversation
 
 
 @pytest.mark.parametrize(
@@ -51,11 +51,11 @@ def asked(task, *said: str) -> tuple[Answer | None, ModelConversation]:
     ],
 )
 def test_what_is_lacking_is_asked_for_once(task, said, reminded, answer):
-    found, listener = asked(task, *said)
+    found, conversation = asked(task, *said)
     assert found == answer
-    assert [it.text for it in listener.messages if it.role == "user"] == reminded
-    seat = Participation("direct", replies=tuple(listener.replies))
+    assert [it.text for it in conversation.messages if it.role == "user"] == reminded
+    seat = Participation("direct", replies=tuple(conversation.replies))
     record = replace(episode(task), steps=(), seat=seat)
     assert [it.text for it in messages(record, [b""])[2:]] == [
-        it.text for it in listener.messages[1:]
+        it.text for it in conversation.messages[1:]
     ]

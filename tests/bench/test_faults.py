@@ -8,7 +8,7 @@ import math
 import pytest
 
 from bench.painted import demo, plan
-from bench.sitting_in import FIND, GRASP, LOOK, answer, kept, replies_so_far, sit_in
+from bench.sitting_in import FIND, GRASP, LOOK, answer, kept, replies_so_far, run_in
 from model_server import Reply, serving
 from policy_server import task_of
 from probe.scores.marking import roster_of_tasks, row_of
@@ -60,7 +60,7 @@ def played(tmp_path_factory):
     out = tmp_path_factory.mktemp("faults")
     script = Misfortunes()
     with serving(script) as server:
-        log = sit_in(
+        log = run_in(
             plan(out, "agentic", SUITE), server.url, max_retries=1, attempt_timeout=PATIENCE
         )
     return log, kept(out), script

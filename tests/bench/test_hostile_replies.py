@@ -10,7 +10,7 @@ from inspect_ai import eval as evaluate
 from inspect_ai.model import get_model
 
 from bench.painted import PaintedPlace, demo, plan
-from bench.sitting_in import FIND, answer, kept, replies_so_far, seat_of, sit_in, values_of
+from bench.sitting_in import FIND, answer, kept, replies_so_far, run_in, seat_of, values_of
 from model_server import Reply, serving
 from policy_server import task_of
 from probe.bench.harness import harness_task
@@ -64,7 +64,7 @@ def script(hostile: Reply):
 @pytest.mark.parametrize("name", REPLIES)
 def test_one_reply_never_stops_an_evaluation(tmp_path, name):
     with serving(script(REPLIES[name])) as server:
-        log = sit_in(plan(tmp_path, "agentic", SUITE), server.url, max_retries=0)
+        log = run_in(plan(tmp_path, "agentic", SUITE), server.url, max_retries=0)
     assert log.status == "success"
     records = kept(tmp_path)
     assert set(records) == {HOSTILE.id, CALM.id}
@@ -79,7 +79,7 @@ def test_a_number_that_no_client_reads_is_a_reply_without_a_call(tmp_path):
     """Python reads no number of over 4,300 digits; the client fails where we have no say."""
     huge = Reply(calls=(("push", f'{{"distance_cm": {"9" * 5000}}}'),))
     with serving(script(huge)) as server:
-        log = sit_in(plan(tmp_path, "agentic", SUITE), server.url, max_retries=0)
+        log = run_in(plan(tmp_path, "agentic", SUITE), server.url, max_retries=0)
         told = json.dumps(server.bodies)
     assert values_of(log) == {HOSTILE.id: "C", CALM.id: "C"}
     (fault,) = seat_of(kept(tmp_path)[HOSTILE.id]).faults
@@ -90,11 +90,11 @@ def test_a_number_that_no_client_reads_is_a_reply_without_a_call(tmp_path):
 def test_errors_and_replies_without_a_choice_are_faults_of_their_episode(tmp_path):
     odd = Reply(status=400, error=f"no {HALF} such thing")
     with serving(script(odd)) as server:
-        log = sit_in(plan(tmp_path / "error", "agentic", SUITE), server.url, max_retries=0)
+        log = run_in(plan(tmp_path / "error", "agentic", SUITE), server.url, max_retries=0)
     assert values_of(log) == {HOSTILE.id: "missing", CALM.id: "C"}
     assert "gave no reply 1" in (kept(tmp_path / "error")[HOSTILE.id].fault or "")
     with serving(script(Reply(choices=0))) as server:
-        log = sit_in(plan(tmp_path / "none", "agentic", SUITE), server.url, max_retries=0)
+        log = run_in(plan(tmp_path / "none", "agentic", SUITE), server.url, max_retries=0)
     assert values_of(log) == {HOSTILE.id: "missing", CALM.id: "C"}
     assert kept(tmp_path / "none")[HOSTILE.id].end == "fault"
 
@@ -122,12 +122,12 @@ def test_other_protocols(tmp_path, name, base, arguments, which):
         url = server.url.removesuffix("/v1") + base
         model = get_model(name, base_url=url, api_key="none", memoize=False, **arguments)
         asked = plan(tmp_path, "agentic", demo(1))
-        seating = ModelRunner(asked, PaintedPlace)
+        runner = ModelRunner(asked, PaintedPlace)
         (log,) = evaluate(
-            harness_task(asked, seating), model=model, display="none", max_retries=0,
+            harness_task(asked, runner), model=model, display="none", max_retries=0,
             log_dir=str(tmp_path / "logs"), max_tokens=1000,
         )  # fmt: skip
-        seating.close()
+        runner.close()
     assert log.status == "success"
     (record,) = kept(tmp_path).values()
     calls = [reply.calls for reply in seat_of(record).replies]

@@ -10,7 +10,7 @@ import pytest
 from inspect_ai.model import get_model
 
 from bench.painted import demo, plan
-from bench.sitting_in import answer, kept, replies_so_far, seat_of, sit_in
+from bench.sitting_in import answer, kept, replies_so_far, run_in, seat_of
 from model_server import Reply, serving
 from probe.assets.library import open_library
 from probe.runs.episode_worker import EpisodeWorkerSetup
@@ -55,7 +55,7 @@ def check(record) -> None:
 
 def test_the_model_itself_points(tmp_path):
     with serving(both) as server:
-        sit_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup)
+        run_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup)
     record = kept(tmp_path)[TASK.id]
     assert record.arm == "agentic, pointer self"
     check(record)
@@ -69,7 +69,7 @@ def test_the_model_itself_points(tmp_path):
 def test_another_model_points(tmp_path):
     with serving(acting) as server, serving(pointing) as other:
         role = get_model("openai-api/other/eyes", base_url=other.url, api_key="none")
-        sit_in(
+        run_in(
             real(tmp_path, "role"), server.url, EpisodeWorkerSetup, model_roles={"pointer": role}
         )
     record = kept(tmp_path)[TASK.id]
@@ -83,7 +83,7 @@ def test_an_empty_pointing_reply_costs_a_turn_and_not_the_episode(tmp_path):
         return acting(number, body) if body.get("tools") else Reply("")
 
     with serving(mute) as server:
-        sit_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup)
+        run_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup)
     record = kept(tmp_path)[TASK.id]
     assert record.end == "answered", record.fault
     assert [step.status for step in record.steps] == ["failed", "failed", "done"]
@@ -93,7 +93,7 @@ def test_an_empty_pointing_reply_costs_a_turn_and_not_the_episode(tmp_path):
 
 def test_a_limit_reached_in_a_pointing_reply_ends_the_episode_without_an_answer(tmp_path):
     with serving(both) as server:
-        log = sit_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup, token_limit=200)
+        log = run_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup, token_limit=200)
     record = kept(tmp_path)[TASK.id]
     # The reply that pointed is the second: 220 tokens by then, and its call came to nothing.
     assert (record.end, record.answer, record.steps) == ("stopped", None, ())

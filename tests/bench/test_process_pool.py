@@ -21,8 +21,8 @@ from bench.sitting_in import (
     kept,
     metrics_of,
     replies_so_far,
+    run_in,
     seat_of,
-    sit_in,
     values_of,
 )
 from model_server import Reply, serving
@@ -52,7 +52,7 @@ def test_a_table_that_dies_costs_no_reply(tmp_path):
     asked = []
     for name in ("calm", "wild"):
         with serving(script) as server:
-            log = sit_in(plan(tmp_path / name, "agentic", demo(1)), server.url)
+            log = run_in(plan(tmp_path / name, "agentic", demo(1)), server.url)
         asked.append(len(server.bodies))
         assert set(values_of(log).values()) <= {"C", "I"}
     assert asked == [5, 5]
@@ -65,7 +65,7 @@ def test_a_table_that_dies_costs_no_reply(tmp_path):
 def test_a_table_that_always_dies_costs_one_episode(tmp_path):
     (tmp_path / "deaths").write_text("3")
     with serving(script) as server:
-        log = sit_in(plan(tmp_path, "agentic", SUITE, workers=1), server.url)
+        log = run_in(plan(tmp_path, "agentic", SUITE, workers=1), server.url)
     ends = sorted(record.end for record in kept(tmp_path).values())
     assert ends == ["answered", "fault"]
     assert metrics_of(log)["missing"] == 1
@@ -75,12 +75,12 @@ RUN = """
 import sys
 from pathlib import Path
 from bench.painted import plan
-from bench.sitting_in import sit_in
+from bench.sitting_in import run_in
 from probe.tasks.suite_file import read_suite
 
 if __name__ == "__main__":
     out, suite, url = Path(sys.argv[1]), read_suite(Path(sys.argv[2])), sys.argv[3]
-    sit_in(plan(out, "agentic", suite, workers=1), url)
+    run_in(plan(out, "agentic", suite, workers=1), url)
 """
 
 

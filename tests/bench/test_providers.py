@@ -87,16 +87,16 @@ def test_pictures_arrive_after_each_call(tmp_path, name, base, arguments, turns)
     with serving(script) as server:
         url = server.url.removesuffix("/v1") + base
         model = get_model(name, base_url=url, api_key="none", memoize=False, **arguments)
-        seating = ModelRunner(plan(tmp_path, "agentic", SUITE), PaintedPlace)
+        runner = ModelRunner(plan(tmp_path, "agentic", SUITE), PaintedPlace)
         evaluate(
-            harness_task(seating._plan, seating), model=model, display="none",
+            harness_task(runner._plan, runner), model=model, display="none",
             log_dir=str(tmp_path / "logs"), max_tokens=1000,
         )  # fmt: skip
-        seating.close()
+        runner.close()
     record = kept(tmp_path)[TASK.id]
     assert [step.call.name for step in record.steps] == [call[0] for call in CALLS], record.fault
     assert len(script.bodies) == 4
-    first, later = shown(seating._plan, [Call.of(tool, json.loads(said)) for tool, said in CALLS])
+    first, later = shown(runner._plan, [Call.of(tool, json.loads(said)) for tool, said in CALLS])
     assert len({first, *later}) == len(CALLS) + 1
     ids = [tool for tool, _ in CALLS] if turns == "contents" else script.ids
     for asked, body in enumerate(script.bodies):

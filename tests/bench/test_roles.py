@@ -8,7 +8,7 @@ import pytest
 from inspect_ai.model import get_model
 
 from bench.painted import demo, plan
-from bench.sitting_in import sit_in
+from bench.sitting_in import run_in
 from model_server import Reply, serving
 
 pytestmark = pytest.mark.filterwarnings("default")
@@ -29,6 +29,6 @@ def test_a_role_that_doesnt_fit_stops_the_run(tmp_path, arm, pointer, given, sai
     asked = replace(plan(tmp_path, arm, SUITE), pointer=pointer)
     roles = {"pointer": get_model("mockllm/eyes")} if given else {}
     with serving(lambda number, body: Reply("Hello.")) as server:
-        log = sit_in(asked, server.url, model_roles=roles)
+        log = run_in(asked, server.url, model_roles=roles)
     assert log.status == "error" and log.error and said in log.error.message
     assert server.bodies == []

@@ -8,7 +8,7 @@ from functools import partial
 import pytest
 
 from bench.painted import demo, plan
-from bench.sitting_in import seat_of, sit_in
+from bench.sitting_in import run_in, seat_of
 from model_server import serving
 from policy_server import Policy, agent_in_run_0
 from probe.assets.library import open_library
@@ -39,7 +39,7 @@ def test_a_policy_over_the_wire_gives_the_same_bytes(tmp_path):
         order = plan(tmp_path / "out", "agentic", SUITE, cache=None, workers=1, epochs=2)
         order = replace(order, library=library, called="scripted", noise=NOISES["paper"])
         with serving(Policy("scripted", SUITE, things, renderer)) as server:
-            sit_in(order, server.url, EpisodeWorkerSetup)
+            run_in(order, server.url, EpisodeWorkerSetup)
     records = {(it.task, it.run): it for it in read_records(tmp_path / "out" / RECORDS)}
     assert records.keys() == direct.keys()
     for key, record in records.items():

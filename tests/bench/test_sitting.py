@@ -37,14 +37,14 @@ def test_a_limit_reached_while_pointing_leaves_a_table_that_can_be_left():
         return "there"
 
     async def sitting_down() -> bytes:
-        tables = EpisodeProcessPool(CuriousPlace(ANY, ANY), 1, pointing=True)
-        async with tables.seat(ask) as sitting:
-            await sitting.sit(ANY)
-            assert (await sitting.call(Call("find_object"))).text == "there"
+        pool = EpisodeProcessPool(CuriousPlace(ANY, ANY), 1, pointing=True)
+        async with pool.seat(ask) as assignment:
+            await assignment.sit(ANY)
+            assert (await assignment.call(Call("find_object"))).text == "there"
             with pytest.raises(LimitReached):
-                await sitting.call(Call("find_object"))
-            left = await _in_time(sitting)
-        tables.close()
+                await assignment.call(Call("find_object"))
+            left = await _in_time(assignment)
+        pool.close()
         return left
 
     assert anyio.run(sitting_down) == b"find_object"
@@ -52,31 +52,31 @@ def test_a_limit_reached_while_pointing_leaves_a_table_that_can_be_left():
     assert asked == [WHERE] * 3
 
 
-async def _in_time(sitting: Assignment) -> bytes:
+async def _in_time(assignment: Assignment) -> bytes:
     with anyio.fail_after(60):
-        return (await sitting.leave(FinishEpisode(Participation("agentic")))).line
+        return (await assignment.leave(FinishEpisode(Participation("agentic")))).line
 
 
 def test_a_table_that_hangs_is_lost_and_not_waited_for():
     async def sitting_down() -> None:
-        tables = EpisodeProcessPool(HangingPlace(ANY, ANY), 1, silence=SILENCE)
-        async with tables.seat(_nobody) as sitting:
-            await sitting.sit(ANY)
+        pool = EpisodeProcessPool(HangingPlace(ANY, ANY), 1, silence=SILENCE)
+        async with pool.seat(_nobody) as assignment:
+            await assignment.sit(ANY)
             with (
                 anyio.fail_after(PATIENCE),
                 pytest.raises(EpisodeProcessLost, match="said nothing"),
             ):
-                await sitting.call(Call("push"))
-            assert len(sitting.failures) == 3
+                await assignment.call(Call("push"))
+            assert len(assignment.failures) == 3
 
     anyio.run(sitting_down)
 
 
 def test_tables_that_die_before_they_are_set_up_stop_everything():
     async def sitting_down() -> None:
-        tables = EpisodeProcessPool(StillbornPlace(ANY, ANY), 1)
-        async with tables.seat(_nobody) as sitting:
-            await sitting.sit(ANY)
+        pool = EpisodeProcessPool(StillbornPlace(ANY, ANY), 1)
+        async with pool.seat(_nobody) as assignment:
+            await assignment.sit(ANY)
 
     with pytest.raises(WorkerDied):
         anyio.run(sitting_down)

@@ -9,7 +9,7 @@ import pytest
 
 from bench.odd_tables import UnfitPlace
 from bench.painted import demo, plan
-from bench.sitting_in import sit_in
+from bench.sitting_in import run_in
 from model_server import Reply, serving
 from probe.bench.evaluation import Participants, evaluate
 from probe.bench.stopping import MUTE, SilenceLimit
@@ -69,7 +69,7 @@ def test_what_the_harness_says_is_told_without_its_markup(tmp_path, monkeypatch)
 def test_a_model_that_never_says_anything_isnt_asked_for_ever(tmp_path):
     asked = plan(tmp_path, "blind", SUITE, epochs=8)
     with serving(lambda number, body: Reply(status=400)) as server:
-        log = sit_in(asked, server.url, max_retries=0)
+        log = run_in(asked, server.url, max_retries=0)
     assert log.status == "error"
     assert log.error and f"{MUTE} episodes one after another" in log.error.message
     assert MUTE <= len(read_records(tmp_path / RECORDS)) < 16
@@ -79,7 +79,7 @@ def test_a_model_that_never_says_anything_isnt_asked_for_ever(tmp_path):
 def test_tables_that_cant_be_set_up_stop_a_run_at_once(tmp_path):
     asked = plan(tmp_path, "agentic", SUITE, workers=1, epochs=3)
     with serving(lambda number, body: Reply("Hello.")) as server:
-        log = sit_in(asked, server.url, UnfitPlace)
+        log = run_in(asked, server.url, UnfitPlace)
     assert log.status == "error" and log.error and "no driver" in log.error.message
     assert (tmp_path / "deaths").read_text() == "tried\n"
     assert server.bodies == [] and not (tmp_path / RECORDS).exists()

@@ -14,8 +14,8 @@ from bench.sitting_in import (
     answer,
     kept,
     replies_so_far,
+    run_in,
     seat_of,
-    sit_in,
     values_of,
 )
 from model_server import Reply, serving
@@ -56,7 +56,7 @@ def words_in(content) -> str:
 @pytest.mark.parametrize("points", ["pixels", "0-1000"])
 def test_the_last_request_is_the_record_told(tmp_path, points):
     with serving(script) as server:
-        log = sit_in(plan(tmp_path, "agentic", SUITE, points=points), server.url)
+        log = run_in(plan(tmp_path, "agentic", SUITE, points=points), server.url)
     assert log.status == "success"
     record = kept(tmp_path)[TASK.id]
     sent: Any = server.bodies[-1]["messages"]
@@ -83,7 +83,7 @@ def test_the_last_request_is_the_record_told(tmp_path, points):
 
 def test_tools_go_out_as_the_toolshed_words_them(tmp_path):
     with serving(lambda number, body: Reply(calls=(answer("E"),))) as server:
-        sit_in(plan(tmp_path, "agentic", SUITE), server.url)
+        run_in(plan(tmp_path, "agentic", SUITE), server.url)
     tools: Any = server.bodies[0]["tools"]
     for sent, ours in zip([it["function"] for it in tools], tool_schemas(), strict=True):
         assert (sent["name"], sent["description"]) == (ours.name, ours.description)
@@ -97,7 +97,7 @@ def test_tools_go_out_as_the_toolshed_words_them(tmp_path):
 def test_answers_in_words(tmp_path):
     said = ["Hm.", f"So it is.\n**ANSWER: {TASK.answer}**"]
     with serving(lambda number, body: Reply(said[replies_so_far(body)])) as server:
-        log = sit_in(plan(tmp_path, "direct", SUITE), server.url)
+        log = run_in(plan(tmp_path, "direct", SUITE), server.url)
     record = kept(tmp_path)[TASK.id]
     assert record.answer and record.answer.choice == TASK.answer
     assert record.arm == "direct" and record.steps == ()
@@ -113,29 +113,29 @@ def test_the_record_has_the_cost_by_the_models_name(tmp_path, called):
     price = Price(tokens_in=2, tokens_out=10)
     prices = {called or NAME: price, "another": Price(tokens_in=9, tokens_out=9)}
     with serving(lambda number, body: Reply("ANSWER: E")) as server:
-        sit_in(plan(tmp_path, "direct", SUITE, called=called, prices=prices), server.url)
+        run_in(plan(tmp_path, "direct", SUITE, called=called, prices=prices), server.url)
     # One reply: 100 tokens in, 10 out.
     assert seat_of(kept(tmp_path)[TASK.id]).cost == pytest.approx(300e-6)
 
 
 def test_a_limit_of_tokens_ends_an_episode_without_an_answer(tmp_path):
     with serving(script) as server:
-        log = sit_in(plan(tmp_path, "agentic", SUITE), server.url, token_limit=300)
+        log = run_in(plan(tmp_path, "agentic", SUITE), server.url, token_limit=300)
     record = kept(tmp_path)[TASK.id]
     assert record.end == "stopped" and record.answer is None and record.steps
     assert values_of(log) == {TASK.id: "I"}
     assert log.samples and log.samples[0].limit and log.samples[0].limit.type == "token"
     with serving(script) as server:
-        again = sit_in(plan(tmp_path, "agentic", SUITE), server.url, token_limit=300)
+        again = run_in(plan(tmp_path, "agentic", SUITE), server.url, token_limit=300)
     assert server.bodies == [] and values_of(again) == {TASK.id: "I"}
 
 
 def test_who_never_answers_is_wrong_and_refused_pictures_are_missing(tmp_path):
     with serving(lambda number, body: Reply("I can't say.")) as server:
-        sit_in(plan(tmp_path / "mute", "blind", SUITE), server.url)
+        run_in(plan(tmp_path / "mute", "blind", SUITE), server.url)
     record = kept(tmp_path / "mute")[TASK.id]
     assert record.end == "stopped" and record.answer is None and len(server.bodies) == 2
     with serving(lambda number, body: Reply(status=400)) as server:
-        sit_in(plan(tmp_path / "refused", "direct", SUITE), server.url, max_retries=0)
+        run_in(plan(tmp_path / "refused", "direct", SUITE), server.url, max_retries=0)
     record = kept(tmp_path / "refused")[TASK.id]
     assert record.end == "fault" and "400" in (record.fault or "")

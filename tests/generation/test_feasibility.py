@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from probe.assets.library import Library
-from probe.generation.beneath import cast_beneath
+from probe.generation.beneath import select_beneath
 from probe.generation.build_folder import TaskSlot
-from probe.generation.count import cast_count
+from probe.generation.count import select_count
 from probe.generation.feasibility import possibilities
-from probe.generation.find import cast_find
+from probe.generation.find import select_find
 from probe.generation.object_selection import LEAST_LEADING
 from probe.generation.plan import plan
 from probe.generation.size import draw_pairs
@@ -60,7 +60,7 @@ def test_all_of_the_library_allows_every_type(library: Library):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("draw", [cast_beneath, cast_find])
+@pytest.mark.parametrize("draw", [select_beneath, select_find])
 def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, draw):
     for seed in range(3):
         cast = draw(mixed, plan("beneath", 0), np.random.default_rng(seed))
@@ -74,7 +74,7 @@ def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, draw):
 
 @pytest.mark.slow
 def test_what_is_counted_is_of_ones_own(mixed: Library):
-    casts = [cast_count(mixed, plan("count", 0), np.random.default_rng(k)) for k in range(4)]
+    casts = [select_count(mixed, plan("count", 0), np.random.default_rng(k)) for k in range(4)]
     assert all(cast.counted.id in SOME for cast in casts)
 
 

@@ -8,7 +8,7 @@ import pytest
 from probe.assets.library import Library
 from probe.generation.palettes import main_colour
 from probe.generation.plan import ATTEMPTS, plan
-from probe.generation.size import cast_size
+from probe.generation.size import select_size
 
 
 @pytest.mark.slow
@@ -16,7 +16,7 @@ def test_the_longer_cover_goes_where_it_is_planned_and_both_things_are_of_a_size
     larger_by_place = []
     for episode in range(12):
         wanted = plan("size", episode * ATTEMPTS)
-        cast = cast_size(library, wanted, np.random.default_rng(episode))
+        cast = select_size(library, wanted, np.random.default_rng(episode))
         a, b = (cover.spec for cover in cast.covers)
         larger = "AB".index(wanted.letter) ^ (wanted.form == "smaller")
         longer = int(max(b.size) > max(a.size))

@@ -7,7 +7,7 @@ from probe.shortcuts.findings import HitCount, allowed, detectable, judge
 from probe.shortcuts.table import leaks, markdown
 
 
-def tally(right: int, n: int, by: str = "rule", kind: str = "find") -> HitCount:
+def hits(right: int, n: int, by: str = "rule", kind: str = "find") -> HitCount:
     return HitCount(kind, by, right, n, *allowed(kind))
 
 
@@ -22,13 +22,13 @@ def test_the_rules_of_the_benchmark():
     ("right", "verdict"), [(60, "below"), (69, "below"), (70, "within noise"), (100, "above")]
 )
 def test_verdicts_of_a_single_test(right, verdict):
-    (finding,) = judge([tally(right, 300)])
+    (finding,) = judge([hits(right, 300)])
     assert finding.verdict == verdict
     assert finding.p == pytest.approx(stats.binom.sf(right - 1, 300, 0.2))
 
 
 def test_wilson_by_hand():
-    (finding,) = judge([tally(60, 300)])
+    (finding,) = judge([hits(60, 300)])
     z, share, n = 1.959964, 0.2, 300
     centre = (share + z * z / (2 * n)) / (1 + z * z / n)
     half = z / (1 + z * z / n) * (share * (1 - share) / n + z * z / (4 * n * n)) ** 0.5
@@ -36,15 +36,15 @@ def test_wilson_by_hand():
 
 
 def test_many_tests_make_luck_likelier():
-    alone, *_ = judge([tally(78, 300)])
+    alone, *_ = judge([hits(78, 300)])
     assert alone.verdict == "above"
-    among = judge([tally(78, 300), *[tally(60, 300)] * 100])
+    among = judge([hits(78, 300), *[hits(60, 300)] * 100])
     assert among[0].verdict == "within noise"
     assert among[0].adjusted == pytest.approx(alone.p * 101)
 
 
 def test_a_small_excess_is_no_leak_however_sure():
-    (finding,) = judge([tally(2_200, 10_000)])
+    (finding,) = judge([hits(2_200, 10_000)])
     assert finding.p < 1e-6 and finding.verdict == "below"
 
 
@@ -64,11 +64,11 @@ def test_what_is_within_the_limit_is_no_leak_however_many_tasks():
 
 def test_the_table_says_all_of_it():
     findings = judge(
-        [tally(60, 300), tally(120, 300, "logistic on areas"), tally(20, 40, kind="size")]
+        [hits(60, 300), hits(120, 300, "logistic on areas"), hits(20, 40, kind="size")]
     )
     text = markdown(findings)
     assert text.startswith("3 tests: 2 below their limit, 0 over it within noise, 1 above it")
     assert "| logistic on areas | 40.0% | 300 |" in text and "**above**" in text
     assert text.index("### find") < text.index("### size")
     assert text.index("logistic on areas") < text.index("| rule | 20.0%")
-    assert [finding.tally.by for finding in leaks(findings)] == ["logistic on areas"]
+    assert [finding.hits.by for finding in leaks(findings)] == ["logistic on areas"]

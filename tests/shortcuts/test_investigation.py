@@ -23,7 +23,7 @@ pytestmark = pytest.mark.slow
 
 
 def found(tasks) -> set[str]:
-    return {finding.tally.by for finding in leaks(investigate(tasks, LORE))}
+    return {finding.hits.by for finding in leaks(investigate(tasks, LORE))}
 
 
 def often(draw: ImaginaryTask) -> bool:

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from probe.train.tune.fine_tuning import train
-from probe.train.tune.training_log import read_diary
+from probe.train.tune.training_log import read_log
 from probe.train.tune.tuning import Tuning
 from small_models import small_dataset, small_model
 
@@ -35,7 +35,7 @@ def test_two_processes_train_the_same_model_and_one_of_them_writes_it(tmp_path):
     assert (tmp_path / "two" / "model" / "config.json").exists()
     assert (tmp_path / "two" / "run.json").exists()
     alone, together = (
-        [entry.loss for entry in read_diary(tmp_path / name)] for name in ("one", "two")
+        [entry.loss for entry in read_log(tmp_path / name)] for name in ("one", "two")
     )
     # Of nine examples the third step of an epoch has one, which both processes take.
     assert len(together) == len(alone) == 6

@@ -56,12 +56,12 @@ def test_its_pictures_are_those_that_the_tools_gave(taught, library):
         episode = open_episode(TASK, TEACHER, things, table, renderer)
         first = episode.record.question.picture
         came = [episode.step(step.call).result.picture for step in taught.steps]
-    with SceneRenderer(part(DEMO, TASK), library) as darkroom:
-        drawn = shown(TASK, taught, darkroom)
+    with SceneRenderer(part(DEMO, TASK), library) as scene_renderer:
+        drawn = shown(TASK, taught, scene_renderer)
         with pytest.raises(OtherPerception, match="Collect with --pointer oracle"):
             seat = replace(taught.seat, arm="agentic, pointer self")
-            shown(TASK, replace(taught, seat=seat), darkroom)
-        small = shown(TASK, taught, darkroom, 64)
+            shown(TASK, replace(taught, seat=seat), scene_renderer)
+        small = shown(TASK, taught, scene_renderer, 64)
     assert first is not None and drawn.first == (jpeg(first),)
     assert drawn.later == tuple(None if it is None else jpeg(it) for it in came)
     assert len(small.all) == len(drawn.all) and len(small.all[0]) < len(drawn.all[0]) / 20

@@ -13,7 +13,7 @@ from dataclasses import replace
 import pytest
 
 from bench.painted import demo, plan
-from bench.sitting_in import kept, seat_of, sit_in
+from bench.sitting_in import kept, run_in, seat_of
 from probe.train.choose.efficiency import reminded
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.rows import trl_row
@@ -126,7 +126,7 @@ def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, ar
     speaker.begin(EPISODES[arm])
     order = plan(tmp_path / "out", arm, SUITE, points=points)
     with listening(speaker) as url:
-        sit_in(order, url)
+        run_in(order, url)
     record = kept(tmp_path / "out")[SUITE.tasks[0].id]
     assert seat_of(record).faults == () and record.answer is not None
     # All that is said is learnt: an episode with a reminder wouldn't be chosen.

@@ -17,7 +17,7 @@ from probe.train.tune import libraries
 from probe.train.tune.fine_tuning import train
 from probe.train.tune.loading import NoModel, UnknownTemplate, load
 from probe.train.tune.run_card import Run
-from probe.train.tune.training_log import read_diary
+from probe.train.tune.training_log import read_log
 from probe.train.tune.tuning import Tuning
 from small_models import small_dataset, small_model
 
@@ -42,7 +42,7 @@ def model(tmp_path_factory, dataset):
 
 
 def losses(out):
-    return {entry.step: entry.loss for entry in read_diary(out)}
+    return {entry.step: entry.loss for entry in read_log(out)}
 
 
 @pytest.mark.slow

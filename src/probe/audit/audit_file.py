@@ -93,7 +93,7 @@ NEVER = AuditProgress(0, 0, 0, 0)
 """Of a folder that nobody has audited."""
 
 
-def tally_of(out: Path) -> AuditProgress:
+def audit_of(out: Path) -> AuditProgress:
     """How far the audit of a folder has come; what isn't about these very bytes doesn't count.
 
     Raises:

@@ -17,7 +17,9 @@ from probe.transcripts.messages import pictureless_first
 from probe.transcripts.prompts import Arm, reminder
 
 
-async def with_tools(listener: ModelConversation, sitting: Assignment, points: Points) -> None:
+async def with_tools(
+    conversation: ModelConversation, assignment: Assignment, points: Points
+) -> None:
     """Let a model call tools until the episode ends; it is reminded once in a row to call one.
 
     Raises:
@@ -26,21 +28,21 @@ async def with_tools(listener: ModelConversation, sitting: Assignment, points: P
     """
     reminded = False
     while True:
-        said = await listener.reply()
+        said = await conversation.reply()
         if said.tool_calls:
             reminded = False
-            if await _carried_out(said, listener, sitting, points):
+            if await _carried_out(said, conversation, assignment, points):
                 return
             continue
-        listener.replies.append(ModelReply(0, said.text))
+        conversation.replies.append(ModelReply(0, said.text))
         if reminded:
             return
         reminded = True
-        listener.say(reminder("agentic"))
+        conversation.say(reminder("agentic"))
 
 
 async def in_words(
-    listener: ModelConversation, arm: Arm, task: Task, points: Points
+    conversation: ModelConversation, arm: Arm, task: Task, points: Points
 ) -> Answer | None:
     """What a model answers that has no tools; it is reminded once, of the point too.
 
@@ -50,12 +52,12 @@ async def in_words(
     letters = "".join(option.letter for option in task.options)
     answer: Answer | None = None
     for last in (False, True):
-        said = await listener.reply()
-        listener.replies.append(ModelReply(0, said.text))
+        said = await conversation.reply()
+        conversation.replies.append(ModelReply(0, said.text))
         answer = read_answer(said.text, points, letters) or answer
         if last or (answer and not _lacks_point(task, answer)):
             break
-        listener.say(reminder(arm, answered=answer is not None))
+        conversation.say(reminder(arm, answered=answer is not None))
     return answer
 
 
@@ -65,18 +67,21 @@ def _lacks_point(task: Task, answer: Answer) -> bool:
 
 
 async def _carried_out(
-    said: ChatMessageAssistant, listener: ModelConversation, sitting: Assignment, points: Points
+    said: ChatMessageAssistant,
+    conversation: ModelConversation,
+    assignment: Assignment,
+    points: Points,
 ) -> bool:
     """Do the calls of a reply, one after another; whether the episode has ended."""
     came: list[CallResult] = []
     calls = said.tool_calls or []
     for call in calls:
         words = "" if came else said.text
-        came.append(await sitting.call(meant(call_of(call, words), points)))
+        came.append(await assignment.call(meant(call_of(call, words), points)))
         if came[-1].ended:
             break
-    listener.replies.append(ModelReply(len(came)))
+    conversation.replies.append(ModelReply(len(came)))
     results = [result_message(call, told, points) for call, told in zip(calls, came, strict=False)]
     order = pictureless_first([told.picture for told in came])
-    listener.messages += [results[index] for index in order]
+    conversation.messages += [results[index] for index in order]
     return came[-1].ended

@@ -67,22 +67,22 @@ def evaluate(
     pointer = _model(chosen, chosen.pointer) if chosen.pointer else None
     if pointer is not None and chosen.pointer_price is not None:
         plan = replace(plan, prices={**plan.prices, str(pointer): chosen.pointer_price})
-    seating = ModelRunner(plan)
+    runner = ModelRunner(plan)
     order = plan.order(str(model), str(pointer or plan.pointer.removeprefix("oracle")))
-    with closing(seating):
+    with closing(runner):
         # Before anything is asked; each sample would raise it otherwise.
-        if seating.take_up(order):
+        if runner.take_up(order):
             greet([_model(chosen, name) for name in (chosen.model, chosen.pointer) if name])
         run_harness(
-            harness_task(plan, seating),
+            harness_task(plan, runner),
             model=model,
             model_roles={ROLE: pointer} if pointer else {},
             display=display,
             log_dir=str(plan.out / LOGS),
             max_samples=plan.workers,
         )
-    if seating.stopped is not None:
-        raise seating.stopped
+    if runner.stopped is not None:
+        raise runner.stopped
     return missing_of(plan, order)
 
 

@@ -16,17 +16,17 @@ class FinishedEpisode:
 
     Args:
         left: Its record and worth.
-        listener: The conversation; None if it was played before.
+        conversation: The conversation; None if it was played before.
         limit: Of the harness, set by the user, that ended it.
     """
 
     def __init__(
         self,
         left: EpisodeFinished,
-        listener: ModelConversation | None,
+        conversation: ModelConversation | None,
         limit: LimitExceededError | None = None,
     ) -> None:
         self.record: EpisodeRecord = record_of(left.line)
         self.score: Score | None = left.score
-        self.listener = listener
+        self.conversation = conversation
         self.limit = limit

@@ -28,16 +28,16 @@ PATIENCE = 600
 """Seconds that one attempt at a reply may take."""
 
 
-def harness_task(plan: ModelRunPlan, seating: ModelRunner | None = None) -> HarnessTask:
+def harness_task(plan: ModelRunPlan, runner: ModelRunner | None = None) -> HarnessTask:
     """A task of the harness.
 
     Args:
         plan: What is run.
-        seating: Of that plan, if the caller wants to close it.
+        runner: Of that plan, if the caller wants to close it.
     """
     return HarnessTask(
         dataset=MemoryDataset([_sample(plan, task.id) for task in plan.tasks], plan.suite.name),
-        solver=_seat(seating or ModelRunner(plan)),
+        solver=_seat(runner or ModelRunner(plan)),
         scorer=graded(),
         metrics=[accuracy_by_type(len(plan.tasks), plan.epochs)],
         epochs=Epochs(plan.epochs, "mean"),
@@ -56,12 +56,12 @@ def _sample(plan: ModelRunPlan, id: str) -> Sample:
     return Sample(input="\n".join(lines), target=task.answer, id=task.id, metadata=metadata)
 
 
-def _seat(seating: ModelRunner) -> Solver:
+def _seat(runner: ModelRunner) -> Solver:
     @solver(name="probe_seat")
     def seat() -> Solver:
         async def solve(state: TaskState, generate: Generate) -> TaskState:
             try:
-                played = await seating.play(str(state.sample_id), state.epoch - 1, get_model())
+                played = await runner.play(str(state.sample_id), state.epoch - 1, get_model())
             except (RunStopped, LimitExceededError):
                 raise
             except Exception as error:  # a fault of ours; it mustn't take other samples with it
@@ -83,11 +83,11 @@ def _seat(seating: ModelRunner) -> Solver:
 
 def _show(state: TaskState, played: FinishedEpisode) -> None:
     """The conversation and its worth, as the harness's log keeps them."""
-    record, listener = played.record, played.listener
-    if listener is not None and listener.messages:
-        state.messages = listener.messages
-        if listener.output is not None:
-            state.output = listener.output
+    record, conversation = played.record, played.conversation
+    if conversation is not None and conversation.messages:
+        state.messages = conversation.messages
+        if conversation.output is not None:
+            state.output = conversation.output
     else:
         state.messages.append(ChatMessageUser(content="Played before; see the records."))
     state.store.set(STORE, _worth(played))

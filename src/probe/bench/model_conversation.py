@@ -35,7 +35,7 @@ class ModelConversation:
         opening: The first messages.
         cache: Where replies are kept, so that an episode that is begun anew pays for none twice.
         price: Of its tokens.
-        tally: Of the episode.
+        episode_usage: Of the episode.
     """
 
     def __init__(
@@ -45,13 +45,13 @@ class ModelConversation:
         opening: Sequence[ChatMessage],
         cache: CachePolicy,
         price: Price | None,
-        tally: EpisodeUsage,
+        episode_usage: EpisodeUsage,
     ) -> None:
         self.messages = list(opening)
         self.replies: list[ModelReply] = []
         self.output: ModelOutput | None = None
         self._model, self._tools, self._cache = as_sent(model), list(tools), cache
-        self._price, self._tally = price, tally
+        self._price, self._episode_usage = price, episode_usage
         self._asked = 0
 
     async def reply(self) -> ChatMessageAssistant:
@@ -74,12 +74,12 @@ class ModelConversation:
         except LimitExceededError:
             raise
         except Exception as error:  # whatever a provider's client may raise
-            self._tally.note_retries(self._which, seen)
+            self._episode_usage.note_retries(self._which, seen)
             reason = said(error)
             self._fault(f"none, {reason}")
             name = self._model.name
             raise ModelFailed(f"{name} gave no reply {self._asked}: {reason}") from error
-        self._tally.note_retries(self._which, seen)
+        self._episode_usage.note_retries(self._which, seen)
         if output.empty:
             self._fault("none, the server sent no choice")
             raise ModelFailed(f"{self._model.name} gave no reply {self._asked}: no choice in it")
@@ -103,7 +103,7 @@ class ModelConversation:
             points: How it counts places.
             more: What else went wrong.
         """
-        counted = self._tally
+        counted = self._episode_usage
         inward, outward = counted.tokens or (None, None)
         faults = (*counted.faults, *more)
         return Participation(
@@ -117,7 +117,7 @@ class ModelConversation:
             # vLLM leaves the line break before a call in the words; its template puts another.
             message.content = message.content.rstrip("\n")
         self.messages.append(message)
-        self._tally.count(self._which, output, self._price)
+        self._episode_usage.count(self._which, output, self._price)
         if output.error:
             self._fault(f"can't be read: {writable(output.error)}")
         elif not output.message.text.strip() and not output.message.tool_calls:
@@ -131,4 +131,4 @@ class ModelConversation:
         return f"reply {self._asked}"
 
     def _fault(self, what: str) -> None:
-        self._tally.fault(self._which, what)
+        self._episode_usage.fault(self._which, what)

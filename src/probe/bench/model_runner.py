@@ -57,7 +57,7 @@ class ModelRunner:
         self._place_of = place_of
         self._tasks = {task.id: task for task in plan.tasks}
         self._lock: Lock | None = None
-        self._tables: EpisodeProcessPool | None = None
+        self._pool: EpisodeProcessPool | None = None
         self._order: RunOrder | None = None
         self._done: Done = {}
         self._replies = ""
@@ -104,31 +104,31 @@ class ModelRunner:
     def close(self) -> None:
         """End the processes that nobody uses, and leave the folder to others."""
         self._folder.close()
-        if self._tables is not None:
-            self._tables.close()
+        if self._pool is not None:
+            self._pool.close()
 
     async def _play(self, task: str, run: int, model: Model) -> FinishedEpisode:
         order = await self._open(model)
         job = Job(self._tasks[task], run)
-        assert self._tables is not None
+        assert self._pool is not None
         line = self._done.get((task, run))
         if line is not None:
-            async with self._tables.seat(_nobody) as sitting:
-                return FinishedEpisode(await sitting.grade(GradeRecord(job, line)), None)
-        tally = EpisodeUsage()
-        listener = self._listener(job, model, tally)
+            async with self._pool.seat(_nobody) as assignment:
+                return FinishedEpisode(await assignment.grade(GradeRecord(job, line)), None)
+        episode_usage = EpisodeUsage()
+        conversation = self._listener(job, model, episode_usage)
         limit = None
         try:
-            left, limit = await self._played(job, order, listener, model, tally)
+            left, limit = await self._played(job, order, conversation, model, episode_usage)
         except EpisodeProcessLost as error:
             # What was done at the lost table can't be told any more.
-            seat = replace(listener.seat(order.arm, order.points), replies=())
+            seat = replace(conversation.seat(order.arm, order.points), replies=())
             record = replace(failed(job, order, str(error)), seat=seat)
             left = EpisodeFinished(line_of(record), None)
         await run_sync(add_line, self._plan.out, left.line)
-        played = FinishedEpisode(left, listener, limit)
+        played = FinishedEpisode(left, conversation, limit)
         # Where the user's limit ended it, it isn't for the model's silence.
-        self._patience.heard(listener.unheard and limit is None, played.record.fault)
+        self._patience.heard(conversation.unheard and limit is None, played.record.fault)
         return played
 
     async def _open(self, model: Model) -> RunOrder:
@@ -141,10 +141,10 @@ class ModelRunner:
                 await run_sync(self.take_up, order)
             order = self._order
             assert order is not None
-            if self._tables is None:
+            if self._pool is None:
                 place = self._place_of(order, plan.library, plan.cache, convention=plan.convention)
                 pointing = plan.pointer != "oracle"
-                self._tables = EpisodeProcessPool(place, plan.workers, pointing=pointing)
+                self._pool = EpisodeProcessPool(place, plan.workers, pointing=pointing)
             return order
 
     def _pointer_name(self) -> str:
@@ -158,20 +158,20 @@ class ModelRunner:
             raise BadData("-T pointer=role", "nobody has this role", f"Say {_GIVEN}=NAME, too")
         return str(get_model(role=ROLE)) if given else pointer.removeprefix("oracle")
 
-    def _listener(self, job: Job, model: Model, tally: EpisodeUsage) -> ModelConversation:
+    def _listener(self, job: Job, model: Model, episode_usage: EpisodeUsage) -> ModelConversation:
         plan = self._plan
         scopes = {"folder": self._replies, "episode": f"{job.task.id} {job.run}"}
         tools = tool_infos(plan.points) if plan.arm == "agentic" else []
         cache = CachePolicy(expiry=None, scopes=scopes)
-        return ModelConversation(model, tools, [], cache, self._price(model), tally)
+        return ModelConversation(model, tools, [], cache, self._price(model), episode_usage)
 
-    def _pointing(self, model: Model, tally: EpisodeUsage) -> AskPointer:
+    def _pointing(self, model: Model, episode_usage: EpisodeUsage) -> AskPointer:
         if self._plan.pointer == "oracle":
             return _nobody
         pointer = model if self._plan.pointer == "self" else get_model(role=ROLE)
         cache = CachePolicy(expiry=None, scopes={"folder": self._replies, "role": ROLE})
         price = self._price(model) if pointer is model else self._plan.prices.get(str(pointer))
-        return Pointing(pointer, tally, cache, price)
+        return Pointing(pointer, episode_usage, cache, price)
 
     def _price(self, model: Model) -> Price | None:
         prices = self._plan.prices
@@ -181,37 +181,37 @@ class ModelRunner:
         self,
         job: Job,
         order: RunOrder,
-        listener: ModelConversation,
+        conversation: ModelConversation,
         model: Model,
-        tally: EpisodeUsage,
+        episode_usage: EpisodeUsage,
     ) -> tuple[EpisodeFinished, LimitExceededError | None]:
         """What came of an episode, and which limit of the user's ended it, if one did."""
-        assert self._tables is not None
+        assert self._pool is not None
         plan = self._plan
-        async with self._tables.seat(self._pointing(model, tally)) as sitting:
-            shown = await sitting.sit(job)
+        async with self._pool.seat(self._pointing(model, episode_usage)) as assignment:
+            shown = await assignment.sit(job)
             question = question_of(job.task)
             first = opening(plan.arm, plan.points, question, shown.pictures)
-            listener.messages += first_messages(first)
+            conversation.messages += first_messages(first)
             answer, fault, limit = None, None, None
             try:
-                answer = await self._answered(job, listener, sitting)
+                answer = await self._answered(job, conversation, assignment)
             except LimitExceededError as error:
                 # The user's own limit: an episode without an answer, not a fault of ours.
                 limit = error
             except ModelFailed as error:
                 fault = str(error)
-            seat = listener.seat(order.arm, order.points, sitting.failures)
-            return await sitting.leave(FinishEpisode(seat, answer, fault)), limit
+            seat = conversation.seat(order.arm, order.points, assignment.failures)
+            return await assignment.leave(FinishEpisode(seat, answer, fault)), limit
 
     async def _answered(
-        self, job: Job, listener: ModelConversation, sitting: Assignment
+        self, job: Job, conversation: ModelConversation, assignment: Assignment
     ) -> Answer | None:
         plan = self._plan
         if plan.arm == "agentic":
-            await with_tools(listener, sitting, plan.points)
+            await with_tools(conversation, assignment, plan.points)
             return None
-        return await in_words(listener, plan.arm, job.task, plan.points)
+        return await in_words(conversation, plan.arm, job.task, plan.points)
 
 
 async def _nobody(asked: PointerRequest) -> NoReply:

@@ -19,15 +19,15 @@ class Pointing:
 
     Args:
         model: Who is asked.
-        tally: Of the episode.
+        episode_usage: Of the episode.
         cache: Where replies are kept, so that an episode that is begun anew pays for none twice.
         price: Of its tokens.
     """
 
     def __init__(
-        self, model: Model, tally: EpisodeUsage, cache: CachePolicy, price: Price | None
+        self, model: Model, episode_usage: EpisodeUsage, cache: CachePolicy, price: Price | None
     ) -> None:
-        self._model, self._tally = as_sent(model), tally
+        self._model, self._episode_usage = as_sent(model), episode_usage
         self._cache, self._price = cache, price
         self._known: dict[PointerRequest, str] = {}
 
@@ -42,14 +42,14 @@ class Pointing:
         except LimitExceededError:
             raise
         except Exception as error:  # whatever a provider's client may raise
-            self._tally.note_retries(which, seen)
+            self._episode_usage.note_retries(which, seen)
             reason = said(error)
-            self._tally.fault(which, f"none, {reason}")
+            self._episode_usage.fault(which, f"none, {reason}")
             return NoReply(f"{self._model.name} gave no reply, {which}: {reason}")
-        self._tally.note_retries(which, seen)
-        self._tally.count(which, output, self._price)
+        self._episode_usage.note_retries(which, seen)
+        self._episode_usage.count(which, output, self._price)
         if not output.completion.strip():
-            self._tally.fault(which, "empty")
+            self._episode_usage.fault(which, "empty")
         self._known[asked] = output.completion
         return output.completion
 

@@ -60,13 +60,13 @@ class EpisodeProcessPool:
     async def seat(self, ask: AskPointer) -> AsyncGenerator[Assignment]:
         """A seat at a table of one's own, until the block ends."""
         async with self._slots:
-            sitting = Assignment(self, ask)
+            assignment = Assignment(self, ask)
             try:
-                yield sitting
+                yield assignment
             except BaseException:
-                sitting.get_up(break_off=True)
+                assignment.get_up(break_off=True)
                 raise
-            sitting.get_up()
+            assignment.get_up()
 
     async def take(self) -> EpisodeProcess:
         """A process that is free, or a new one.
@@ -113,8 +113,8 @@ class Assignment:
     up at all is no such failure: the next one couldn't either.
     """
 
-    def __init__(self, tables: EpisodeProcessPool, ask: AskPointer) -> None:
-        self._tables = tables
+    def __init__(self, pool: EpisodeProcessPool, ask: AskPointer) -> None:
+        self._pool = pool
         self._ask = ask
         self._process: EpisodeProcess | None = None
         self._done: list[Request] = []
@@ -151,7 +151,7 @@ class Assignment:
             if break_off:
                 self._process.kill()
             else:
-                self._tables.give_back(self._process)
+                self._pool.give_back(self._process)
             self._process = None
 
     async def _left(self, request: FinishEpisode | GradeRecord) -> EpisodeFinished:
@@ -180,7 +180,7 @@ class Assignment:
         response: Response = EpisodeFailed("nothing was asked for")
         try:
             if self._process is None:
-                self._process = await self._tables.take()
+                self._process = await self._pool.take()
             for request in requests:
                 response = await self._process.request(request, self._ask)
                 if isinstance(response, EpisodeFailed):

@@ -10,7 +10,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.audit.audit_file import ReplayVerdict, counted, tally_of
+from probe.audit.audit_file import ReplayVerdict, audit_of, counted
 from probe.audit.auditing import Audit, begin, replay_claims, whose
 from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_manifest
 from probe.audit.replaying import Claim, Replayer
@@ -122,10 +122,10 @@ def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -
             for _ in results:
                 progress.update(line, advance=1)
     _print(audit)
-    say(f"{audit.out}: {tally_of(audit.out).words}.")
-    tally = counted(audit.verdicts, len(audit.claims))
-    if tally.differ:
-        raise NotAsRecorded(audit.out, tally.differ, tally.equal + tally.differ)
+    say(f"{audit.out}: {audit_of(audit.out).words}.")
+    audited = counted(audit.verdicts, len(audit.claims))
+    if audited.differ:
+        raise NotAsRecorded(audit.out, audited.differ, audited.equal + audited.differ)
 
 
 def _print(audit: Audit) -> None:

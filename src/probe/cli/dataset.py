@@ -60,14 +60,14 @@ def dataset(
     things = opened()
     check_objects(chosen.suite, things)
     kept = out.with_name(f"{out.name}.pictures")
-    studio = DrawingWorker(chosen.suite, opened, Cache(kept), side)
-    drawn = draw(studio, chosen.episodes, workers)
+    worker = DrawingWorker(chosen.suite, opened, Cache(kept), side)
+    drawn = draw(worker, chosen.episodes, workers)
     for _ in track(drawn, "Drawing", total=len(chosen.episodes)):
         pass
     counting = points or _points_of(chosen)
     specs = {spec.id: spec for spec in things.specs}
     form = Form(name, counting, side, others)
-    manifest = write_dataset(out, _examples(chosen, studio, counting), chosen, form, specs)
+    manifest = write_dataset(out, _examples(chosen, worker, counting), chosen, form, specs)
     shutil.rmtree(kept, ignore_errors=True)
     say(
         f"{manifest.total} examples with {manifest.pictures} pictures are in {out}; "
@@ -76,10 +76,10 @@ def dataset(
 
 
 def _examples(
-    chosen: LoadedSelection, studio: DrawingWorker, points: Points
+    chosen: LoadedSelection, worker: DrawingWorker, points: Points
 ) -> Iterator[TrainingExample]:
     for task, record in track(chosen.episodes, "Writing"):
-        yield example_of(task, record, pictures_of(studio, record), points)
+        yield example_of(task, record, pictures_of(worker, record), points)
 
 
 def _points_of(chosen: LoadedSelection) -> Points:

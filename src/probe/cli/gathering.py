@@ -68,7 +68,7 @@ def one_suite(runs: Sequence[Path]) -> Suite:
 def gather(
     runs: Sequence[Path],
     suite: Suite,
-    darkroom: SceneRenderer,
+    scene_renderer: SceneRenderer,
     out: Path,
     *,
     arm: str | None = None,
@@ -79,7 +79,7 @@ def gather(
     Args:
         runs: Folders.
         suite: What all of them are about.
-        darkroom: Where to draw.
+        scene_renderer: Where to draw.
         out: Folder of the report.
         arm: Of all agents; None for what is usual.
         single: Stop before drawing if a single file can't hold them.
@@ -88,7 +88,7 @@ def gather(
         NoRuns: No folder holds a record.
         TooManyEpisodes: For a single file.
     """
-    folders = [_entries(run, suite, darkroom, arm) for run in runs]
+    folders = [_entries(run, suite, scene_renderer, arm) for run in runs]
     entries = [entry for some in _told_apart(runs, folders) for entry in some]
     if not entries:
         raise NoRuns(f"There is no record in {runs[0]}. Let an agent work on the suite first.")
@@ -96,7 +96,7 @@ def gather(
         raise TooManyEpisodes(len(entries))
     order = {task.id: number for number, task in enumerate(suite.tasks)}
     entries.sort(key=lambda it: order[it.task.id])
-    _draw(entries, suite, darkroom, out / PICTURES, [run / PICTURES for run in runs])
+    _draw(entries, suite, scene_renderer, out / PICTURES, [run / PICTURES for run in runs])
     counting = {id(row) for row in settled(entry.row for entry in entries)}
     return tuple(
         ReportEpisode(
@@ -110,8 +110,10 @@ def gather(
     )
 
 
-def _entries(run: Path, suite: Suite, darkroom: SceneRenderer, arm: str | None) -> list[_Entry]:
-    found = grade_folder(run, suite, darkroom)
+def _entries(
+    run: Path, suite: Suite, scene_renderer: SceneRenderer, arm: str | None
+) -> list[_Entry]:
+    found = grade_folder(run, suite, scene_renderer)
     return [
         _Entry(task, record, row, stills_of(task, record))
         for (task, record, _), row in zip(found, rows_of(run, suite.name, found, arm), strict=True)
@@ -146,7 +148,7 @@ def short_names(folders: Sequence[Path]) -> list[str]:
 def _draw(
     entries: Sequence[_Entry],
     suite: Suite,
-    darkroom: SceneRenderer,
+    scene_renderer: SceneRenderer,
     out: Path,
     kept: Sequence[Path],
 ) -> None:
@@ -159,7 +161,7 @@ def _draw(
     missing = [(path, *said) for path, said in wanted.items() if not path.exists()]
     others = [folder for folder in kept if folder != out]
     for path, still, task in track(missing, "Drawing", hidden=not missing):
-        develop(still, task, path, darkroom, others)
+        develop(still, task, path, scene_renderer, others)
 
 
 def _difference(first: Suite, other: Suite) -> str:

@@ -27,8 +27,8 @@ def graded(out: Path) -> list[Graded]:
         OtherTask: A task has changed since.
     """
     suite = read_suite(out / SUITE)
-    with darkroom_of(suite) as darkroom:
-        return grade_folder(out, suite, darkroom)
+    with darkroom_of(suite) as scene_renderer:
+        return grade_folder(out, suite, scene_renderer)
 
 
 def darkroom_of(suite: Suite) -> SceneRenderer:
@@ -36,14 +36,14 @@ def darkroom_of(suite: Suite) -> SceneRenderer:
     return SceneRenderer(suite, everything)
 
 
-def grade_folder(out: Path, suite: Suite, darkroom: SceneRenderer) -> list[Graded]:
+def grade_folder(out: Path, suite: Suite, scene_renderer: SceneRenderer) -> list[Graded]:
     """As `graded`, of a suite that has been read; each task's objects are loaded but once."""
     tasks = {task.id: task for task in suite.tasks}
     records = in_order(read_checked(out, suite), suite)
     tell_unsummed(out)
     places = sorted(range(len(records)), key=lambda place: records[place].task)
     scores = {
-        place: darkroom.score(tasks[records[place].task], records[place])
+        place: scene_renderer.score(tasks[records[place].task], records[place])
         for place in track(places, f"Grading {out.name}")
     }
     return [(tasks[it.task], it, scores[place]) for place, it in enumerate(records)]

@@ -60,13 +60,13 @@ def human(
     check_objects(tasks, things)
     # A polite end in any case: whoever is in the middle of a question can go on with it.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    workshop = HumanResources(things, NOISES[noise])
+    resources = HumanResources(things, NOISES[noise])
     with (
         taken_up(out, tasks, NOISES[noise]),
-        closing(SessionManager(tasks, out, workshop.furnish, seats)) as hall,
+        closing(SessionManager(tasks, out, resources.furnish, seats)) as sessions,
     ):
         try:
-            run(hall, port, _tell)
+            run(sessions, port, _tell)
         except KeyboardInterrupt:
             say("Waiting until no arm moves any more.")
     say(f"Records are in {out}; the same command goes on.")

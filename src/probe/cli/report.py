@@ -8,7 +8,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.audit.audit_file import tally_of
+from probe.audit.audit_file import audit_of
 from probe.cli.gathering import gather, one_suite, short_names
 from probe.cli.grading import darkroom_of
 from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, headline_line, write_beside
@@ -59,15 +59,15 @@ def write_run_report(
     suite = one_suite(runs)
     candidates = read_build_log(build_log) if build_log else []
     folder = out or (runs[0] if len(runs) == 1 else SEVERAL)
-    with darkroom_of(suite) as darkroom:
-        played = gather(runs, suite, darkroom, folder, arm=arm, single=single)
+    with darkroom_of(suite) as scene_renderer:
+        played = gather(runs, suite, scene_renderer, folder, arm=arm, single=single)
     rows = [each.row for each in played]
     scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
     write_beside(folder, rows, scores)
     page = folder / ("report.html" if single else "index.html")
     files = (ROWS_CSV, ROWS_JSON, SCORES)
     audits = tuple(
-        (name, tally_of(run).words) for name, run in zip(short_names(runs), runs, strict=True)
+        (name, audit_of(run).words) for name, run in zip(short_names(runs), runs, strict=True)
     )
     shown = Report(suite, scores, played, tuple(candidates), files, audits)
     write_report(page, shown, single=single)

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.audit.audit_file import tally_of
+from probe.audit.audit_file import audit_of
 from probe.cli.agents import ARMS
 from probe.cli.grading import Graded, graded
 from probe.cli.screen import ScreenTable, say
@@ -47,7 +47,7 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
         say(_FLOORS)
     for line in _lines(scores):
         say(line)
-    say(f"{out}: {tally_of(out).words}.")
+    say(f"{out}: {audit_of(out).words}.")
     say(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
 
 

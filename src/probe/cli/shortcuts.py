@@ -45,8 +45,8 @@ def shortcuts(
     findings = investigate(examples, CatalogueFacts(things.specs), learning=not rules_only)
     write_text(out, markdown(findings))
     for finding in leaks(findings):
-        tally = finding.tally
-        say(f"Leak: {tally.kind}, {tally.by}: {tally.accuracy:.1%} of {tally.n}")
+        hits = finding.hits
+        say(f"Leak: {hits.kind}, {hits.by}: {hits.accuracy:.1%} of {hits.n}")
     say(f"{len(leaks(findings))} leaks in {len(findings)} tests; the table is {out}.")
 
 

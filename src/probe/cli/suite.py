@@ -93,15 +93,15 @@ def build(
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt)
     with Renderer() as renderer:
-        workshop = BuildResources(things, tables_for(pool), renderer, unchecked, salt)
-        _fill([place for place in part.of(places) if place not in left_out], parts, workshop)
+        resources = BuildResources(things, tables_for(pool), renderer, unchecked, salt)
+        _fill([place for place in part.of(places) if place not in left_out], parts, resources)
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
     made = [place for place in places if parts.task_path(place).exists()]
     if waiting := len(places) - len(made) - len(left_out):
         say(f"{waiting} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
         return
     if made:
-        _finish(out, made, parts, workshop, unsolved)
+        _finish(out, made, parts, resources, unsolved)
     if left_out:
         written = f"{out} has {len(made)} of {len(places)} tasks." if made else "No task was made."
         raise Incomplete(written, list(left_out.items()))
@@ -131,14 +131,14 @@ def _hopeless(
     return {place: it.missing[0] for it in found for place in it.hopeless}
 
 
-def _fill(places: Sequence[TaskSlot], parts: BuildFolder, workshop: BuildResources) -> None:
+def _fill(places: Sequence[TaskSlot], parts: BuildFolder, resources: BuildResources) -> None:
     """Make tasks; a place for which none can be made doesn't end the others."""
     with bar() as progress:
         line = progress.add_task("Building", total=len(places))
         for place in places:
             # What was tried is in the place's log.
             with contextlib.suppress(Unsatisfiable):
-                for tried in fill(place, parts, workshop):
+                for tried in fill(place, parts, resources):
                     done = f"{place.kind} {place.episode}: {tried.check}"
                     progress.update(line, description=done)
             progress.advance(line)
@@ -148,10 +148,10 @@ def _finish(
     out: Path,
     places: Sequence[TaskSlot],
     parts: BuildFolder,
-    workshop: BuildResources,
+    resources: BuildResources,
     unsolved: Path | None,
 ) -> None:
-    things, salt = workshop.library, workshop.salt
+    things, salt = resources.library, resources.salt
     assemble(out, parts, places, things, salt)
     lines = [line for place in places for line in parts.log(place)]
     if salt:

@@ -72,9 +72,9 @@ def _check(folders: Sequence[Path], least: float, doubters: int) -> None:
 def _all_said(folders: Sequence[Path], suite: Suite) -> list[HumanAnswer]:
     """The first run that people finished of each task; later ones know too much."""
     first: dict[tuple[str, str], HumanAnswer] = {}
-    with darkroom_of(suite) as darkroom:
+    with darkroom_of(suite) as scene_renderer:
         for folder in folders:
-            for graded in _standing(grade_folder(folder, suite, darkroom)):
+            for graded in _standing(grade_folder(folder, suite, scene_renderer)):
                 said = _said(graded)
                 first.setdefault((said.task, said.person), said)
     return list(first.values())

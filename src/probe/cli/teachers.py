@@ -31,13 +31,13 @@ _ROUNDS = 3
 def hands_of(site: TeachingSetup, out: Path) -> TeacherWorkers:
     """Who does the work in a folder."""
     light = cache_folder() / "light"
-    studio = TaskWorker(BuildFolder(out / TASKS), site.training, tables_for(site.pool), light)
+    worker = TaskWorker(BuildFolder(out / TASKS), site.training, tables_for(site.pool), light)
     things = site.training()
     return TeacherWorkers(
-        make=partial(make_tasks, studio, workers=site.workers),
+        make=partial(make_tasks, worker, workers=site.workers),
         play=_scripted(site) if site.model is None else _seated(site, site.model),
         library=things,
-        darkroom=lambda suite: SceneRenderer(suite, lambda: things),
+        scene_renderer=lambda suite: SceneRenderer(suite, lambda: things),
     )
 
 

@@ -12,7 +12,7 @@ from probe.cli.screen import say
 from probe.tasks.task import QuestionKind
 from probe.train.tune.fine_tuning import train as trained
 from probe.train.tune.run_card import told_curve
-from probe.train.tune.training_log import read_diary
+from probe.train.tune.training_log import read_log
 from probe.train.tune.tuning import Tuning
 
 _PAPER = Tuning()
@@ -45,7 +45,7 @@ def train(
 
 
 def _tell(out: Path, folder: Path) -> None:
-    curve = told_curve(read_diary(out))
+    curve = told_curve(read_log(out))
     say("steps, mean loss, learning rate at the end:", *curve)
     say(f"The model is in {folder}, its card in {out / 'README.md'}.")
     say(f"`probe serve-model {folder}` lets `probe run` ask it.")

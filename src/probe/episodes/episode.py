@@ -40,7 +40,7 @@ class Episode:
         task: Name of the task, for the record.
         question: What is asked.
         toolshed: Fresh, over the table that the witness watches.
-        witness: Tells the record where things are.
+        state: Tells the record where things are.
         agent_name: For the record.
         run: Number of the run, for the record.
         noise: How far the hand errs, for the record.
@@ -51,15 +51,15 @@ class Episode:
         task: str,
         question: Question,
         toolshed: Toolshed,
-        witness: StateReader,
+        state: StateReader,
         *,
         agent_name: str,
         run: int = 0,
         noise: Noise = NO_NOISE,
     ) -> None:
         self._toolshed = toolshed
-        self._witness = witness
-        start = _table(witness)
+        self._state = state
+        start = _table(state)
         # Replaced whole after each step, so that it is true whenever it is looked at.
         self._record = EpisodeRecord(
             task, agent_name, run, question, start, (), None, "stopped", noise=noise
@@ -106,7 +106,7 @@ class Episode:
         return ToolResult(FAILED, ended=True, status="refused")
 
     def _add(self, call: Call, result: ToolResult, thinking: float, working: float) -> None:
-        before, after = self._record, _table(self._witness)
+        before, after = self._record, _table(self._state)
         step = Step(call, result.status, result.text, result.point_px, after)
         agent, tools = before.seconds.agent, before.seconds.tools
         self._record = replace(
@@ -118,8 +118,8 @@ class Episode:
         )
 
 
-def _table(witness: StateReader) -> TableState:
-    return TableState(witness.snapshot(), tuple(float(angle) for angle in witness.joints()))
+def _table(state: StateReader) -> TableState:
+    return TableState(state.snapshot(), tuple(float(angle) for angle in state.joints()))
 
 
 def _storable(call: Call) -> Call:

@@ -52,21 +52,21 @@ class Recorded:
         return self._calls[len(history)] if len(history) < len(self._calls) else None
 
 
-def replay(record: EpisodeRecord, toolshed: Toolshed, witness: StateReader) -> EpisodeRecord:
+def replay(record: EpisodeRecord, toolshed: Toolshed, state: StateReader) -> EpisodeRecord:
     """Do an episode's calls again.
 
     Args:
         record: What happened the first time.
         toolshed: Fresh, over a table that stands as at the record's start, with the record's
             noise, conditions, sight and run.
-        witness: Tells the new record where things are.
+        state: Tells the new record where things are.
     """
     again = run_episode(
         record.task,
         record.question,
         Recorded(record),
         toolshed,
-        witness,
+        state,
         agent_name=record.agent,
         run=record.run,
     )

@@ -13,7 +13,7 @@ def run_episode(
     question: Question,
     agent: Agent,
     toolshed: Toolshed,
-    witness: StateReader,
+    state: StateReader,
     *,
     agent_name: str,
     run: int = 0,
@@ -28,11 +28,11 @@ def run_episode(
         question: What is asked.
         agent: Sees the question and the tools' results, nothing else.
         toolshed: Fresh, over the table that the witness watches.
-        witness: Tells the record where things are.
+        state: Tells the record where things are.
         agent_name: For the record.
         run: Number of the run, for the record.
     """
-    episode = Episode(task, question, toolshed, witness, agent_name=agent_name, run=run)
+    episode = Episode(task, question, toolshed, state, agent_name=agent_name, run=run)
     history = list[Turn]()
     while not episode.ended:
         call = agent.act(question, tuple(history))

@@ -36,7 +36,7 @@ def generate_beneath(
         Rejected: It failed a check.
     """
     rng = generator(seed, "beneath")
-    cast = cast_beneath(library, plan, rng)
+    cast = select_beneath(library, plan, rng)
     post = draw_post(cast.covers, _KEEP_OFF, rng)
     stage = Stage(cast.specs, library, [post])
     view = SceneView(renderer, library, [spec.id for spec in cast.specs])
@@ -64,7 +64,7 @@ def generate_beneath(
     return TaskCandidate(write_task(draft, plan, view), tuple(twin.scene for twin in twins))
 
 
-def cast_beneath(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
+def select_beneath(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """Who plays; see draw_cast()."""
     return draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng)
 

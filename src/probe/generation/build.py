@@ -57,7 +57,7 @@ def places_of(counts: Mapping[QuestionKind, int], first: int) -> list[TaskSlot]:
     ]
 
 
-def fill(place: TaskSlot, parts: BuildFolder, workshop: BuildResources) -> Iterator[CandidateLog]:
+def fill(place: TaskSlot, parts: BuildFolder, resources: BuildResources) -> Iterator[CandidateLog]:
     """Make candidates for a place until one is kept; goes on where an earlier run stopped.
 
     Yields:
@@ -71,16 +71,16 @@ def fill(place: TaskSlot, parts: BuildFolder, workshop: BuildResources) -> Itera
         return
     tried = sum(line.check != KEPT for line in log)
     for number in range(tried, ATTEMPTS):
-        start, attempt = monotonic(), Attempt(place, number, workshop.salt)
-        result, made = _attempt(attempt, workshop)
+        start, attempt = monotonic(), Attempt(place, number, resources.salt)
+        result, made = _attempt(attempt, resources)
         solved = made[0].solved if made else None
         if isinstance(result, Rejection):
             check, detail = result.check, result.detail
-        elif not workshop.unchecked and not any(trial.solved for trial in made):
-            parts.keep_unsolved(result.task, workshop.library)
+        elif not resources.unchecked and not any(trial.solved for trial in made):
+            parts.keep_unsolved(result.task, resources.library)
             check, detail = UNSOLVED, f"none of {len(made)} attempts"
         else:
-            parts.keep(place, noted(result.task, made), workshop.library)
+            parts.keep(place, noted(result.task, made), resources.library)
             check, detail = KEPT, ""
         line = CandidateLog(place.kind, attempt.bears, check, solved, detail, monotonic() - start)
         parts.add(place, line)
@@ -169,17 +169,17 @@ def _kept(place: TaskSlot, parts: BuildFolder, salt: Salt | None) -> tuple[Task,
 
 
 def _attempt(
-    attempt: Attempt, workshop: BuildResources
+    attempt: Attempt, resources: BuildResources
 ) -> tuple[TaskCandidate | Rejection, tuple[SolveAttempt, ...]]:
-    result = make(attempt, workshop.library, workshop.renderer, workshop.tables)
+    result = make(attempt, resources.library, resources.renderer, resources.tables)
     if isinstance(result, Rejection):
         return result, ()
-    if restless := RestoredStage.of(result.task.scene, workshop.library).unrest():
+    if restless := RestoredStage.of(result.task.scene, resources.library).unrest():
         return Rejection(RESTLESS, restless), ()
-    if workshop.unchecked:
+    if resources.unchecked:
         return result, ()
-    table = workshop.library.table(result.task.scene.table)
-    return result, trials(result.task, workshop.library, table, workshop.renderer)
+    table = resources.library.table(result.task.scene.table)
+    return result, trials(result.task, resources.library, table, resources.renderer)
 
 
 def without_notes(task: Task) -> Task:

@@ -44,7 +44,7 @@ def generate_compare(
         Rejected: It failed a check.
     """
     rng = generator(seed, "compare")
-    asked, cast = cast_compare(library, plan, rng)
+    asked, cast = select_compare(library, plan, rng)
     made = build_set(cast, seed, library, renderer, tables, rng)
     twins = asked.twins[0].id, asked.twins[1].id
     more_of_a = plan.cues[1] == (plan.letter == PAIR[0])
@@ -75,7 +75,7 @@ def generate_compare(
     return TaskCandidate(write_task(draft, plan, made.view))
 
 
-def cast_compare(
+def select_compare(
     library: Library, plan: TaskPlan, rng: np.random.Generator
 ) -> tuple[ColourQuestion, MarkedSelection]:
     """What is asked, and who plays.

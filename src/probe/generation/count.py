@@ -65,7 +65,7 @@ def generate_count(
         Rejected: It failed a check.
     """
     rng = generator(seed, "count")
-    cast = cast_count(library, plan, rng)
+    cast = select_count(library, plan, rng)
     posts = _draw_posts(cast.covers, rng)
     stage = Stage(cast.specs, library, posts)
     table = tables[int(rng.integers(len(tables)))]
@@ -90,7 +90,7 @@ def generate_count(
     return TaskCandidate(write_task(draft, plan, view))
 
 
-def cast_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> _Cast:
+def select_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> _Cast:
     """What is counted, what else is hidden, what covers both, and the crowd.
 
     Raises:

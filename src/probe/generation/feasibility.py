@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from probe.assets.library import Library
 from probe.generation.attempt import Attempt
 from probe.generation.build_folder import TaskSlot
-from probe.generation.generate import CASTINGS
+from probe.generation.generate import SELECTORS
 from probe.generation.needs import NEEDS
 from probe.generation.result import Rejected
 from probe.generation.salt import Salt
@@ -67,13 +67,15 @@ def _of_kind(
     kind: QuestionKind, places: tuple[TaskSlot, ...], library: Library, salt: Salt | None
 ) -> Feasibility:
     failures = Counter[str]()
-    hopeless = tuple(place for place in places if not _can_be_cast(place, library, salt, failures))
+    hopeless = tuple(
+        place for place in places if not _can_be_selected(place, library, salt, failures)
+    )
     return Feasibility(
         kind, places, hopeless, tuple(reason for reason, _ in failures.most_common())
     )
 
 
-def _can_be_cast(
+def _can_be_selected(
     place: TaskSlot, library: Library, salt: Salt | None, failures: Counter[str]
 ) -> bool:
     """Whether anybody can play; what went wrong is counted if nobody can."""
@@ -82,7 +84,7 @@ def _can_be_cast(
         attempt = Attempt(place, number, salt)
         rng = generator(attempt.seed, place.kind, "possible")
         try:
-            CASTINGS[place.kind](library, attempt.plan, rng)
+            SELECTORS[place.kind](library, attempt.plan, rng)
         except Rejected as failure:
             mine[str(failure)] += 1
         else:

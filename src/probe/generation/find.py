@@ -44,7 +44,7 @@ def generate_find(
         Rejected: It failed a check.
     """
     rng = generator(seed, "find")
-    cast = cast_find(library, plan, rng)
+    cast = select_find(library, plan, rng)
     post = draw_post(cast.covers, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
     stage = Stage(cast.specs, library, [post])
     view = SceneView(renderer, library, [spec.id for spec in cast.specs])
@@ -70,7 +70,7 @@ def generate_find(
     return TaskCandidate(write_task(draft, plan, view), twins)
 
 
-def cast_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
+def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """Who plays; see draw_cast()."""
     if plan.partly:
         # A colour that shows would tell; so all candidates have it.

@@ -8,14 +8,14 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.generation.attempt import Attempt
-from probe.generation.beneath import cast_beneath, generate_beneath
-from probe.generation.compare import cast_compare, generate_compare
-from probe.generation.count import cast_count, generate_count
-from probe.generation.find import cast_find, generate_find
+from probe.generation.beneath import generate_beneath, select_beneath
+from probe.generation.compare import generate_compare, select_compare
+from probe.generation.count import generate_count, select_count
+from probe.generation.find import generate_find, select_find
 from probe.generation.plan import TaskPlan
-from probe.generation.reduce import cast_reduce, generate_reduce
+from probe.generation.reduce import generate_reduce, select_reduce
 from probe.generation.result import Rejected, Rejection, TaskCandidate
-from probe.generation.size import cast_size, generate_size
+from probe.generation.size import generate_size, select_size
 from probe.render.renderer import Renderer
 from probe.tasks.task import QuestionKind
 
@@ -30,15 +30,15 @@ GENERATORS: dict[QuestionKind, Generator] = {
     "size": generate_size,
 }
 
-Casting = Callable[[Library, TaskPlan, np.random.Generator], object]
+Selector = Callable[[Library, TaskPlan, np.random.Generator], object]
 
-CASTINGS: dict[QuestionKind, Casting] = {
-    "beneath": cast_beneath,
-    "compare": cast_compare,
-    "count": cast_count,
-    "find": cast_find,
-    "reduce": cast_reduce,
-    "size": cast_size,
+SELECTORS: dict[QuestionKind, Selector] = {
+    "beneath": select_beneath,
+    "compare": select_compare,
+    "count": select_count,
+    "find": select_find,
+    "reduce": select_reduce,
+    "size": select_size,
 }
 """What each generator begins with: who plays, or the reason why nobody can."""
 

@@ -59,7 +59,7 @@ def generate_reduce(
         Rejected: It failed a check.
     """
     rng = generator(seed, "reduce")
-    cast = cast_reduce(library, plan, rng)
+    cast = select_reduce(library, plan, rng)
     many = plan.removals >= _MANY
     post = draw_post(cast.covers, _KEEP_OFF_MANY if many else _KEEP_OFF, rng)
     stage = Stage(cast.specs, library, [post])
@@ -91,7 +91,7 @@ def generate_reduce(
     return TaskCandidate(write_task(draft, plan, view), tuple(twin.scene for twin in twins))
 
 
-def cast_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
+def select_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """One slab that hides any of the candidates, or several, with the last of many on top.
 
     Raises:

@@ -52,7 +52,7 @@ def generate_size(
         Rejected: It failed a check.
     """
     rng = generator(seed, "size")
-    cast = cast_size(library, plan, rng)
+    cast = select_size(library, plan, rng)
     a, b = (extent_of(library, spec.id) for spec in cast.marked)
     made = build_set(cast, seed, library, renderer, tables, rng)
     view = made.view
@@ -99,7 +99,7 @@ def _measures(
     }
 
 
-def cast_size(library: Library, plan: TaskPlan, rng: np.random.Generator) -> MarkedSelection:
+def select_size(library: Library, plan: TaskPlan, rng: np.random.Generator) -> MarkedSelection:
     """Two things of clearly different size, the right answer under the planned letter.
 
     Raises:

@@ -88,7 +88,7 @@ def _words_of(sight: Viewpoint) -> str:
 
 
 def develop(
-    still: Still, task: Task, path: Path, darkroom: SceneRenderer, kept: Iterable[Path]
+    still: Still, task: Task, path: Path, scene_renderer: SceneRenderer, kept: Iterable[Path]
 ) -> None:
     """Write a picture, or take over the file of another folder if one has it.
 
@@ -105,7 +105,7 @@ def develop(
         except OSError as error:
             reason = error.strerror or str(error)
             raise BadData(folder / path.name, reason, "Delete it; it is drawn again") from error
-    shown = _pixels(still, darkroom.frame(task, still.scene, still.sight))
+    shown = _pixels(still, scene_renderer.frame(task, still.scene, still.sight))
     write_bytes(path, encode(Image.fromarray(shown), "JPEG", quality=_QUALITY))
 
 

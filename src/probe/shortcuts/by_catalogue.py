@@ -23,17 +23,17 @@ SIZES: Mapping[str, Callable[[ObjectSpec], float]] = {
 }
 
 
-def by_catalogue(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
+def by_catalogue(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
     """Size, category and frequency of each option's object; of Count, of what is counted."""
     if sample.kind == "count":
-        return _counted(sample, lore)
-    specs = [lore.by_name.get(text) for text in sample.options]
+        return _counted(sample, catalogue)
+    specs = [catalogue.by_name.get(text) for text in sample.options]
     if not any(specs):
         return tuple({} for _ in specs)
     sizes = [
         relative(name, [spec and size(spec) for spec in specs]) for name, size in SIZES.items()
     ]
-    frequency = [spec and log(lore.common[spec.category]) for spec in specs]
+    frequency = [spec and log(catalogue.common[spec.category]) for spec in specs]
     kin = [
         spec and float(sum(o is not None and o.category == spec.category for o in specs) - 1)
         for spec in specs
@@ -51,13 +51,13 @@ def by_catalogue(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     )
 
 
-def _counted(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
-    spec = lore.counted(sample.question)
+def _counted(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
+    spec = catalogue.counted(sample.question)
     values = [number(text) for text in sample.options]
     context: dict[str, float] = {}
     if spec is not None:
         context = {name: size(spec) for name, size in SIZES.items()}
-        context["frequency"] = log(lore.common[spec.category])
+        context["frequency"] = log(catalogue.common[spec.category])
     by_number = [
         {f"number {value} {name}": x for name, x in context.items()} | {f"number {value}": 1.0}
         for value in values

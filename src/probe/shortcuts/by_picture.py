@@ -28,11 +28,11 @@ _CM2 = 312.0
 """Pixels of a square centimetre of table, so that logarithms of areas are near 0."""
 
 
-def by_graph(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
+def by_graph(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
     """What is named, what it lies on or touches, and how options go with that."""
     look = sample.look
     if sample.paired:
-        a, b = (_neighbours(look, look.marked[letter], lore) for letter in PAIR)
+        a, b = (_neighbours(look, look.marked[letter], catalogue) for letter in PAIR)
         return opposed(sample.form, a, b)
     context = {
         "things": float(len(look.things)),
@@ -43,10 +43,10 @@ def by_graph(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     told = with_context(sample.options, context)
     if sample.kind == "count":
         return joined(told, _beyond(sample, context))
-    return joined(told, _kin(sample, lore), *_fits(sample, lore))
+    return joined(told, _kin(sample, catalogue), *_fits(sample, catalogue))
 
 
-def by_area(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
+def by_area(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
     """What shows of the marked things; else of all, and of what the question names."""
     look = sample.look
     if sample.paired:
@@ -64,12 +64,12 @@ def by_area(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     if sample.kind == "count":
         return joined(told, _beyond(sample, context))
     # Without anything named, this would be the catalogue's size.
-    specs = [lore.by_name.get(text) if named else None for text in sample.options]
+    specs = [catalogue.by_name.get(text) if named else None for text in sample.options]
     room = [spec and SIZES["footprint"](spec) - context["named"] for spec in specs]
     return joined(told, relative("footprint in named", room))
 
 
-def by_patch(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
+def by_patch(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
     """Colours of what shows of the marked things; else of what is half hidden."""
     look = sample.look
     if sample.paired:
@@ -83,7 +83,7 @@ def by_patch(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     beside = half_hidden(sample.question, look)
     anywhere = [thing for thing in look.things if thing.name is None]
     if sample.kind == "count":
-        counted = lore.counted(sample.question)
+        counted = catalogue.counted(sample.question)
         apart = misfit(" ".join(counted.colours), anywhere) if counted else _FARTHEST
         context = {"misfit": min(apart, _FARTHEST) / _FARTHEST}
         return joined(with_context(sample.options, context), _beyond(sample, context))
@@ -101,12 +101,12 @@ def _misfits(options: Sequence[str], patches: Sequence[VisibleThing]) -> list[fl
     ]
 
 
-def _neighbours(look: FirstLook, place: int, lore: CatalogueFacts) -> dict[str, float]:
+def _neighbours(look: FirstLook, place: int, catalogue: CatalogueFacts) -> dict[str, float]:
     """How a marked thing lies among others, and the catalogue's size of it if it is named."""
     over = [r for r in look.contacts if r.second == place and r.kind != "touching"]
     under = [r for r in look.contacts if r.first == place and r.kind != "touching"]
-    spec = lore.by_name.get(look.things[place].name or "")
-    around = known(lore, (look.things[other].name for other in look.meeting(place)))
+    spec = catalogue.by_name.get(look.things[place].name or "")
+    around = known(catalogue, (look.things[other].name for other in look.meeting(place)))
     return {
         "over it": float(len(over)),
         "under it": float(len(under)),
@@ -132,12 +132,12 @@ def _beyond(sample: Sample, context: Features) -> tuple[Features, ...]:
     return tuple(found)
 
 
-def _kin(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
+def _kin(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
     """How many seen things are the option's, of its category, of its main colour."""
     seen = [thing for thing in sample.look.things if thing.name]
     found: list[Features] = []
     for text in sample.options:
-        spec = lore.by_name.get(text)
+        spec = catalogue.by_name.get(text)
         if spec is None:
             found.append({})
             continue
@@ -151,14 +151,14 @@ def _kin(sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
     return tuple(found)
 
 
-def _fits(sample: Sample, lore: CatalogueFacts) -> list[tuple[Features, ...]]:
+def _fits(sample: Sample, catalogue: CatalogueFacts) -> list[tuple[Features, ...]]:
     """How each option's object compares with the largest that the question names."""
     places = named_in(sample.question, sample.look)
-    named = known(lore, (sample.look.things[place].name for place in places))
+    named = known(catalogue, (sample.look.things[place].name for place in places))
     if not named:
         return []
     cover = max(named, key=lambda spec: max(spec.size))
-    specs = [lore.by_name.get(text) for text in sample.options]
+    specs = [catalogue.by_name.get(text) for text in sample.options]
     ratios = [
         relative(
             f"{name} in cover", [spec and SIZES[name](spec) - SIZES[name](cover) for spec in specs]

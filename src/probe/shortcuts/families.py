@@ -34,15 +34,15 @@ _EXTRACTS: Mapping[Family, Extract] = {
 }
 
 
-def features(family: Family, sample: Sample, lore: CatalogueFacts) -> tuple[Features, ...]:
+def features(family: Family, sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
     """Numbers about each option of a sample.
 
     All but the letter's and the wording's say nothing of where an option stands.
     """
     if family != "all":
-        return _EXTRACTS[family](sample, lore)
+        return _EXTRACTS[family](sample, catalogue)
     named = [
-        [{f"{name}: {key}": x for key, x in told.items()} for told in extract(sample, lore)]
+        [{f"{name}: {key}": x for key, x in told.items()} for told in extract(sample, catalogue)]
         for name, extract in _EXTRACTS.items()
         if name != "question"
     ]

@@ -58,7 +58,7 @@ class Finding:
     """A tally, judged.
 
     Attributes:
-        tally: What was achieved.
+        hits: What was achieved.
         low, high: 95 % interval of the accuracy (Wilson, JASA 22(158), 1927).
         p: Chance of as many right answers or more, were the ceiling the truth.
         adjusted: The same, corrected for all tests that were made (Holm).
@@ -66,7 +66,7 @@ class Finding:
             limit, but may be luck; more tasks would tell.
     """
 
-    tally: HitCount
+    hits: HitCount
     low: float
     high: float
     p: float
@@ -94,12 +94,12 @@ def judge(tallies: Sequence[HitCount]) -> list[Finding]:
     tests = [stats.binomtest(t.right, t.n, t.ceiling, alternative="greater") for t in tallies]
     chances = [float(test.pvalue) for test in tests]
     found: list[Finding] = []
-    for tally, p, adjusted in zip(tallies, chances, holm(chances), strict=True):
-        both = stats.binomtest(tally.right, tally.n).proportion_ci(method="wilson")
+    for hits, p, adjusted in zip(tallies, chances, holm(chances), strict=True):
+        both = stats.binomtest(hits.right, hits.n).proportion_ci(method="wilson")
         verdict: Verdict = "below"
-        if tally.accuracy > tally.limit:
+        if hits.accuracy > hits.limit:
             verdict = "above" if adjusted < LEVEL else "within noise"
-        found.append(Finding(tally, float(both.low), float(both.high), p, adjusted, verdict))
+        found.append(Finding(hits, float(both.low), float(both.high), p, adjusted, verdict))
     return found
 
 

@@ -14,7 +14,7 @@ from probe.tasks.task import KINDS
 
 
 def investigate(
-    examples: Sequence[LabelledSample], lore: CatalogueFacts, *, learning: bool = True
+    examples: Sequence[LabelledSample], catalogue: CatalogueFacts, *, learning: bool = True
 ) -> list[Finding]:
     """What rules, and classifiers if wanted, achieve on each type, judged together.
 
@@ -26,14 +26,14 @@ def investigate(
         mine = [example for example in examples if example.sample.kind == kind]
         if not mine:
             continue
-        tallies += _by_rules(mine, lore)
-        tallies += _by_classifiers(mine, lore) if learning else ()
+        tallies += _by_rules(mine, catalogue)
+        tallies += _by_classifiers(mine, catalogue) if learning else ()
     return judge(tallies)
 
 
-def _by_rules(examples: Sequence[LabelledSample], lore: CatalogueFacts) -> Iterator[HitCount]:
+def _by_rules(examples: Sequence[LabelledSample], catalogue: CatalogueFacts) -> Iterator[HitCount]:
     for name, rule in rules_for(examples[0].sample).items():
-        said = {n: _one_of(rule(e.sample, lore), e.task) for n, e in enumerate(examples)}
+        said = {n: _one_of(rule(e.sample, catalogue), e.task) for n, e in enumerate(examples)}
         yield from _tallies(examples, name, said, letters_alone=name.startswith("always"))
 
 
@@ -42,11 +42,13 @@ def _one_of(places: Sequence[int], task: str) -> int:
     return places[int(generator(0, "shortcuts", task).integers(len(places)))]
 
 
-def _by_classifiers(examples: Sequence[LabelledSample], lore: CatalogueFacts) -> Iterator[HitCount]:
+def _by_classifiers(
+    examples: Sequence[LabelledSample], catalogue: CatalogueFacts
+) -> Iterator[HitCount]:
     right = [example.right for example in examples]
     blocks = [example.block for example in examples]
     for family in FAMILIES:
-        told = [features(family, example.sample, lore) for example in examples]
+        told = [features(family, example.sample, catalogue) for example in examples]
         for name, model in models().items():
             said = guesses(model, told, right, blocks)
             if said:

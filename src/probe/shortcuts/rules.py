@@ -27,10 +27,10 @@ def rules_for(sample: Sample) -> Mapping[str, Rule]:
 
 
 def _always(place: int) -> Rule:
-    return lambda sample, lore: (place,)
+    return lambda sample, catalogue: (place,)
 
 
-def _observer(sample: Sample, lore: CatalogueFacts) -> Sequence[int]:
+def _observer(sample: Sample, catalogue: CatalogueFacts) -> Sequence[int]:
     letter = observe(sample.kind, sample.form, sample.question, sample.options, sample.look)
     return (LETTERS.index(letter),)
 
@@ -38,14 +38,14 @@ def _observer(sample: Sample, lore: CatalogueFacts) -> Sequence[int]:
 def _object(best: Callable[[ObjectSpec, CatalogueFacts], float]) -> Rule:
     """The option whose object has the largest value."""
 
-    def rule(sample: Sample, lore: CatalogueFacts) -> Sequence[int]:
-        specs = [lore.by_name.get(text) for text in sample.options]
-        return _most([None if spec is None else best(spec, lore) for spec in specs])
+    def rule(sample: Sample, catalogue: CatalogueFacts) -> Sequence[int]:
+        specs = [catalogue.by_name.get(text) for text in sample.options]
+        return _most([None if spec is None else best(spec, catalogue) for spec in specs])
 
     return rule
 
 
-def _patch(sample: Sample, lore: CatalogueFacts) -> Sequence[int]:
+def _patch(sample: Sample, catalogue: CatalogueFacts) -> Sequence[int]:
     """The option whose colour is nearest to something half hidden."""
     patches = half_hidden(sample.question, sample.look)
     return _most([None if is_none(o) else -misfit(o, patches) for o in sample.options])
@@ -54,7 +54,7 @@ def _patch(sample: Sample, lore: CatalogueFacts) -> Sequence[int]:
 def _number(best: Callable[[int, Sequence[int]], float]) -> Rule:
     """The number with the largest value among those offered."""
 
-    def rule(sample: Sample, lore: CatalogueFacts) -> Sequence[int]:
+    def rule(sample: Sample, catalogue: CatalogueFacts) -> Sequence[int]:
         values = [number(text) for text in sample.options]
         told = sorted(value for value in values if value is not None)
         return _most([None if value is None else best(value, told) for value in values])
@@ -65,7 +65,7 @@ def _number(best: Callable[[int, Sequence[int]], float]) -> Rule:
 def _seen(more: int) -> Rule:
     """What is seen and so many more; "none of the above" where that isn't offered."""
 
-    def rule(sample: Sample, lore: CatalogueFacts) -> Sequence[int]:
+    def rule(sample: Sample, catalogue: CatalogueFacts) -> Sequence[int]:
         wanted = visible_count(sample.question, sample.look) + more
         last = len(sample.options) - 1
         return [n for n, text in enumerate(sample.options) if number(text) == wanted] or [last]
@@ -76,7 +76,7 @@ def _seen(more: int) -> Rule:
 def _pair(a_less_b: Callable[[Sample], float]) -> Rule:
     """A where a number is positive, B where it is negative; the other way round for "smaller"."""
 
-    def rule(sample: Sample, lore: CatalogueFacts) -> Sequence[int]:
+    def rule(sample: Sample, catalogue: CatalogueFacts) -> Sequence[int]:
         lead = a_less_b(sample) * (-1 if sample.form == "smaller" else 1)
         return (0,) if lead > 0 else (1,) if lead < 0 else range(len(PAIR))
 
@@ -114,10 +114,10 @@ def _middle(value: int, told: Sequence[int]) -> float:
 
 
 _OBJECTS: Mapping[str, Rule] = {
-    "smallest": _object(lambda spec, lore: -max(spec.size)),
-    "largest": _object(lambda spec, lore: max(spec.size)),
-    "commonest": _object(lambda spec, lore: lore.common[spec.category]),
-    "rarest": _object(lambda spec, lore: -lore.common[spec.category]),
+    "smallest": _object(lambda spec, catalogue: -max(spec.size)),
+    "largest": _object(lambda spec, catalogue: max(spec.size)),
+    "commonest": _object(lambda spec, catalogue: catalogue.common[spec.category]),
+    "rarest": _object(lambda spec, catalogue: -catalogue.common[spec.category]),
     "patch colour": _patch,
 }
 _NUMBERS: Mapping[str, Rule] = {

@@ -102,6 +102,8 @@ def example_of(task: Task, look: FirstLook) -> LabelledSample:
     )
 
 
-def known(lore: CatalogueFacts, names: Iterable[str | None]) -> list[ObjectSpec]:
+def known(catalogue: CatalogueFacts, names: Iterable[str | None]) -> list[ObjectSpec]:
     """Specs of those of some names that the catalogue has."""
-    return [lore.by_name[name] for name in names if name is not None and name in lore.by_name]
+    return [
+        catalogue.by_name[name] for name in names if name is not None and name in catalogue.by_name
+    ]

@@ -16,9 +16,9 @@ _HEAD = """\
 def markdown(findings: Sequence[Finding]) -> str:
     """All findings, by type, after what they amount to."""
     parts = [_summary(findings)]
-    for kind in dict.fromkeys(finding.tally.kind for finding in _in_order(findings)):
-        mine = [finding for finding in findings if finding.tally.kind == kind]
-        mine.sort(key=lambda finding: finding.tally.limit - finding.tally.accuracy)
+    for kind in dict.fromkeys(finding.hits.kind for finding in _in_order(findings)):
+        mine = [finding for finding in findings if finding.hits.kind == kind]
+        mine.sort(key=lambda finding: finding.hits.limit - finding.hits.accuracy)
         parts.append("\n".join([f"### {kind}", "", _HEAD, *map(_row, mine)]))
     return "\n\n".join(parts) + "\n"
 
@@ -29,7 +29,7 @@ def leaks(findings: Sequence[Finding]) -> list[Finding]:
 
 
 def _in_order(findings: Sequence[Finding]) -> list[Finding]:
-    return sorted(findings, key=lambda f: (_place(f.tally.kind), f.tally.kind))
+    return sorted(findings, key=lambda f: (_place(f.hits.kind), f.hits.kind))
 
 
 def _place(kind: str) -> int:
@@ -44,25 +44,25 @@ def _summary(findings: Sequence[Finding]) -> str:
     )
     rows = ["| type | n | by classifiers | limit | true accuracy called a leak (80 % power) |"]
     rows.append("|---|---|---|---|---|")
-    for kind in dict.fromkeys(finding.tally.kind for finding in _in_order(findings)):
-        mine = [finding.tally for finding in findings if finding.tally.kind == kind]
-        tally = max(mine, key=lambda t: t.ceiling)
+    for kind in dict.fromkeys(finding.hits.kind for finding in _in_order(findings)):
+        mine = [finding.hits for finding in findings if finding.hits.kind == kind]
+        hits = max(mine, key=lambda t: t.ceiling)
         # Classifiers predict fewer than rules do.
         fewest, most = min(t.n for t in mine), max(t.n for t in mine)
-        least = detectable(fewest, tally.ceiling, tally.allowance, len(findings))
-        rows.append(f"| {kind} | {most} | {fewest} | {tally.limit:.0%} | {least:.0%} |")
+        least = detectable(fewest, hits.ceiling, hits.allowance, len(findings))
+        rows.append(f"| {kind} | {most} | {fewest} | {hits.limit:.0%} | {least:.0%} |")
     return head + "\n\n" + "\n".join(rows)
 
 
 def _row(finding: Finding) -> str:
-    tally = finding.tally
+    hits = finding.hits
     verdict = f"**{finding.verdict}**" if finding.verdict == "above" else finding.verdict
     cells = (
-        tally.by,
-        f"{tally.accuracy:.1%}",
-        str(tally.n),
+        hits.by,
+        f"{hits.accuracy:.1%}",
+        str(hits.n),
         f"{finding.low:.1%} to {finding.high:.1%}",
-        f"{tally.limit:.1%}",
+        f"{hits.limit:.1%}",
         f"{finding.p:.2g}",
         f"{finding.adjusted:.2g}",
         verdict,

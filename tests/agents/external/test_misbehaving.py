@@ -139,11 +139,11 @@ def test_its_process_ends_when_ours_is_killed(write):
     code = f"""
 import threading
 from pathlib import Path
-from probe.agents.external.factory import Invitation
-from probe.agents.external.external_agent import Outsider
+from probe.agents.external.factory import FileAgentFactory
+from probe.agents.external.external_agent import ExternalAgent
 from probe.agents.external.sandbox import AgentFile
 from probe.episodes.turns import Question
-agent = Outsider(Invitation(AgentFile(Path({str(path)!r}))), "t", 0)
+agent = ExternalAgent(FileAgentFactory(AgentFile(Path({str(path)!r}))), "t", 0)
 def tell():
     while agent._process is None or not hasattr(agent._process, "ready"): pass
     print(agent._process.pid, flush=True)

@@ -16,12 +16,12 @@ from probe.interfaces.human.app import app_of
 
 
 @contextmanager
-def serving(hall):
+def serving(sessions):
     """The port of a server over a hall; both are closed in the end."""
     with socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         listening.listen()
-        config = uvicorn.Config(app_of(hall), log_level="warning", ws="none", lifespan="off")
+        config = uvicorn.Config(app_of(sessions), log_level="warning", ws="none", lifespan="off")
         server = uvicorn.Server(config)
         thread = threading.Thread(target=server.run, args=([listening],))
         thread.start()
@@ -32,7 +32,7 @@ def serving(hall):
         finally:
             server.should_exit = True
             thread.join()
-            hall.close()
+            sessions.close()
 
 
 @pytest.fixture

@@ -88,5 +88,5 @@ def secrets() -> set[str]:
 if __name__ == "__main__":
     from probe.interfaces.human.server import run
 
-    with closing(hall_in(Path(sys.argv[1]), Room())) as hall:
-        run(hall, int(sys.argv[2]) if sys.argv[2:] else 0, print)
+    with closing(hall_in(Path(sys.argv[1]), Room())) as sessions:
+        run(sessions, int(sys.argv[2]) if sys.argv[2:] else 0, print)

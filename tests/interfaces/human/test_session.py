@@ -26,14 +26,16 @@ def settled(seat):
 
 
 @pytest.fixture
-def hall(tmp_path):
-    hall = hall_in(tmp_path, Room())
-    yield hall
-    hall.close()
+def sessions(tmp_path):
+    sessions = hall_in(tmp_path, Room())
+    yield sessions
+    sessions.close()
 
 
-def test_a_mistake_of_ours_is_recorded_and_the_question_asked_again(hall, tmp_path, monkeypatch):
-    seat = hall.enter("Ada")
+def test_a_mistake_of_ours_is_recorded_and_the_question_asked_again(
+    sessions, tmp_path, monkeypatch
+):
+    seat = sessions.enter("Ada")
     settled(seat)
 
     def stumble(self: Episode, call: Call):
@@ -58,23 +60,23 @@ def test_a_mistake_of_ours_is_recorded_and_the_question_asked_again(hall, tmp_pa
 
 def test_without_a_table_the_person_is_told_and_may_try_again(tmp_path, monkeypatch):
     room = Room()
-    hall = hall_in(tmp_path, room)
+    sessions = hall_in(tmp_path, room)
 
     def fail(*said: object):
         raise NoGraphicsDriver("secret_mug_77 can't be drawn")
 
     with monkeypatch.context() as broken:
         broken.setattr(room, "set_table", fail)
-        state = settled(hall.enter("Ada"))
+        state = settled(sessions.enter("Ada"))
         assert state.trouble and "secret" not in state.trouble and state.number == 0
-    hall.close()
-    hall = hall_in(tmp_path, room)
-    assert settled(hall.enter("Ada")).trouble is None
-    hall.close()
+    sessions.close()
+    sessions = hall_in(tmp_path, room)
+    assert settled(sessions.enter("Ada")).trouble is None
+    sessions.close()
 
 
-def test_an_answer_that_cannot_be_written_is_written_later(hall, tmp_path, monkeypatch):
-    seat = hall.enter("Ada")
+def test_an_answer_that_cannot_be_written_is_written_later(sessions, tmp_path, monkeypatch):
+    seat = sessions.enter("Ada")
     settled(seat)
 
     def full(path: Path, line: bytes):
@@ -92,18 +94,18 @@ def test_an_answer_that_cannot_be_written_is_written_later(hall, tmp_path, monke
 
 
 def test_a_table_that_comes_out_otherwise_counts_as_our_failure(tmp_path):
-    hall = hall_in(tmp_path, Room())
-    seat = hall.enter("Ada")
+    sessions = hall_in(tmp_path, Room())
+    seat = sessions.enter("Ada")
     settled(seat)
     seat.call(LOOK, 0)
     settled(seat)
-    hall.close()
+    sessions.close()
     path = tmp_path / "unfinished" / file_of("Ada")
     (record,) = read_records(path)
     step = replace(record.steps[0], text="something else")
     write_records(path, [replace(record, steps=(step,))])
-    hall = hall_in(tmp_path, Room())
-    seat = hall.enter("Ada")
+    sessions = hall_in(tmp_path, Room())
+    seat = sessions.enter("Ada")
     state = settled(seat)
     assert state.trouble and "as you left it" in state.trouble
     (fault,) = read_records(tmp_path / "records.jsonl")
@@ -111,7 +113,7 @@ def test_a_table_that_comes_out_otherwise_counts_as_our_failure(tmp_path):
     seat.go_on()
     state = settled(seat)
     assert (state.number, state.entries, state.trouble) == (1, (), None)
-    hall.close()
+    sessions.close()
 
 
 def test_a_folder_of_agents_is_refused(tmp_path):

@@ -10,7 +10,7 @@ from probe.episodes.folder import RECORDS, SUITE
 from probe.errors import BadData
 from probe.tasks.suite_file import write_suite
 from probe.train.choose.gathering import candidates_of
-from probe.train.collect.batches import GRADES, batches, harvest
+from probe.train.collect.batches import GRADES, batches, collected
 from probe.train.collect.settings import claim, read_settings
 
 LESSONS = [
@@ -31,7 +31,7 @@ def test_episodes_come_back_with_their_tasks_and_grades(tmp_path):
 
 def test_what_was_brought_is_counted_by_task(tmp_path):
     write_batch(begin_collection(tmp_path), LESSONS)
-    so_far = harvest(batches(tmp_path))
+    so_far = collected(batches(tmp_path))
     assert (so_far.tasks, so_far.successes) == ({"find": 2, "count": 1}, {"find": 2})
     assert (so_far.episodes, so_far.cost) == (4, 1.0)
     assert (so_far.right, so_far.played) == (
@@ -45,7 +45,7 @@ def test_what_was_right_without_tools_but_once_is_no_success(tmp_path):
     lucky = [lesson(training_task(1), arm="direct", run=run, right=run == 1) for run in range(3)]
     sure = [lesson(training_task(2, "count"), arm="direct", run=run) for run in range(2)]
     write_batch(begin_collection(tmp_path), [*lucky, *sure, lesson(training_task(1), right=False)])
-    assert harvest(batches(tmp_path)).successes == {"count": 1}
+    assert collected(batches(tmp_path)).successes == {"count": 1}
 
 
 def test_an_unfinished_batch_is_left_out(tmp_path):
@@ -53,7 +53,7 @@ def test_an_unfinished_batch_is_left_out(tmp_path):
     (write_batch(tmp_path, LESSONS[1:], "0of1-00001").folder / GRADES).unlink()
     found, unfinished = candidates_of([tmp_path], {})
     assert len(found) == 1 and unfinished == 1
-    assert harvest(batches(tmp_path)).episodes == 1
+    assert collected(batches(tmp_path)).episodes == 1
 
 
 def test_a_record_that_is_cut_off_is_named(tmp_path):
@@ -93,7 +93,7 @@ def test_what_left_no_record_is_missing(tmp_path):
     batch.keep([*batch.grades(), lost])
     found, _ = candidates_of([tmp_path], {})
     assert len(found) == len(LESSONS)
-    assert harvest(batches(tmp_path)).missing == 1
+    assert collected(batches(tmp_path)).missing == 1
 
 
 def test_another_part_of_the_tasks_is_another_collection(tmp_path):

@@ -12,13 +12,13 @@ from probe.train.tune.training_log import (
     LossInterval,
     diary_callback,
     learning_curve,
-    read_diary,
+    read_log,
 )
 
 
-def note(diary, step: int) -> None:
+def note(log, step: int) -> None:
     state = SimpleNamespace(is_world_process_zero=True, global_step=step)
-    diary.on_log(None, state, None, logs={"loss": 1.0 / step, "learning_rate": 0.1})
+    log.on_log(None, state, None, logs={"loss": 1.0 / step, "learning_rate": 0.1})
 
 
 def entries(*losses: float) -> list[LoggedStep]:
@@ -47,4 +47,4 @@ def test_a_line_that_was_cut_off_spoils_neither_the_next_nor_the_end(tmp_path):
     again = diary_callback(tmp_path)
     note(again, 2)
     note(again, 3)
-    assert [(it.step, it.loss) for it in read_diary(tmp_path)] == [(1, 1.0), (2, 0.5), (3, 1 / 3)]
+    assert [(it.step, it.loss) for it in read_log(tmp_path)] == [(1, 1.0), (2, 0.5), (3, 1 / 3)]

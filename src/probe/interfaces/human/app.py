@@ -66,17 +66,17 @@ class BadRequest(ProbeError):
 Asked = TypeVar("Asked", bound=_Named)
 
 
-def app_of(hall: SessionManager) -> Starlette:
+def app_of(sessions: SessionManager) -> Starlette:
     """The application; it leaves the hall open."""
     acts = [
-        _act("enter", _Named, lambda it: hall.enter(it.name)),
-        _act("next", _Named, _seated(hall, _go_on)),
-        _act("call", _Calling, _seated(hall, _call)),
-        _act("stop", _Stopping, _seated(hall, _stop)),
-        _act("remark", _Remarking, _seated(hall, _remark)),
+        _act("enter", _Named, lambda it: sessions.enter(it.name)),
+        _act("next", _Named, _seated(sessions, _go_on)),
+        _act("call", _Calling, _seated(sessions, _call)),
+        _act("stop", _Stopping, _seated(sessions, _stop)),
+        _act("remark", _Remarking, _seated(sessions, _remark)),
     ]
     return Starlette(
-        routes=[*page_routes(), *acts, *_sights(hall)],
+        routes=[*page_routes(), *acts, *_sights(sessions)],
         middleware=guards(_MOST_BYTES),
         exception_handlers={ProbeError: _told, Exception: _failed},
     )
@@ -99,20 +99,20 @@ def _remark(seat: HumanSession, it: _Remarking) -> None:
 
 
 def _seated(
-    hall: SessionManager, act: Callable[[HumanSession, Asked], None]
+    sessions: SessionManager, act: Callable[[HumanSession, Asked], None]
 ) -> Callable[[Asked], HumanSession]:
     """To do something at the seat of whoever asks."""
 
     def at_seat(asked: Asked) -> HumanSession:
-        seat = _seat(hall, asked.name)
+        seat = _seat(sessions, asked.name)
         act(seat, asked)
         return seat
 
     return at_seat
 
 
-def _seat(hall: SessionManager, name: str) -> HumanSession:
-    seat = hall.seat(name)
+def _seat(sessions: SessionManager, name: str) -> HumanSession:
+    seat = sessions.seat(name)
     if seat is None:
         raise NotNow("You have no seat any more. Load the page again to get one.")
     return seat
@@ -132,14 +132,14 @@ def _act(path: str, kind: type[Asked], act: Callable[[Asked], HumanSession]) -> 
     return Route(f"/seat/{path}", endpoint, methods=["POST"])
 
 
-def _sights(hall: SessionManager) -> list[Route]:
+def _sights(sessions: SessionManager) -> list[Route]:
     """What can be looked at without changing anything."""
 
     def state(request: Request) -> Response:
-        return JSONResponse(as_json(_seat(hall, _said(request.query_params, "name")).state))
+        return JSONResponse(as_json(_seat(sessions, _said(request.query_params, "name")).state))
 
     def picture(request: Request) -> Response:
-        seat = _seat(hall, _said(request.query_params, "name"))
+        seat = _seat(sessions, _said(request.query_params, "name"))
         number = _said(request.query_params, "number")
         found = seat.picture(int(number)) if number.isdecimal() and len(number) < 4 else None
         if found is None:

@@ -24,11 +24,11 @@ class PortTaken(ProbeError):
         super().__init__(f"Port {port} can't be used ({reason}). Choose another with --port.")
 
 
-def run(hall: SessionManager, port: int, ready: Callable[[str], None]) -> None:
+def run(sessions: SessionManager, port: int, ready: Callable[[str], None]) -> None:
     """Serve until interrupted.
 
     Args:
-        hall: Where people sit; it is left open.
+        sessions: Where people sit; it is left open.
         port: Where to listen; 0 for any that is free.
         ready: Is told the address as soon as it can be opened.
 
@@ -44,6 +44,6 @@ def run(hall: SessionManager, port: int, ready: Callable[[str], None]) -> None:
             raise PortTaken(port, str(error)) from error
         listening.listen()
         ready(f"http://{LOOPBACK}:{listening.getsockname()[1]}/")
-        config = uvicorn.Config(app_of(hall), log_level="warning", ws="none", lifespan="off")
+        config = uvicorn.Config(app_of(sessions), log_level="warning", ws="none", lifespan="off")
         config.timeout_graceful_shutdown = _PATIENCE
         uvicorn.Server(config).run(sockets=[listening])

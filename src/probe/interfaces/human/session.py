@@ -30,18 +30,18 @@ class HumanSession:
     What is shown is a value that is replaced whole, so that it may be read at any time.
 
     Args:
-        sitting: Who sits there, and what they have done before.
+        store: Who sits there, and what they have done before.
         furnish: Opens what tables need.
     """
 
-    def __init__(self, sitting: SessionStore, furnish: Furnish) -> None:
-        self._sitting = sitting
+    def __init__(self, store: SessionStore, furnish: Furnish) -> None:
+        self._store = store
         self._furnish = furnish
         self._thread = ThreadPoolExecutor(1, "seat")
         self._stack = ExitStack()
         self._set_table: SetTable | None = None
         self._lock = threading.Lock()
-        self._state = between(State(), sitting.progress)
+        self._state = between(State(), store.progress)
         self._table: LiveEpisode | None = None
 
     @property
@@ -94,7 +94,7 @@ class HumanSession:
         with self._lock:
             if self._table is None or number != self._state.number:
                 raise NotNow("That question isn't before you any more.")
-            self._sitting.remark(self._table.task, ambiguous=ambiguous, note=note)
+            self._store.remark(self._table.task, ambiguous=ambiguous, note=note)
             self._state = replace(self._state, ambiguous=ambiguous, note=note)
 
     def close(self) -> None:
@@ -130,11 +130,11 @@ class HumanSession:
             self._state = replace(self._state, doing=None, trouble=trouble)
 
     def _advance(self) -> None:
-        self._sitting.write()
-        found = self._sitting.progress.next()
+        self._store.write()
+        found = self._store.progress.next()
         self._table = None
         with self._lock:
-            self._state = between(self._state, self._sitting.progress)
+            self._state = between(self._state, self._store.progress)
         if found is not None:
             self._table = self._laid(*found)
             self._show(self._table)
@@ -143,17 +143,17 @@ class HumanSession:
         """A table as at the start, or as the person left it."""
         if self._set_table is None:
             self._set_table = self._stack.enter_context(self._furnish())
-        earlier, run = self._sitting.earlier(task)
-        episode = self._set_table(task, self._sitting.name, run)
+        earlier, run = self._store.earlier(task)
+        episode = self._set_table(task, self._store.name, run)
         try:
             return LiveEpisode(place, task, episode, earlier)
         except NotAsBefore as error:
             assert earlier is not None
-            self._sitting.end(replace(earlier, end="fault", fault=str(error)))
+            self._store.end(replace(earlier, end="fault", fault=str(error)))
             raise
 
     def _show(self, table: LiveEpisode) -> None:
-        said = self._sitting.remarks.get(table.task.id)
+        said = self._store.remarks.get(table.task.id)
         with self._lock:
             self._state = at_table(self._state, table.place, table.task, said)
         self._update(table)
@@ -167,7 +167,7 @@ class HumanSession:
                 manipulations=record.manipulations,
                 pictures=len(table.pictures),
                 over=table.episode.ended,
-                done=self._sitting.progress.done,
+                done=self._store.progress.done,
             )
 
     def _step(self, call: Call) -> None:
@@ -176,17 +176,17 @@ class HumanSession:
         record = self._table.episode.record
         try:
             if self._table.episode.ended:
-                self._sitting.end(record)
+                self._store.end(record)
             else:
-                self._sitting.keep(record)
+                self._store.keep(record)
         finally:
             self._update(self._table)
 
     def _stop(self) -> None:
         assert self._table is not None
         try:
-            self._sitting.end(self._table.episode.record)
+            self._store.end(self._table.episode.record)
         finally:
             with self._lock:
-                done = self._sitting.progress.done
+                done = self._store.progress.done
                 self._state = replace(self._state, over=True, done=done)

@@ -140,7 +140,7 @@ def new_batch(out: Path, shard: Shard) -> Batch:
     return Batch(out / BATCHES / f"{_mark(shard)}-{number:05d}")
 
 
-def harvest(some: Iterable[Batch]) -> CollectedBatches:
+def collected(some: Iterable[Batch]) -> CollectedBatches:
     """What whole batches have brought together.
 
     Raises:

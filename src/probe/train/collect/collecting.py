@@ -28,7 +28,7 @@ from probe.train.collect.batches import (
     CollectedBatches,
     EpisodeGrade,
     batches,
-    harvest,
+    collected,
     new_batch,
 )
 from probe.transcripts.prompts import Arm
@@ -54,13 +54,13 @@ class TeacherWorkers:
         make: Makes tasks.
         play: Plays them.
         library: The objects.
-        darkroom: Where answers that point at something are graded.
+        scene_renderer: Where answers that point at something are graded.
     """
 
     make: Make
     play: Play
     library: Library
-    darkroom: Callable[[Suite], SceneRenderer]
+    scene_renderer: Callable[[Suite], SceneRenderer]
 
 
 @dataclass(frozen=True)
@@ -89,13 +89,13 @@ def collect(out: Path, aim: Aim, hands: TeacherWorkers) -> Generator[CollectionP
             suite = read_suite(batch.folder / SUITE)
             check_objects(suite, hands.library)
             for doing in _played(batch, suite, aim, hands):
-                yield CollectionProgress(harvest(batches(out, aim.shard)), doing)
-    so_far = harvest(batches(out, aim.shard))
+                yield CollectionProgress(collected(batches(out, aim.shard)), doing)
+    so_far = collected(batches(out, aim.shard))
     yield CollectionProgress(so_far, "begun")
     while aim.reached(so_far) < aim.total and aim.spent(so_far) is None:
         for doing in _new(out, aim, hands, so_far):
             yield CollectionProgress(so_far, doing)
-        so_far = harvest(batches(out, aim.shard))
+        so_far = collected(batches(out, aim.shard))
         yield CollectionProgress(so_far, "a batch is done")
 
 
@@ -120,20 +120,20 @@ def _new(out: Path, aim: Aim, hands: TeacherWorkers, so_far: CollectedBatches) -
 def _played(batch: Batch, suite: Suite, aim: Aim, hands: TeacherWorkers) -> Generator[str]:
     """Play what a batch lacks and grade it."""
     grades = list[EpisodeGrade]()
-    with hands.darkroom(suite) as darkroom:
+    with hands.scene_renderer(suite) as scene_renderer:
         rest = suite
         if aim.mode != "agentic":
             yield from hands.play(suite, "direct", aim.direct_runs, batch.arm("direct"))
-            grades += graded(batch, "direct", aim.direct_runs, darkroom)
+            grades += graded(batch, "direct", aim.direct_runs, scene_renderer)
             rest = suite if aim.always else _without(suite, grades)
         if aim.mode != "direct" and rest.tasks:
             write_suite(batch.arm("agentic") / SUITE, rest)
             yield from hands.play(rest, "agentic", 1, batch.arm("agentic"))
-            grades += graded(batch, "agentic", 1, darkroom)
+            grades += graded(batch, "agentic", 1, scene_renderer)
     batch.keep(grades)
 
 
-def graded(batch: Batch, arm: Arm, runs: int, darkroom: SceneRenderer) -> list[EpisodeGrade]:
+def graded(batch: Batch, arm: Arm, runs: int, scene_renderer: SceneRenderer) -> list[EpisodeGrade]:
     """What came of each run of an arm's tasks, also of those that left no record.
 
     Raises:
@@ -142,16 +142,16 @@ def graded(batch: Batch, arm: Arm, runs: int, darkroom: SceneRenderer) -> list[E
     suite = read_suite(batch.arm(arm) / SUITE)
     found = batch.records(arm, suite)
     return [
-        _grade(task, arm, run, found.get((task.id, run)), darkroom)
+        _grade(task, arm, run, found.get((task.id, run)), scene_renderer)
         for task in suite.tasks
         for run in range(runs)
     ]
 
 
 def _grade(
-    task: Task, arm: Arm, run: int, record: EpisodeRecord | None, darkroom: SceneRenderer
+    task: Task, arm: Arm, run: int, record: EpisodeRecord | None, scene_renderer: SceneRenderer
 ) -> EpisodeGrade:
-    score = darkroom.score(task, record) if record and record.end != "fault" else None
+    score = scene_renderer.score(task, record) if record and record.end != "fault" else None
     fault = record.fault if record else "no record was left"
     return EpisodeGrade(
         task=task.id,

@@ -63,12 +63,12 @@ class TaskWorker:
         """Open the library and start a renderer; gives what makes a task."""
         things = self.library()
         with Renderer(self.cache) as renderer:
-            workshop = BuildResources(things, self.tables, renderer, unchecked=True)
-            yield partial(_made, self.parts, workshop)
+            resources = BuildResources(things, self.tables, renderer, unchecked=True)
+            yield partial(_made, self.parts, resources)
 
 
 def make_tasks(
-    studio: TaskWorker, places: Sequence[TaskSlot], workers: int
+    worker: TaskWorker, places: Sequence[TaskSlot], workers: int
 ) -> Generator[tuple[TaskSlot, str | None]]:
     """Make the tasks that aren't there yet; yields each place with what went wrong, if it did.
 
@@ -78,11 +78,11 @@ def make_tasks(
     """
     waiting = list[TaskSlot]()
     for place in places:
-        if studio.parts.task_path(place).exists():
+        if worker.parts.task_path(place).exists():
             yield place, None
         else:
             waiting.append(place)
-    results = carry_out(studio, waiting, workers)
+    results = carry_out(worker, waiting, workers)
     try:
         for place, result in results:
             if isinstance(result, LostJob):
@@ -93,9 +93,9 @@ def make_tasks(
         results.close()
 
 
-def _made(parts: BuildFolder, workshop: BuildResources, place: TaskSlot) -> bytes:
+def _made(parts: BuildFolder, resources: BuildResources, place: TaskSlot) -> bytes:
     try:
-        for _ in fill(place, parts, workshop):
+        for _ in fill(place, parts, resources):
             pass
     except Unsatisfiable as error:
         return str(error).encode()

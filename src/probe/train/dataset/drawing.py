@@ -53,32 +53,34 @@ class DrawingWorker:
     @contextmanager
     def __call__(self) -> Generator[Callable[[Drawing], bytes]]:
         """Make a darkroom; gives what draws an episode."""
-        with SceneRenderer(self.suite, self.library) as darkroom:
-            yield partial(self._drawn, darkroom)
+        with SceneRenderer(self.suite, self.library) as scene_renderer:
+            yield partial(self._drawn, scene_renderer)
 
     def key(self, record: EpisodeRecord) -> str:
         """Under which an episode's pictures are kept."""
         return content_key("pictures", _EDITION, line_of(record, timed=False), str(self.side_px))
 
-    def _drawn(self, darkroom: SceneRenderer, job: Drawing) -> bytes:
+    def _drawn(self, scene_renderer: SceneRenderer, job: Drawing) -> bytes:
         task, record = job
         try:
-            self.kept.store(self.key(record), _packed(shown(task, record, darkroom, self.side_px)))
+            self.kept.store(
+                self.key(record), _packed(shown(task, record, scene_renderer, self.side_px))
+            )
         except ProbeError as error:
             return str(error).encode()
         return b""
 
 
-def draw(studio: DrawingWorker, episodes: Sequence[Drawing], workers: int) -> Iterator[None]:
+def draw(worker: DrawingWorker, episodes: Sequence[Drawing], workers: int) -> Iterator[None]:
     """Draw what isn't kept yet; yields once for each episode.
 
     Raises:
         NotDrawn: One can't be drawn; an object has changed, or perception was no oracle.
         OutputFailed: Pictures can't be kept.
     """
-    waiting = [it for it in episodes if not studio.kept.path(studio.key(it[1])).exists()]
+    waiting = [it for it in episodes if not worker.kept.path(worker.key(it[1])).exists()]
     yield from [None] * (len(episodes) - len(waiting))
-    results = carry_out(studio, waiting, workers)
+    results = carry_out(worker, waiting, workers)
     try:
         for (_, record), result in results:
             reason = result.reason if isinstance(result, LostJob) else result.decode()
@@ -89,13 +91,13 @@ def draw(studio: DrawingWorker, episodes: Sequence[Drawing], workers: int) -> It
         results.close()
 
 
-def pictures_of(studio: DrawingWorker, record: EpisodeRecord) -> EpisodePictures:
+def pictures_of(worker: DrawingWorker, record: EpisodeRecord) -> EpisodePictures:
     """The pictures that draw() kept.
 
     Raises:
         NotDrawn: They are gone.
     """
-    arrays = studio.kept.load(studio.key(record))
+    arrays = worker.kept.load(worker.key(record))
     if arrays is None:
         raise NotDrawn(record, "they have been taken away. Run it again")
     return _unpacked(arrays, len(record.steps))

@@ -55,24 +55,24 @@ class EpisodePictures:
 
 
 def shown(
-    task: Task, record: EpisodeRecord, darkroom: SceneRenderer, side_px: int = PICTURE_PX
+    task: Task, record: EpisodeRecord, scene_renderer: SceneRenderer, side_px: int = PICTURE_PX
 ) -> EpisodePictures:
     """Draw an episode's pictures.
 
     Args:
         task: What it was about.
         record: What happened.
-        darkroom: Of a suite that has the task.
+        scene_renderer: Of a suite that has the task.
         side_px: Width and height; by default as models are sent them.
 
     Raises:
         OtherPerception: Perception wasn't the oracle's, or the arm is another.
     """
     _check(record)
-    start = _picture(task, record, record.start.scene, darkroom)
+    start = _picture(task, record, record.start.scene, scene_renderer)
     scenes = record.scenes
     later = [
-        _result(task, record, step, scenes[number], darkroom)
+        _result(task, record, step, scenes[number], scene_renderer)
         for number, step in enumerate(record.steps)
     ]
     files = [None if it is None else jpeg(_sized(it, side_px)) for it in later]
@@ -89,24 +89,26 @@ def _check(record: EpisodeRecord) -> None:
 
 
 def _result(
-    task: Task, record: EpisodeRecord, step: Step, before: Scene, darkroom: SceneRenderer
+    task: Task, record: EpisodeRecord, step: Step, before: Scene, scene_renderer: SceneRenderer
 ) -> Array | None:
     """What a step's result showed: nothing if nothing was done, else the table after it."""
     if step.status in _SILENT or step.call.name == "answer_question":
         return None
     if step.call.name != "find_object":
-        return _picture(task, record, step.after.scene, darkroom)
-    picture = _picture(task, record, before, darkroom)
+        return _picture(task, record, step.after.scene, scene_renderer)
+    picture = _picture(task, record, before, scene_renderer)
     if step.status != "done" or step.point_px is None:
         return picture
-    labels = darkroom.frame(task, before, record.sight).labels
+    labels = scene_renderer.frame(task, before, record.sight).labels
     assert labels is not None
     u, v = step.point_px
     return outlined(picture, Thing.of(labels == labels[v, u], _NOTHING))
 
 
-def _picture(task: Task, record: EpisodeRecord, scene: Scene, darkroom: SceneRenderer) -> Array:
-    frame = darkroom.frame(task, scene, record.sight)
+def _picture(
+    task: Task, record: EpisodeRecord, scene: Scene, scene_renderer: SceneRenderer
+) -> Array:
+    frame = scene_renderer.frame(task, scene, record.sight)
     assert frame.rgb is not None
     return frame.rgb
 

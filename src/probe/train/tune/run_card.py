@@ -20,7 +20,7 @@ from probe.train.tune.training_log import (
     LoggedStep,
     LossInterval,
     learning_curve,
-    read_diary,
+    read_log,
     seconds_of,
 )
 
@@ -67,31 +67,31 @@ def write_card(out: Path, begun: TrainingStart, manifest: Manifest, weights: str
     Raises:
         OutputFailed: They can't be written.
     """
-    diary = read_diary(out)
-    tenth = max(1, len(diary) // 10)
+    log = read_log(out)
+    tenth = max(1, len(log) // 10)
     run = Run(
         begun=begun,
         examples=manifest.examples,
         versions={"probe-vqa": version("probe-vqa"), **libraries.versions()},
         hardware=hardware(),
         weights=weights,
-        steps=len(diary),
+        steps=len(log),
         seconds=round(seconds_of(out), 1),
-        first_loss=round(_mean(diary[:tenth]), 4),
-        last_loss=round(_mean(diary[-tenth:]), 4),
+        first_loss=round(_mean(log[:tenth]), 4),
+        last_loss=round(_mean(log[-tenth:]), 4),
     )
     write_text(out / RUN, run.model_dump_json(indent=1) + "\n")
-    write_text(out / CARD, _page(run, manifest, told_curve(diary)))
+    write_text(out / CARD, _page(run, manifest, told_curve(log)))
     return run
 
 
-def told_curve(diary: Sequence[LoggedStep]) -> list[str]:
+def told_curve(log: Sequence[LoggedStep]) -> list[str]:
     """A training's learning curve as rows of Markdown: steps, mean loss, learning rate at the end.
 
     Args:
-        diary: Of all its steps, in order.
+        log: Of all its steps, in order.
     """
-    return [_row(stretch) for stretch in learning_curve(diary, _LINES)]
+    return [_row(stretch) for stretch in learning_curve(log, _LINES)]
 
 
 def hardware() -> str:
@@ -128,5 +128,5 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
     )
 
 
-def _mean(diary: Sequence[LoggedStep]) -> float:
-    return sum(it.loss for it in diary) / len(diary) if diary else float("nan")
+def _mean(log: Sequence[LoggedStep]) -> float:
+    return sum(it.loss for it in log) / len(log) if log else float("nan")

@@ -76,7 +76,7 @@ def diary_callback(out: Path) -> Any:
     return Diary()
 
 
-def read_diary(out: Path) -> list[LoggedStep]:
+def read_log(out: Path) -> list[LoggedStep]:
     """The entry of each step; of one that was made twice, after a resumption, the later one.
 
     Raises:
