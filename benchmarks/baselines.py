@@ -13,10 +13,10 @@ from pathlib import Path
 
 import tyro
 
-from probe.cli.agents import AgentName, make_agent
-from probe.cli.grading import graded
-from probe.cli.rescore import rows_of, write_beside
-from probe.cli.resources import everything
+from probe.api.agents import AgentName, make_agent
+from probe.api.grading import graded
+from probe.api.resources import everything
+from probe.api.rows import rows_of, write_beside
 from probe.cli.running import run_order
 from probe.episodes.noise import NOISES, NoiseName
 from probe.runs.plan import RunOrder

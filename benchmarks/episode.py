@@ -18,9 +18,9 @@ from rich.console import Console
 from rich.table import Table
 
 from probe.agents.scripted import Scripted
+from probe.api.resources import assets_folder, cache_folder
 from probe.assets.library import Library, open_library
 from probe.assets.tables import load_table
-from probe.cli.resources import assets_folder, cache_folder
 from probe.episodes.grading import question_of
 from probe.episodes.play import set_table
 from probe.episodes.run import run_episode

@@ -21,6 +21,7 @@ import numpy as np
 import tyro
 from importing_layouts import LAYOUTS, Layout, original_names, read_scan
 
+from probe.api.resources import assets_folder
 from probe.assets.gltf.glb import measure_glb
 from probe.assets.importers.adding import ImportOutcome, ImportTarget, add, objects_at
 from probe.assets.importers.options import ImportOptions
@@ -29,7 +30,6 @@ from probe.assets.library import scans_folder
 from probe.assets.pools.entry import LibraryEntry
 from probe.assets.pools.own import own_entries
 from probe.assets.pools.scan_catalogue import ScanRow, scan_rows
-from probe.cli.resources import assets_folder
 
 SAID: dict[str, set[str]] = {
     "silver": {"gray"},

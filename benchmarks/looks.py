@@ -14,10 +14,10 @@ from pathlib import Path
 
 import numpy as np
 
+from probe.api.resources import assets_folder, library
 from probe.assets.environments import load_environment
 from probe.assets.tables import load_table, table_ids
 from probe.assets.tabletops import tops
-from probe.cli.resources import assets_folder, library
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
 from probe.render.protocol import Engine

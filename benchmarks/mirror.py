@@ -13,7 +13,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.cli.resources import everything
+from probe.api.resources import everything
 from probe.generation.twin_worlds import other_world
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import find_suite, write_suite

@@ -14,9 +14,9 @@ from collections.abc import Callable
 import numpy as np
 import psutil
 
+from probe.api.resources import assets_folder, library
 from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
-from probe.cli.resources import assets_folder, library
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import TABLE_SIZE, top_camera

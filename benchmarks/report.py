@@ -18,9 +18,9 @@ import tyro
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 from browser import Browser, chromium  # noqa: E402
-from probe.cli.agents import make_agent  # noqa: E402
+from probe.api.agents import make_agent  # noqa: E402
+from probe.api.resources import everything  # noqa: E402
 from probe.cli.report import write_run_report  # noqa: E402
-from probe.cli.resources import everything  # noqa: E402
 from probe.cli.running import run_order  # noqa: E402
 from probe.episodes.files import read_records, write_records  # noqa: E402
 from probe.episodes.folder import RECORDS, SUITE  # noqa: E402

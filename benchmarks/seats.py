@@ -30,8 +30,8 @@ sys.path.insert(0, str(ROOT / "tests"))
 from bench.sitting_in import metrics_of, run_in  # noqa: E402
 from model_server import Reply, serving  # noqa: E402
 from policy_server import Policy, agent_in_run_0, task_of  # noqa: E402
+from probe.api.resources import cache_folder, everything, opener  # noqa: E402
 from probe.bench.plan import ModelRunPlan  # noqa: E402
-from probe.cli.resources import cache_folder, everything, opener  # noqa: E402
 from probe.episodes.files import line_of, read_records  # noqa: E402
 from probe.episodes.folder import RECORDS, in_order, standing  # noqa: E402
 from probe.episodes.noise import NOISES  # noqa: E402

@@ -21,9 +21,9 @@ import numpy as np
 import pydantic
 import tyro
 
+from probe.api.resources import Pool, assets_folder, library
 from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
-from probe.cli.resources import Pool, assets_folder, library
 from probe.cli.shards import parse_shard
 from probe.errors import Unsatisfiable
 from probe.files import claim_folder

@@ -15,9 +15,9 @@ from rich.progress import Progress
 
 from probe import manipulation
 from probe.agents.reading import read_graph, read_handle
+from probe.api.resources import assets_folder, library
 from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
-from probe.cli.resources import assets_folder, library
 from probe.perception.oracle import Oracle
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer

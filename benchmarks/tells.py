@@ -11,8 +11,8 @@ from collections import Counter
 import numpy as np
 from scipy.spatial import ConvexHull
 
+from probe.api.resources import library
 from probe.assets.library import Library
-from probe.cli.resources import library
 from probe.scene.layout import top_camera
 from probe.scene.scene import PlacedObject
 from probe.tasks.suite_file import find_suite

@@ -19,8 +19,8 @@ from typing import Any
 import tyro
 
 import probe.manipulation
-from probe.cli.agents import make_agent
-from probe.cli.resources import everything
+from probe.api.agents import make_agent
+from probe.api.resources import everything
 from probe.episodes.files import append_line
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, RunOrder

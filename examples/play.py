@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from importlib import resources
 from pathlib import Path
 
 import tyro
+from PIL import Image
 
-from probe.assets.tables import load_table
-from probe.cli.resources import library
-from probe.episodes.play import set_table
-from probe.files import write_picture
-from probe.render.renderer import Renderer
-from probe.tasks.suite_file import read_suite
+import probe
 
 TASK = "beneath-8af85510"
 """A task of the demo suite: what did the green mug cover?"""
@@ -24,31 +19,28 @@ def main(out: Path = Path("outputs/examples/play")) -> None:
     Args:
         out: Folder for the picture that each call brought.
     """
-    with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
-        tasks = {task.id: task for task in read_suite(path).tasks}
-    task, things = tasks[TASK], library("procedural")
+    task = probe.load_suite("demo")[TASK]
+    out.mkdir(parents=True, exist_ok=True)
     print(task.question, *(f"{o.letter}: {o.text}" for o in task.options), sep="\n")
-    with Renderer() as renderer:
-        table = load_table(task.scene.table, None)
-        tools, _ = set_table(task, things, table, renderer, pictures=True)
+    with probe.open_episode(task, probe.open_library()) as episode:
 
-        def call(name: str, **arguments: object) -> str:
-            result = tools.call(name, arguments)
+        def call(tool: str, **arguments: object) -> None:
+            result = episode.step(tool, **arguments)
             given = ", ".join(f"{key}={value!r}" for key, value in arguments.items())
-            print(f"\n> {name}({given})\n{result.text}")
+            print(f"\n> {tool}({given})\n{result.text}")
             if result.picture is not None:
-                write_picture(out / f"{tools.turns}-{name}.png", result.picture)
-            return result.text
+                number = len(episode.record.steps)
+                Image.fromarray(result.picture).save(out / f"{number}-{tool}.png")
 
         call("perceive_scene")
-        # The cover can be named since it shows; what is under it can't, whoever asks.
+        # The cover can be named because it is visible; nothing can name what is under it.
         call("find_object", description=task.subject)
         call("grasp_and_remove", object_id="object_1")
-        # A new handle for every look: object_1 went into the basket.
+        # Each look needs a new handle: object_1 is in the basket now.
         call("find_object", description="black tape")
         call("answer_question", choice="C")
-    # Only we know the truth; the tools accept any letter without a word about it.
-    print(f"\nRight is {task.answer}.")
+        # The tools accept any letter; only the task knows which one is right.
+        print(f"\nThe right answer is {task.answer}; this one is {episode.score().outcome}.")
 
 
 if __name__ == "__main__":

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import tyro
 
+from probe.api.resources import library
 from probe.assets.tables import load_table
-from probe.cli.resources import library
 from probe.episodes.files import read_records
 from probe.episodes.play import score, set_table
 from probe.episodes.replay import differences, replay

@@ -12,8 +12,8 @@ from PIL import Image, ImageDraw, ImageFont
 
 from probe.agents.reading import Box, read_graph
 from probe.agents.scripted import Scripted
+from probe.api.resources import library
 from probe.assets.tables import load_table
-from probe.cli.resources import library
 from probe.episodes.grading import question_of
 from probe.episodes.play import score, set_table
 from probe.episodes.run import run_episode

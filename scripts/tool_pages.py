@@ -15,8 +15,8 @@ import numpy as np
 import tyro
 from PIL import Image
 
+from probe.api.resources import library
 from probe.assets.tables import load_table
-from probe.cli.resources import library
 from probe.episodes.play import set_table
 from probe.files import encode, write_bytes
 from probe.render.renderer import Renderer

@@ -6,8 +6,8 @@ import json
 from typing import Any
 
 from model_server import Reply
+from probe.api.agents import make_agent
 from probe.assets.library import Library
-from probe.cli.agents import make_agent
 from probe.episodes.grading import question_of
 from probe.episodes.turns import Agent, Call, Turn
 from probe.render.renderer import Renderer

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import shutil
 import subprocess
@@ -121,3 +122,13 @@ def test_a_folder_without_a_place_is_refused(checkout: Path):
     status, output = run(checkout, "lint-imports")
     assert status != 0
     assert "utils" in output
+
+
+def test_no_public_class_name_is_defined_twice():
+    places: dict[str, list[str]] = {}
+    for path in sorted((ROOT / "src" / "probe").rglob("*.py")):
+        for node in ast.parse(path.read_text()).body:
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                places.setdefault(node.name, []).append(str(path.relative_to(ROOT)))
+    assert len(places) > 400
+    assert {name: found for name, found in places.items() if len(found) > 1} == {}

@@ -36,7 +36,7 @@ def example(tmp_path, cache):
 
 def test_scene_draws_what_it_lists(example, tmp_path):
     told = example("scene.py", "--seed", 5, "--objects", 4, "--out", tmp_path / "scene.png")
-    shares = [int(line.split("%")[0]) for line in told.splitlines() if line.endswith(" shows")]
+    shares = [int(line.split("%")[0]) for line in told.splitlines() if line.endswith(" is visible")]
     assert len(shares) == 4 and shares == sorted(shares) and shares[0] >= 0 and shares[-1] <= 100
     picture = np.asarray(Image.open(tmp_path / "scene.png"))
     assert picture.shape == (1024, 1024, 3) and picture.std() > 10
@@ -48,7 +48,7 @@ def test_play_uncovers_the_answer(example, tmp_path):
     before, after = told.split("> grasp_and_remove(object_id='object_1')\n")
     assert after.startswith("Done:")
     assert 'name: "black tape"' not in before and 'name: "black tape"' in after
-    assert told.endswith("Right is C.\n")
+    assert told.endswith("The right answer is C; this one is right.\n")
     first, outlined, revealed = (
         np.asarray(Image.open(tmp_path / "play" / name))
         for name in ("1-perceive_scene.png", "2-find_object.png", "3-grasp_and_remove.png")

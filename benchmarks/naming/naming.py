@@ -20,9 +20,9 @@ import tyro
 import yaml
 from rich.progress import track
 
+from probe.api.resources import library
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.cli.resources import library
 from probe.files import encode, write_bytes
 from probe.report.contact_sheet import contact_sheet
 

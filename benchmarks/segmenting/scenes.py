@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from probe.api.resources import assets_folder, cache_folder, library
 from probe.assets.tables import load_table, table_ids
-from probe.cli.resources import assets_folder, cache_folder, library
 from probe.errors import Unsatisfiable
 from probe.perception.oracle import SEEN_PX, SEEN_SHARE
 from probe.render.lighting import light_of

@@ -1,8 +1,14 @@
-"""PROBE: questions about a cluttered table that only moving things can answer."""
+"""PROBE: questions about a cluttered table that only moving things can answer.
+
+The names below are the public API; `docs/reference/api.md` lists them. They are imported when they
+are first used.
+"""
 
 import os as _os
 import sys as _sys
+from importlib import import_module as _import_module
 from platform import machine as _machine
+from typing import TYPE_CHECKING
 
 _binding = {
     # With AVX-512, OpenBLAS and NumPy (2.4's names) round otherwise than without it, and piles fall
@@ -22,3 +28,96 @@ if _machine() in {"x86_64", "AMD64"}:
         _os.environ.setdefault(_name, _value)
 
 __version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from probe.api.episodes import OpenEpisode, open_episode, play, score
+    from probe.api.reports import WrittenReport, report, rescore
+    from probe.api.runs import read_records, run
+    from probe.api.scenes import make_scene, photograph, visibility
+    from probe.api.suites import build_suite, load_suite, open_library
+    from probe.assets.library import Library
+    from probe.episodes.noise import Noise
+    from probe.episodes.record import EpisodeRecord
+    from probe.episodes.turns import Agent, Call, Question, Turn
+    from probe.errors import ProbeError
+    from probe.render.renderer import Renderer
+    from probe.scene.scene import Scene
+    from probe.scores.summary import Scores
+    from probe.tasks.grading import Score
+    from probe.tasks.suite import Suite
+    from probe.tasks.task import Task
+    from probe.toolshed.result import ToolResult
+    from probe.types import Camera, Frame, Pose
+
+_HOMES = {
+    "api.episodes": ("OpenEpisode", "open_episode", "play", "score"),
+    "api.reports": ("WrittenReport", "report", "rescore"),
+    "api.runs": ("read_records", "run"),
+    "api.scenes": ("make_scene", "photograph", "visibility"),
+    "api.suites": ("build_suite", "load_suite", "open_library"),
+    "assets.library": ("Library",),
+    "episodes.noise": ("Noise",),
+    "episodes.record": ("EpisodeRecord",),
+    "episodes.turns": ("Agent", "Call", "Question", "Turn"),
+    "errors": ("ProbeError",),
+    "render.renderer": ("Renderer",),
+    "scene.scene": ("Scene",),
+    "scores.summary": ("Scores",),
+    "tasks.grading": ("Score",),
+    "tasks.suite": ("Suite",),
+    "tasks.task": ("Task",),
+    "toolshed.result": ("ToolResult",),
+    "types": ("Camera", "Frame", "Pose"),
+}
+_HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+
+__all__ = [
+    "SUMS_BOUND",
+    "Agent",
+    "Call",
+    "Camera",
+    "EpisodeRecord",
+    "Frame",
+    "Library",
+    "Noise",
+    "OpenEpisode",
+    "Pose",
+    "ProbeError",
+    "Question",
+    "Renderer",
+    "Scene",
+    "Score",
+    "Scores",
+    "Suite",
+    "Task",
+    "ToolResult",
+    "Turn",
+    "WrittenReport",
+    "__version__",
+    "build_suite",
+    "load_suite",
+    "make_scene",
+    "open_episode",
+    "open_library",
+    "photograph",
+    "play",
+    "read_records",
+    "report",
+    "rescore",
+    "run",
+    "score",
+    "visibility",
+]
+
+
+def __getattr__(name: str) -> object:
+    """A public name, imported when it is first used."""
+    if name not in _HOME_OF:
+        raise AttributeError(f"module 'probe' has no attribute {name!r}")
+    found: object = getattr(_import_module(f"probe.{_HOME_OF[name]}"), name)
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return __all__

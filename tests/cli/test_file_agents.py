@@ -8,10 +8,10 @@ import pytest
 
 from probe.agents.external.protocol import AgentReady, Confinement
 from probe.agents.external.sandbox import Sandbox
-from probe.cli.agents import make_agent
+from probe.api.agents import make_agent
+from probe.api.grading import graded
+from probe.api.rows import rows_of
 from probe.cli.file_agents import FileAgents, who_acts
-from probe.cli.grading import graded
-from probe.cli.rescore import rows_of
 from probe.cli.run import run
 from probe.episodes.files import read_records
 from probe.errors import BadData, UnknownName

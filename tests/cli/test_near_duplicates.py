@@ -6,6 +6,7 @@ import pytest
 
 from data_sets import box
 from glb_files import textured, write_glb
+from probe.api.resources import everything
 from probe.assets.gltf.glb_writer import glb_bytes
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import normalised
@@ -14,7 +15,6 @@ from probe.assets.library import Library, open_library
 from probe.assets.mesh.fingerprint import fingerprint
 from probe.assets.pools.own import remove_object, store_object
 from probe.cli.near_duplicates import near_groups, those_here
-from probe.cli.resources import everything
 from probe.errors import BadData
 from probe.tasks.suite import Suite
 

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 
 from pages import Page
+from probe.api.gathering import NoRuns, OtherSuite, gather, one_suite, short_names
 from probe.assets.library import open_library
-from probe.cli.gathering import NoRuns, OtherSuite, gather, one_suite, short_names
 from probe.cli.report import write_run_report
 from probe.cli.rescore import rescore
 from probe.episodes.folder import RECORDS

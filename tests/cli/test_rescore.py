@@ -6,7 +6,8 @@ from importlib import import_module
 
 import pytest
 
-from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, _lines, rescore
+from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES
+from probe.cli.rescore import _lines, rescore
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
@@ -42,7 +43,7 @@ def folder(tmp_path, monkeypatch):
     write_suite(tmp_path / SUITE, DEMO)
     write_records(tmp_path / RECORDS, records)
 
-    def graded(out):
+    def graded(out, track):
         tasks = {task.id: task for task in DEMO.tasks}
         for record in records:
             said = record.answer.choice if record.answer else None
@@ -50,7 +51,7 @@ def folder(tmp_path, monkeypatch):
             words = "right" if right else "wrong" if said else "unanswered"
             yield tasks[record.task], record, Score(right, right, words)
 
-    monkeypatch.setattr(import_module("probe.cli.rescore"), "graded", graded)
+    monkeypatch.setattr(import_module("probe.api.reports"), "graded", graded)
     return tmp_path
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from probe.api.progress import Track
 from probe.cli.robustness import robustness
 from probe.episodes.conditions import Conditions
 from probe.episodes.folder import SUITE
@@ -51,7 +52,7 @@ def folders(tmp_path, monkeypatch):
     note = {"base": "x", "conditions": TILTED.label, "notes": {DEMO.tasks[0].id: "it shows"}}
     (tmp_path / "tilted" / VARIATION).write_text(json.dumps(note))
 
-    def graded(out: Path):
+    def graded(out: Path, track: Track):
         return [
             graded_one(task, record)
             for task, record in zip(DEMO.tasks, records[out.name], strict=True)

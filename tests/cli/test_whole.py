@@ -3,7 +3,7 @@
 import pytest
 
 from crew_jobs import aborts
-from probe.cli.resources import everything
+from probe.api.resources import everything
 from probe.cli.running import check_whole, run_order
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS

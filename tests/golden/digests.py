@@ -12,9 +12,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import probe  # first: it decides how NumPy sums
+from probe.api.agents import make_agent
+from probe.api.resources import everything
 from probe.assets.library import Library
-from probe.cli.agents import make_agent
-from probe.cli.resources import everything
 from probe.episodes.files import line_of
 from probe.episodes.noise import NOISES
 from probe.episodes.play import play, score

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from golden.digests import CHOSEN, GOLDEN, chosen, digests
+from probe.api.resources import everything
 from probe.cli.report import write_run_report
 from probe.cli.rescore import rescore
-from probe.cli.resources import everything
 from probe.episodes.files import line_of, read_records
 from probe.render.renderer import Renderer
 from probe.tasks.suite_file import demo_suite, write_suite

@@ -8,12 +8,12 @@ from typing import Annotated
 import numpy as np
 import tyro
 
+from probe.api.resources import Pool, library
 from probe.cli.assets_add import add_objects, check_objects
 from probe.cli.assets_annotate import annotate, review
 from probe.cli.assets_fetch import fetch
 from probe.cli.assets_sheet import sheet
 from probe.cli.assets_split import split
-from probe.cli.resources import Pool, library
 from probe.cli.screen import Column, ScreenTable, say
 from probe.files import write_picture
 from probe.render.portraits import AROUND, GROUND, portrait

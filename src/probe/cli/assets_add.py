@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 
 import tyro
 
+from probe.api.resources import assets_folder, cache_folder, library, library_folder
 from probe.assets.importers.adding import ImportOutcome, ImportTarget, add, objects_at
 from probe.assets.importers.checking import (
     Candidate,
@@ -25,7 +26,6 @@ from probe.assets.importers.source import Axis, Format
 from probe.assets.library import own_folder, scans_folder
 from probe.cli.assets_split import near_duplicates, show_pairs
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import assets_folder, cache_folder, library, library_folder
 from probe.cli.screen import Column, ScreenTable, say, track
 from probe.errors import BadData
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from probe.api.resources import library_folder
 from probe.assets.annotation.notes import Note, brought_up_to_date, from_entry, write_note
 from probe.assets.cache import content_key
 from probe.assets.gltf.glb import load_glb
@@ -18,7 +19,6 @@ from probe.assets.library import own_folder
 from probe.assets.mesh.mesh import TexturedMesh
 from probe.assets.pools.entry import LibraryEntry
 from probe.assets.pools.own import MESH, own_entries
-from probe.cli.resources import library_folder
 from probe.cli.screen import track
 from probe.errors import BadData
 from probe.files import encode, write_bytes, write_text

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.cli.resources import Pool, library
+from probe.api.resources import Pool, library
 from probe.cli.screen import say
 from probe.errors import UnknownName
 from probe.files import encode, write_bytes

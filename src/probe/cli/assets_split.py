@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from probe.api.resources import Pool, library
 from probe.assets.importers.parallel import spread
 from probe.assets.library import Library
 from probe.assets.mesh.nearness import Fingerprint, NearPair, fingerprint, near_pairs
 from probe.assets.pools.split import EVALUATION_SHARE, Split, read_split, split_objects, write_split
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import Pool, library
 from probe.cli.screen import Column, ScreenTable, say, track
 from probe.errors import WorkerDied
 

@@ -10,6 +10,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.resources import cache_folder, opener
 from probe.audit.audit_file import ReplayVerdict, audit_of, counted
 from probe.audit.auditing import Audit, begin, replay_claims, whose
 from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_manifest
@@ -19,7 +20,6 @@ from probe.audit.signing import verify as verify_manifest
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.numbers import check_numbers
 from probe.cli.option_conflicts import refuse_stray
-from probe.cli.resources import cache_folder, opener
 from probe.cli.screen import bar, say
 from probe.episodes.folder import SUITE
 from probe.errors import BadData, ProbeError

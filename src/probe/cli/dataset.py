@@ -9,9 +9,9 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.resources import Pool, opener
 from probe.assets.cache import Cache
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import Pool, opener
 from probe.cli.screen import say, track
 from probe.episodes.participation import Points
 from probe.errors import BadData

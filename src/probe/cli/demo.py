@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from probe.cli.agents import make_agent
+from probe.api.agents import make_agent
+from probe.api.resources import everything
 from probe.cli.report import write_run_report
-from probe.cli.resources import everything
 from probe.cli.running import check_whole, run_order
 from probe.cli.screen import say
 from probe.runs.plan import RunOrder

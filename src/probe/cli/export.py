@@ -8,9 +8,9 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.resources import cache_folder, everything
 from probe.assets.library import Library
 from probe.bench.dataset import CARD, Row, row_of, write_dataset
-from probe.cli.resources import cache_folder, everything
 from probe.cli.screen import say, track
 from probe.episodes.participation import Points
 from probe.errors import BadData

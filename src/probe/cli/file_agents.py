@@ -11,8 +11,8 @@ from probe.agents.external.external_agent import ExternalAgent
 from probe.agents.external.factory import FileAgentFactory, introduced
 from probe.agents.external.protocol import Confinement
 from probe.agents.external.sandbox import AgentFile, Sandbox
+from probe.api.agents import ARMS, make_agent
 from probe.assets.library import Library
-from probe.cli.agents import ARMS, make_agent
 from probe.cli.screen import say
 from probe.episodes.turns import Agent
 from probe.errors import BadData, UnknownName

@@ -10,9 +10,10 @@ from typing import Annotated
 import tyro
 
 from probe.agents.question_classifier import WEIGHTS, QuestionClassifier, read_learnt
-from probe.cli.grading import graded
-from probe.cli.rescore import rows_of
-from probe.cli.screen import say
+from probe.api.grading import graded
+from probe.api.rows import rows_of
+from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.screen import say, track
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import write_text
@@ -50,7 +51,8 @@ def held_out(
         if asked.tasks != suite.tasks:
             reason = f"is about other tasks than {runs[0]}"
             raise BadData(folder, reason, "Compare runs of one suite")
-        rows += rows_of(folder, suite.name, graded(folder))
+        rows += rows_of(folder, suite.name, graded(folder, track))
+        tell_unsummed(folder)
     rows += floors(suite, types, _learnt(learnt))
     table = markdown(standings(rows, roster_of_tasks(suite.tasks), types))
     text = f"{_words(suite, len(runs))}\n\n{table}"

@@ -12,9 +12,9 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.resources import cache_folder, everything
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import cache_folder, everything
 from probe.cli.screen import say
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut

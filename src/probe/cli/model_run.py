@@ -8,11 +8,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from probe.api.resources import cache_folder
 from probe.assets.library import Library
 from probe.bench.models import settings_of
 from probe.bench.plan import ModelRunPlan
 from probe.bench.prices import Price, Prices, read_prices
-from probe.cli.resources import cache_folder
 from probe.cli.screen import say
 from probe.cli.variation import varied
 from probe.episodes.conditions import Conditions

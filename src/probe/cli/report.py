@@ -8,17 +8,10 @@ from typing import Annotated
 
 import tyro
 
-from probe.audit.audit_file import audit_of
-from probe.cli.gathering import gather, one_suite, short_names
-from probe.cli.grading import darkroom_of
-from probe.cli.rescore import ROWS_CSV, ROWS_JSON, SCORES, headline_line, write_beside
-from probe.cli.screen import say
-from probe.report.build_log import read_build_log
-from probe.report.page import Report, write_report
-from probe.scores.marking import roster_of_tasks
-from probe.scores.summary import summarise
-
-SEVERAL = Path("outputs/report")
+from probe.api import reports
+from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.rescore import headline_line
+from probe.cli.screen import say, track
 
 
 def report(
@@ -49,30 +42,14 @@ def write_run_report(
     build_log: Path | None = None,
     single: bool = False,
 ) -> Path:
-    """Grade, draw and score what run folders hold; returns the page. See report().
-
-    Raises:
-        BadData: A folder can't be read.
-        OtherSuite: The folders aren't about one suite.
-        TooManyEpisodes: For a single file.
-    """
-    suite = one_suite(runs)
-    candidates = read_build_log(build_log) if build_log else []
-    folder = out or (runs[0] if len(runs) == 1 else SEVERAL)
-    with darkroom_of(suite) as scene_renderer:
-        played = gather(runs, suite, scene_renderer, folder, arm=arm, single=single)
-    rows = [each.row for each in played]
-    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
-    write_beside(folder, rows, scores)
-    page = folder / ("report.html" if single else "index.html")
-    files = (ROWS_CSV, ROWS_JSON, SCORES)
-    audits = tuple(
-        (name, audit_of(run).words) for name, run in zip(short_names(runs), runs, strict=True)
+    """Write a report and say what it holds; returns the page. See probe.api.reports.report."""
+    written = reports.report(
+        runs, out, arm=arm, build_log=build_log, single_file=single, track=track
     )
-    shown = Report(suite, scores, played, tuple(candidates), files, audits)
-    write_report(page, shown, single=single)
-    for card in scores.cards:
+    for run in runs:
+        tell_unsummed(run)
+    for card in written.scores.cards:
         say(headline_line(card))
-    for name, words in audits:
+    for name, words in written.audits:
         say(f"{name}: {words}")
-    return page
+    return written.page

@@ -2,31 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
+from probe.api import reports
+from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES
 from probe.audit.audit_file import audit_of
-from probe.cli.agents import ARMS
-from probe.cli.grading import Graded, graded
-from probe.cli.screen import ScreenTable, say
-from probe.episodes.folder import SUITE, arm_of_folder
-from probe.episodes.ordered import Ordered, read_ordered
-from probe.scores.marking import roster_of_tasks, row_of
-from probe.scores.row import Entrant, Row
-from probe.scores.row_files import write_csv, write_json_lines
+from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.screen import ScreenTable, say, track
+from probe.scores.row import Entrant
 from probe.scores.scorecard import Figure, Scorecard
-from probe.scores.summary import AGENTIC, DIRECT, Scores, summarise, write_scores
-from probe.tasks.suite_file import read_suite
+from probe.scores.summary import AGENTIC, DIRECT, Scores
 
 _FLOORS = (
     "Chance is a blind guess; naive is what needs no moving (Count: what shows, and 0, 1 or 2 "
     "more); beyond is accuracy beyond chance, reckoned from naive: 0 % for it, 100 % for all right."
 )
-
-ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
 
 
 def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) -> None:
@@ -37,10 +31,8 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
         arm: How the agents were allowed to answer; by default "agentic", and agents without
             a model have arms of their own.
     """
-    suite = read_suite(out / SUITE)
-    rows = rows_of(out, suite.name, graded(out), arm)
-    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
-    write_beside(out, rows, scores)
+    scores = reports.rescore(out, arm=arm, track=track)
+    tell_unsummed(out)
     for card in scores.cards:
         _table(card).show()
     if scores.cards:
@@ -49,43 +41,6 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
         say(line)
     say(f"{out}: {audit_of(out).words}.")
     say(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
-
-
-def arm_of(agent: str) -> str:
-    """How an agent answers, if nobody says otherwise."""
-    return ARMS.get(agent, AGENTIC)
-
-
-def rows_of(out: Path, suite: str, records: Iterable[Graded], arm: str | None = None) -> list[Row]:
-    """The rows of a folder's graded records.
-
-    Args:
-        out: The folder: it knows how many runs there were to be, and whether people sat there.
-        suite: Its suite's name.
-        records: Its records.
-        arm: How the agents were allowed to answer; by default as the folder or the record says, or
-            as is usual for the agent.
-    """
-    arm, ordered = arm or arm_of_folder(out), read_ordered(out)
-    return [_row(suite, each, arm, ordered) for each in records]
-
-
-def _row(suite: str, graded: Graded, arm: str | None, ordered: Ordered) -> Row:
-    task, record, score = graded
-    arm = arm or record.arm or arm_of(record.agent)
-    runs = ordered.get((record.agent, record.arm))
-    return row_of(task, record, score, suite=suite, arm=arm, ordered=runs)
-
-
-def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
-    """Write rows.csv, rows.jsonl and scores.json.
-
-    Raises:
-        OutputFailed: They can't be written.
-    """
-    write_csv(folder / ROWS_CSV, rows)
-    write_json_lines(folder / ROWS_JSON, rows)
-    write_scores(folder / SCORES, scores)
 
 
 def headline_line(card: Scorecard) -> str:

@@ -9,9 +9,10 @@ from typing import Annotated
 import pydantic
 import tyro
 
-from probe.cli.grading import graded
-from probe.cli.rescore import rows_of
-from probe.cli.screen import ScreenTable, say
+from probe.api.grading import graded
+from probe.api.rows import rows_of
+from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.screen import ScreenTable, say, track
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import write_text
@@ -62,7 +63,8 @@ def robustness(
 def _graded(folder: Path) -> tuple[str, list[Row]]:
     """The conditions of a folder's records, in words, and its rows."""
     name = read_suite(folder / SUITE).name
-    found = graded(folder)
+    found = graded(folder, track)
+    tell_unsummed(folder)
     labels = {record.conditions.label for _, record, _ in found}
     if len(labels) != 1:
         raise BadData(folder, f"holds runs under {len(labels)} conditions", "Name another folder")

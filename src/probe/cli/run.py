@@ -8,13 +8,13 @@ from typing import Annotated
 import tyro
 
 from probe.agents.external.sandbox import Sandbox
-from probe.cli.agents import AgentName
+from probe.api.agents import AgentName
+from probe.api.resources import everything, opener
 from probe.cli.dry_run import would_ask
 from probe.cli.file_agents import who_acts
 from probe.cli.model_run import ModelRunOptions, take_seats
 from probe.cli.numbers import check_numbers
 from probe.cli.option_conflicts import check_pointer, refuse_stray
-from probe.cli.resources import everything, opener
 from probe.cli.running import check_whole, run_order
 from probe.cli.screen import say
 from probe.cli.shards import parse_shard

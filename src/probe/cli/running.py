@@ -6,9 +6,9 @@ from contextlib import closing
 from functools import partial
 from pathlib import Path
 
+from probe.api.resources import cache_folder
 from probe.assets.library import Library, open_all
 from probe.cli.checksum_notice import tell_unsummed
-from probe.cli.resources import cache_folder
 from probe.cli.screen import bar, say, say_above
 from probe.cli.variation import varied
 from probe.episodes.folder import RECORDS

@@ -8,10 +8,10 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.resources import Pool, assets_folder, cache_folder, library
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import Pool, assets_folder, cache_folder, library
 from probe.cli.screen import say, track
 from probe.files import encode, write_bytes, write_picture
 from probe.render.illumination import Illumination

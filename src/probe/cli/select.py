@@ -8,12 +8,12 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.resources import cache_folder, everything
 from probe.assets.mesh.fingerprint import Fingerprint
 from probe.assets.pools.split import read_split
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.near_duplicates import near_groups, those_here
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import cache_folder, everything
 from probe.cli.screen import ScreenTable, say
 from probe.errors import BadData
 from probe.files import check_new

@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+from probe.api.resources import everything
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import everything
 from probe.cli.screen import warn
 from probe.episodes.episode import Episode
 from probe.episodes.folder import start_folder

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.cli.resources import cache_folder, everything
+from probe.api.resources import cache_folder, everything
 from probe.cli.screen import say, track
 from probe.errors import BadData
 from probe.files import write_text

@@ -9,10 +9,10 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.resources import Pool, library, tables_for
 from probe.assets.library import Library
 from probe.cli.feasibility import Incomplete, show_possible
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import Pool, library, tables_for
 from probe.cli.screen import ScreenTable, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts

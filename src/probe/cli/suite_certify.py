@@ -6,10 +6,11 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from probe.cli.gathering import NoRuns, one_suite
-from probe.cli.grading import Graded, darkroom_of, grade_folder
+from probe.api.gathering import NoRuns, one_suite
+from probe.api.grading import Graded, grade_folder, scene_renderer_of
+from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.human import ARM
-from probe.cli.screen import ScreenTable, say
+from probe.cli.screen import ScreenTable, say, track
 from probe.episodes.folder import arm_of_folder, standing
 from probe.episodes.remarks import latest, read_remarks
 from probe.errors import BadData
@@ -72,9 +73,11 @@ def _check(folders: Sequence[Path], least: float, doubters: int) -> None:
 def _all_said(folders: Sequence[Path], suite: Suite) -> list[HumanAnswer]:
     """The first run that people finished of each task; later ones know too much."""
     first: dict[tuple[str, str], HumanAnswer] = {}
-    with darkroom_of(suite) as scene_renderer:
+    with scene_renderer_of(suite) as scene_renderer:
         for folder in folders:
-            for graded in _standing(grade_folder(folder, suite, scene_renderer)):
+            found = grade_folder(folder, suite, scene_renderer, track)
+            tell_unsummed(folder)
+            for graded in _standing(found):
                 said = _said(graded)
                 first.setdefault((said.task, said.person), said)
     return list(first.values())

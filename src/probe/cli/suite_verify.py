@@ -9,9 +9,9 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.resources import Pool, everything, library, tables_for
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import Pool, everything, library, tables_for
 from probe.cli.screen import ScreenTable, bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.suite_salt import origins_by

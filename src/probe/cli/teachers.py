@@ -8,8 +8,8 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from probe.api.resources import cache_folder, tables_for
 from probe.cli.model_run import ModelRunOptions, take_seats
-from probe.cli.resources import cache_folder, tables_for
 from probe.cli.teaching import TeachingSetup
 from probe.episodes.noise import NOISES
 from probe.generation.build_folder import BuildFolder

@@ -6,8 +6,8 @@ import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 
+from probe.api.resources import Pool, opener
 from probe.bench.models import settings_of
-from probe.cli.resources import Pool, opener
 from probe.episodes.conditions import Conditions, LightKind
 from probe.episodes.noise import NoiseName
 from probe.episodes.participation import Points

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import tyro
 
+from probe.api.resources import Pool, library
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
-from probe.cli.resources import Pool, library
 from probe.cli.screen import ScreenTable, bar, say
 from probe.cli.shards import parse_shard
 from probe.episodes.noise import NOISES, NoiseName

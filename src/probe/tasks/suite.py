@@ -30,6 +30,17 @@ class Suite:
     objects: Mapping[str, Fingerprint]
     commitment: str | None = None
 
+    def __getitem__(self, task: str) -> Task:
+        """A task by its id.
+
+        Raises:
+            UnknownName: There is none of this id.
+        """
+        found = {each.id: each for each in self.tasks}
+        if task not in found:
+            raise UnknownName("task", task, list(found))
+        return found[task]
+
 
 def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
     """A suite of these tasks, with the fingerprints of their objects as they are now."""

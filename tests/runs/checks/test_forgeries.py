@@ -8,9 +8,10 @@ from dataclasses import replace
 import pytest
 
 from forgeries import GRASP, LOOK, TASK, honest, moved, with_step, with_steps, write_folder
-from probe.cli.grading import graded
+from probe.api.grading import graded
+from probe.api.rows import SCORES
 from probe.cli.merge import merge
-from probe.cli.rescore import SCORES, rescore
+from probe.cli.rescore import rescore
 from probe.episodes.conditions import Conditions
 from probe.episodes.folder import SUITE
 from probe.episodes.noise import NOISES

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from probe.cli.grading import grade_folder
-from probe.cli.rescore import rows_of
-from probe.cli.screen import track
+from probe.api.grading import grade_folder
+from probe.api.progress import Track, silent
+from probe.api.rows import rows_of
 from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
@@ -73,6 +73,7 @@ def gather(
     *,
     arm: str | None = None,
     single: bool = False,
+    track: Track = silent,
 ) -> tuple[ReportEpisode, ...]:
     """Every episode of the folders, in the order of the suite, its pictures in the report's folder.
 
@@ -83,12 +84,13 @@ def gather(
         out: Folder of the report.
         arm: Of all agents; None for what is usual.
         single: Stop before drawing if a single file can't hold them.
+        track: Watches the work.
 
     Raises:
         NoRuns: No folder holds a record.
         TooManyEpisodes: For a single file.
     """
-    folders = [_entries(run, suite, scene_renderer, arm) for run in runs]
+    folders = [_entries(run, suite, scene_renderer, arm, track) for run in runs]
     entries = [entry for some in _told_apart(runs, folders) for entry in some]
     if not entries:
         raise NoRuns(f"There is no record in {runs[0]}. Let an agent work on the suite first.")
@@ -96,7 +98,8 @@ def gather(
         raise TooManyEpisodes(len(entries))
     order = {task.id: number for number, task in enumerate(suite.tasks)}
     entries.sort(key=lambda it: order[it.task.id])
-    _draw(entries, suite, scene_renderer, out / PICTURES, [run / PICTURES for run in runs])
+    kept = [run / PICTURES for run in runs]
+    _draw(entries, suite, scene_renderer, out / PICTURES, kept, track)
     counting = {id(row) for row in settled(entry.row for entry in entries)}
     return tuple(
         ReportEpisode(
@@ -111,9 +114,9 @@ def gather(
 
 
 def _entries(
-    run: Path, suite: Suite, scene_renderer: SceneRenderer, arm: str | None
+    run: Path, suite: Suite, scene_renderer: SceneRenderer, arm: str | None, track: Track
 ) -> list[_Entry]:
-    found = grade_folder(run, suite, scene_renderer)
+    found = grade_folder(run, suite, scene_renderer, track)
     return [
         _Entry(task, record, row, stills_of(task, record))
         for (task, record, _), row in zip(found, rows_of(run, suite.name, found, arm), strict=True)
@@ -151,6 +154,7 @@ def _draw(
     scene_renderer: SceneRenderer,
     out: Path,
     kept: Sequence[Path],
+    track: Track,
 ) -> None:
     """Draw what isn't there yet; pictures of a folder that is reported on are taken over."""
     wanted = {
@@ -160,7 +164,7 @@ def _draw(
     }
     missing = [(path, *said) for path, said in wanted.items() if not path.exists()]
     others = [folder for folder in kept if folder != out]
-    for path, still, task in track(missing, "Drawing", hidden=not missing):
+    for path, still, task in track(missing, "Drawing") if missing else ():
         develop(still, task, path, scene_renderer, others)
 
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from probe.cli.checksum_notice import tell_unsummed
-from probe.cli.resources import everything
-from probe.cli.screen import track
+from probe.api.progress import Track, silent
+from probe.api.resources import everything
 from probe.episodes.folder import SUITE, in_order
 from probe.episodes.record import EpisodeRecord
 from probe.report.scene_renderer import SceneRenderer
@@ -19,7 +18,7 @@ from probe.tasks.task import Task
 Graded = tuple[Task, EpisodeRecord, Score]
 
 
-def graded(out: Path) -> list[Graded]:
+def graded(out: Path, track: Track = silent) -> list[Graded]:
     """Every record of a folder with its task and what it is worth, by task, agent and run.
 
     Raises:
@@ -27,20 +26,21 @@ def graded(out: Path) -> list[Graded]:
         OtherTask: A task has changed since.
     """
     suite = read_suite(out / SUITE)
-    with darkroom_of(suite) as scene_renderer:
-        return grade_folder(out, suite, scene_renderer)
+    with scene_renderer_of(suite) as scene_renderer:
+        return grade_folder(out, suite, scene_renderer, track)
 
 
-def darkroom_of(suite: Suite) -> SceneRenderer:
+def scene_renderer_of(suite: Suite) -> SceneRenderer:
     """A place to draw a suite's tables in, with all objects that suites are made of."""
     return SceneRenderer(suite, everything)
 
 
-def grade_folder(out: Path, suite: Suite, scene_renderer: SceneRenderer) -> list[Graded]:
+def grade_folder(
+    out: Path, suite: Suite, scene_renderer: SceneRenderer, track: Track = silent
+) -> list[Graded]:
     """As `graded`, of a suite that has been read; each task's objects are loaded but once."""
     tasks = {task.id: task for task in suite.tasks}
     records = in_order(read_checked(out, suite), suite)
-    tell_unsummed(out)
     places = sorted(range(len(records)), key=lambda place: records[place].task)
     scores = {
         place: scene_renderer.score(tasks[records[place].task], records[place])

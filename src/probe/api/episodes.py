@@ -1,0 +1,179 @@
+"""One episode: stepped by hand, or played by an agent; and what it is worth."""
+
+from __future__ import annotations
+
+from types import TracebackType
+
+from probe.api.scenes import running
+from probe.assets.library import Library
+from probe.episodes.episode import Episode
+from probe.episodes.noise import NOISES, Noise, NoiseName
+from probe.episodes.play import open_episode as _open_episode
+from probe.episodes.play import play as _play
+from probe.episodes.play import score as _score
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.turns import Agent, Call, Question
+from probe.render.photograph import load_scene
+from probe.render.renderer import Renderer
+from probe.tasks.grading import Score
+from probe.tasks.task import Task
+from probe.toolshed.result import ToolResult
+
+
+class OpenEpisode:
+    """A task's table with the five tools over it. Use it as a context manager, or call close().
+
+    Attributes:
+        task: What it is about; its answer is for you, no tool sees it.
+    """
+
+    def __init__(
+        self, task: Task, episode: Episode, library: Library, renderer: Renderer, *, ours: bool
+    ) -> None:
+        self.task = task
+        self._episode = episode
+        self._library = library
+        self._renderer = renderer
+        self._ours = ours
+
+    @property
+    def question(self) -> Question:
+        """What an agent is given: the text, the options, and the first picture, (h, w, 3) uint8."""
+        return self._episode.record.question
+
+    @property
+    def record(self) -> EpisodeRecord:
+        """All that has happened so far."""
+        return self._episode.record
+
+    @property
+    def ended(self) -> bool:
+        """Whether an answer was given or the turns are used up; further calls are refused."""
+        return self._episode.ended
+
+    def step(self, tool: str, **arguments: object) -> ToolResult:
+        """Call a tool.
+
+        Args:
+            tool: "perceive_scene", "find_object", "grasp_and_remove", "push", "answer_question".
+            **arguments: The tool's own, by name. What doesn't fit costs a turn and no more.
+
+        Returns:
+            The text that the agent reads, and the new picture where there is one.
+        """
+        return self._episode.step(Call.of(tool, arguments)).result
+
+    def score(self) -> Score:
+        """What the answer so far is worth."""
+        return score(self.task, self.record, self._library, renderer=self._renderer)
+
+    def close(self) -> None:
+        """End the renderer, if it was started for this episode."""
+        if self._ours:
+            self._renderer.close()
+
+    def __enter__(self) -> OpenEpisode:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+
+def open_episode(
+    task: Task,
+    library: Library,
+    *,
+    noise: Noise | NoiseName = "none",
+    run: int = 0,
+    renderer: Renderer | None = None,
+) -> OpenEpisode:
+    """Set a task's table and open the tools over it.
+
+    Args:
+        task: Of a suite; see load_suite().
+        library: Has the task's objects; `open_library("all")` has those of every packaged suite.
+        noise: How far the hand misses where it is sent: "none", "paper", or a Noise.
+        run: Number of the run; each run of a task has its own noise.
+        renderer: One that is running already, for this episode alone; by default one is started.
+
+    Raises:
+        NoGraphicsDriver: The machine has no Vulkan driver.
+        UnknownName: The library lacks an object of the task.
+    """
+    drawing = renderer or Renderer()
+    try:
+        table = library.table(task.scene.table)
+        episode = _open_episode(
+            task, "by hand", library, table, drawing, run=run, noise=_noise(noise)
+        )
+    except BaseException:
+        if renderer is None:
+            drawing.close()
+        raise
+    return OpenEpisode(task, episode, library, drawing, ours=renderer is None)
+
+
+def play(
+    task: Task,
+    agent: Agent,
+    library: Library,
+    *,
+    name: str | None = None,
+    noise: Noise | NoiseName = "none",
+    run: int = 0,
+    pictures: bool = True,
+    renderer: Renderer | None = None,
+) -> EpisodeRecord:
+    """Let an agent work on a task until it answers, stops, or has used its turns.
+
+    The agent runs in this process and could look for the answer there: use this for agents of your
+    own. `probe run --agent FILE.py` runs other people's in a process that is shut off.
+
+    Args:
+        task: Of a suite.
+        agent: Fresh for this episode: `act(question, history)` returns the next Call, or None.
+        library: Has the task's objects.
+        name: What the record calls the agent; by default its class's name.
+        noise: As in open_episode().
+        run: As in open_episode().
+        pictures: Whether the agent looks at any. Without, it is faster; the texts are the same.
+        renderer: One that is running already; by default one is started, and ended afterwards.
+
+    Raises:
+        NoGraphicsDriver: The machine has no Vulkan driver.
+        UnknownName: The library lacks an object of the task.
+    """
+    called = name or type(agent).__name__
+    with running(renderer) as drawing:
+        table = library.table(task.scene.table)
+        return _play(
+            task, agent, called, library, table, drawing, run, _noise(noise), pictures=pictures
+        )
+
+
+def score(
+    task: Task, record: EpisodeRecord, library: Library, *, renderer: Renderer | None = None
+) -> Score:
+    """Grade an episode from its record alone, without physics.
+
+    Args:
+        task: What the record is about.
+        record: Of play(), of an open episode, or of read_records().
+        library: Has the task's objects.
+        renderer: One that is running already; by default one is started, and ended afterwards.
+
+    Raises:
+        OtherTask: The record is about another task.
+    """
+    with running(renderer) as drawing:
+        load_scene(drawing, task.scene, library, library.table(task.scene.table))
+        return _score(task, record, drawing)
+
+
+def _noise(noise: Noise | NoiseName) -> Noise:
+    return NOISES[noise] if isinstance(noise, str) else noise

@@ -1,0 +1,54 @@
+"""From a folder's graded records to rows, and the files of scores that lie beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from probe.api.agents import ARMS
+from probe.api.grading import Graded
+from probe.episodes.folder import arm_of_folder
+from probe.episodes.ordered import Ordered, read_ordered
+from probe.scores.marking import row_of
+from probe.scores.row import Row
+from probe.scores.row_files import write_csv, write_json_lines
+from probe.scores.summary import AGENTIC, Scores, write_scores
+
+ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
+
+
+def arm_of(agent: str) -> str:
+    """How an agent answers, if nobody says otherwise."""
+    return ARMS.get(agent, AGENTIC)
+
+
+def rows_of(out: Path, suite: str, records: Iterable[Graded], arm: str | None = None) -> list[Row]:
+    """The rows of a folder's graded records.
+
+    Args:
+        out: The folder: it knows how many runs there were to be, and whether people answered.
+        suite: Its suite's name.
+        records: Its records.
+        arm: How the agents were allowed to answer; by default as the folder or the record says, or
+            as is usual for the agent.
+    """
+    arm, ordered = arm or arm_of_folder(out), read_ordered(out)
+    return [_row(suite, each, arm, ordered) for each in records]
+
+
+def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
+    """Write rows.csv, rows.jsonl and scores.json.
+
+    Raises:
+        OutputFailed: They can't be written.
+    """
+    write_csv(folder / ROWS_CSV, rows)
+    write_json_lines(folder / ROWS_JSON, rows)
+    write_scores(folder / SCORES, scores)
+
+
+def _row(suite: str, graded: Graded, arm: str | None, ordered: Ordered) -> Row:
+    task, record, score = graded
+    arm = arm or record.arm or arm_of(record.agent)
+    runs = ordered.get((record.agent, record.arm))
+    return row_of(task, record, score, suite=suite, arm=arm, ordered=runs)

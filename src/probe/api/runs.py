@@ -1,0 +1,74 @@
+"""Many episodes into a folder of records, and records out of one."""
+
+from __future__ import annotations
+
+from contextlib import closing
+from functools import partial
+from pathlib import Path
+
+from probe.api.agents import AgentName, make_agent
+from probe.api.progress import Track, silent
+from probe.api.resources import cache_folder, everything
+from probe.assets.library import open_all
+from probe.episodes.files import read_records as _read_records
+from probe.episodes.folder import RECORDS
+from probe.episodes.noise import NOISES, Noise, NoiseName
+from probe.episodes.record import EpisodeRecord
+from probe.runs.plan import RunOrder
+from probe.runs.run import begun, work
+from probe.runs.work import WorkerSetup
+from probe.tasks.suite import Suite, check_objects
+
+
+def run(
+    suite: Suite,
+    out: str | Path,
+    *,
+    agent: AgentName = "scripted",
+    runs: int = 1,
+    noise: Noise | NoiseName = "none",
+    workers: int = 1,
+    track: Track = silent,
+) -> list[EpisodeRecord]:
+    """Let one of the built-in agents work on every task of a suite; goes on where it stopped.
+
+    Args:
+        suite: See load_suite().
+        out: Folder for the records; what it holds already isn't done again.
+        agent: "scripted", "random", or one of the baselines.
+        runs: Episodes of each task.
+        noise: How far the hand misses where it is sent: "none", "paper", or a Noise.
+        workers: Processes.
+        track: Watches the work.
+
+    Returns:
+        All records of the folder, in the order in which they were written. An episode that failed
+        on our side has `end == "fault"`; calling again repeats it.
+
+    Raises:
+        BadData: The folder is about another suite, or was run under other conditions.
+        OutputFailed: The folder can't be written.
+    """
+    folder, things = Path(out), everything()
+    check_objects(suite, things)
+    level = NOISES[noise] if isinstance(noise, str) else noise
+    order = RunOrder(agent, runs, level)
+    library = partial(open_all, things.assets, things.cache, things.own)
+    setup = WorkerSetup(order, library, make_agent, cache_folder() / "light")
+    with (
+        begun(folder, suite, order) as start,
+        closing(work(folder, start.jobs, setup, workers)) as results,
+    ):
+        for _ in track(results, f"{agent} at work"):
+            pass
+    return read_records(folder)
+
+
+def read_records(path: str | Path) -> list[EpisodeRecord]:
+    """The records of a folder that was run, or of a file of records.
+
+    Raises:
+        BadData: The file is missing, or a line of it is cut off, changed, or no record.
+    """
+    found = Path(path)
+    return _read_records(found / RECORDS if found.is_dir() else found)

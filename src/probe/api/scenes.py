@@ -1,0 +1,114 @@
+"""Scenes from seeds, and what a camera sees of them."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from contextlib import contextmanager
+
+from probe.api.resources import tables_for
+from probe.assets.library import Library
+from probe.render.lighting import light_of
+from probe.render.photograph import load_scene
+from probe.render.photograph import measure as _measure
+from probe.render.photograph import photograph as _photograph
+from probe.render.renderer import Renderer
+from probe.scene.layout import View, view_camera
+from probe.scene.lighting import AMBIENT, Lighting
+from probe.scene.sampling import DEFAULT_COUNT
+from probe.scene.scene import Scene
+from probe.scene.visibility import Visibility
+from probe.types import Camera, Frame
+from probe.world.scenes import make_scene as _make_scene
+
+
+def make_scene(
+    seed: int, library: Library, *, objects: int = DEFAULT_COUNT, table: str | None = None
+) -> Scene:
+    """Drop objects on a table and let physics settle them.
+
+    Args:
+        seed: Any whole number from 0; the same seed and library give the same scene.
+        library: What the objects are drawn from; see open_library().
+        objects: How many.
+        table: Id of a table's material; by default one is drawn.
+
+    Returns:
+        The settled table: poses world_from_object in metres, rotations wxyz, the table's top at
+        z = 0.
+
+    Raises:
+        Unsatisfiable: The objects don't come to rest; another seed or fewer objects may.
+    """
+    tables = (table,) if table else tables_for("all" if library.assets else "procedural")
+    return _make_scene(seed, library, tables, objects)
+
+
+def photograph(
+    scene: Scene,
+    library: Library,
+    *,
+    camera: Camera | View = "top",
+    lighting: Lighting | str = AMBIENT,
+    renderer: Renderer | None = None,
+) -> Frame:
+    """A picture of a scene, with depth and labels.
+
+    Args:
+        scene: What stands where.
+        library: Has the scene's objects.
+        camera: "top", "front", or a camera of your own.
+        lighting: "ambient", or the name of surroundings that light the table.
+        renderer: One that is running already; by default one is started, and ended afterwards.
+
+    Returns:
+        A frame: `rgb` uint8 (h, w, 3), `depth` float32 (h, w) in metres along the optical axis,
+        `labels` int32 (h, w) with instance numbers and 0 for the table, and the camera.
+
+    Raises:
+        NoGraphicsDriver: The machine has no Vulkan driver.
+        UnknownName: No surroundings have this name.
+    """
+    seen_from = view_camera(camera) if isinstance(camera, str) else camera
+    light = Lighting(lighting) if isinstance(lighting, str) else lighting
+    with running(renderer) as drawing:
+        load_scene(drawing, scene, library, library.table(scene.table))
+        lit = light_of(light, library.assets)
+        return _photograph(drawing, scene, camera=seen_from, light=lit)
+
+
+def visibility(
+    scene: Scene,
+    library: Library,
+    *,
+    camera: Camera | View = "top",
+    renderer: Renderer | None = None,
+) -> dict[int, Visibility]:
+    """How much of each object a camera sees.
+
+    Args:
+        scene: What stands where.
+        library: Has the scene's objects.
+        camera: As in photograph().
+        renderer: As in photograph().
+
+    Returns:
+        By instance number: pixels that are visible, pixels if the object stood there alone, and
+        their ratio, `fraction`.
+
+    Raises:
+        NoGraphicsDriver: The machine has no Vulkan driver.
+    """
+    seen_from = view_camera(camera) if isinstance(camera, str) else camera
+    with running(renderer) as drawing:
+        load_scene(drawing, scene, library, library.table(scene.table))
+        return _measure(drawing, scene, seen_from)
+
+
+@contextmanager
+def running(renderer: Renderer | None) -> Generator[Renderer]:
+    """The renderer that is given, left running; or a fresh one, ended afterwards."""
+    if renderer is not None:
+        yield renderer
+        return
+    with Renderer() as fresh:
+        yield fresh

@@ -1,0 +1,84 @@
+"""Suites of tasks: those of the package, those in files, and new ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from probe.api.progress import Track, silent
+from probe.api.resources import Pool, opener, tables_for
+from probe.assets.library import Library
+from probe.generation.build import BuildResources, assemble, fill, places_of
+from probe.generation.build_folder import BuildFolder, BuildSettings
+from probe.generation.salt_file import salt_of
+from probe.render.renderer import Renderer
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import find_suite
+from probe.tasks.task import QuestionKind
+
+
+def open_library(pool: Pool = "procedural") -> Library:
+    """The objects that can be placed on a table.
+
+    Args:
+        pool: "procedural" (made by formula, needs no files), "scans" (needs the folder that
+            PROBE_ASSETS names), "own" (those you imported), "own+procedural", or "all".
+
+    Returns:
+        A library: `library.specs` lists its objects, `library[id]` is one of them.
+
+    Raises:
+        BadData: Scans or own objects are wanted and their folder isn't there.
+    """
+    return opener(pool)()
+
+
+def load_suite(name: str | Path) -> Suite:
+    """A suite of the package ("v1", "v1-scans", "v1-unfiltered", "demo"), or of a file.
+
+    Raises:
+        UnknownName: It is neither.
+        BadData: The file isn't a whole suite, or isn't the packaged one whose name it bears.
+    """
+    return find_suite(str(name))
+
+
+def build_suite(
+    out: str | Path,
+    counts: Mapping[QuestionKind, int],
+    *,
+    pool: Pool = "procedural",
+    public: bool = False,
+    first: int = 0,
+    certified: bool = True,
+    track: Track = silent,
+) -> Suite:
+    """Make, check and freeze tasks; goes on where an earlier call stopped.
+
+    Args:
+        out: File for the suite. Kept tasks and the log wait in a folder beside it, with the
+            secret salt that decides letters, order and ids.
+        counts: Tasks of each question type: {"beneath": 4, "find": 4}.
+        pool: Which objects appear; see open_library().
+        public: Draw no salt: anyone can make these tasks again, and foretell their answers.
+        first: With `public`, number of the first episode of each type.
+        certified: Keep only tasks that a scripted agent solves; this takes most of the time.
+        track: Watches the work.
+
+    Raises:
+        Unsatisfiable: A task can't be made of these objects; the message says what is missing.
+        BadData: The folder beside the file belongs to another suite.
+    """
+    path = Path(out)
+    folder, library = BuildFolder(path.with_suffix(".parts")), open_library(pool)
+    places = places_of(counts, first)
+    salt = salt_of(folder, public=public)
+    commitment = salt.commitment if salt else None
+    folder.claim(BuildSettings(pool=pool, unchecked=not certified, commitment=commitment))
+    with Renderer() as renderer:
+        resources = BuildResources(library, tables_for(pool), renderer, not certified, salt)
+        for place in track(places, "Building"):
+            for _ in fill(place, folder, resources):
+                pass
+    assemble(path, folder, places, library, salt)
+    return load_suite(path)
