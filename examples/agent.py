@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from probe.agents.reading import read_graph, read_handle
-from probe.episodes.turns import Call, Question, Turn
+from probe import Call, Question, Turn, read_graph, read_handle
 
 
 class LiftWhatIsNamed:

@@ -12,8 +12,6 @@ import tyro
 from mcp import StdioServerParameters
 from mcp.client import Client
 
-from probe.files import write_bytes
-
 TASK = "beneath-8af85510"
 """A task of the demo suite: what did the green mug cover?"""
 
@@ -22,6 +20,7 @@ async def play(client: Client, out: Path) -> None:
     """Lift the cover, look what it hid, and answer; a model would choose these calls."""
     # What a model should be told before its first turn: the rules, the question, the options.
     print(client.instructions)
+    out.mkdir(parents=True, exist_ok=True)
 
     async def call(name: str, **arguments: object) -> None:
         result = await client.call_tool(name, arguments)
@@ -31,7 +30,7 @@ async def play(client: Client, out: Path) -> None:
             if part.type == "text":
                 print(part.text)
             elif part.type == "image":
-                write_bytes(out / f"{name}.jpg", base64.b64decode(part.data))
+                (out / f"{name}.jpg").write_bytes(base64.b64decode(part.data))
 
     await call("perceive_scene")
     await call("find_object", description="green mug")

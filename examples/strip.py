@@ -3,26 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from importlib import resources
 from pathlib import Path
 
 import numpy as np
 import tyro
+from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
-from probe.agents.reading import Box, read_graph
-from probe.agents.scripted import Scripted
-from probe.api.resources import library
-from probe.assets.tables import load_table
-from probe.episodes.grading import question_of
-from probe.episodes.play import score, set_table
-from probe.episodes.run import run_episode
-from probe.episodes.turns import Call, Question, Turn
-from probe.render.renderer import Renderer
-from probe.scene.seeds import generator
-from probe.tasks.suite_file import read_suite
-from probe.types import Array
+import probe
+from probe import Agent, Call, Question, Turn
 
+Picture = NDArray[np.uint8]
 TASK = "beneath-8af85510"
 SIDE, GAP, TOP, BELOW, CLOSE = 512, 16, 120, 178, 440
 WIDTH = 3 * SIDE + 4 * GAP
@@ -32,7 +23,7 @@ INK, SOFT, GOOD, BAD, MARK, RIM = "#1f2328", "#5b6470", "#1a7f37", "#b42318", "#
 class Watched:
     """The scripted agent, and what it has been shown: a record keeps poses, not pictures."""
 
-    def __init__(self, agent: Scripted) -> None:
+    def __init__(self, agent: Agent) -> None:
         self._agent = agent
         self.turns: Sequence[Turn] = ()
 
@@ -57,7 +48,7 @@ def write(pen: ImageDraw.ImageDraw, at: tuple[int, int], words: str, size: int, 
     return at[1] + round(1.3 * size) * len(lines)
 
 
-def ringed(picture: Array, box: Box) -> Array:
+def ringed(picture: Picture, box: tuple[int, int, int, int]) -> Picture:
     """The picture with a ring around a box; it isn't in what the agent was given."""
     image = Image.fromarray(picture)
     left, top, right, bottom = box
@@ -68,7 +59,7 @@ def ringed(picture: Array, box: Box) -> Array:
     return np.asarray(image)
 
 
-def panel(picture: Array, middle: tuple[int, int] | None) -> Image.Image:
+def panel(picture: Picture, middle: tuple[int, int] | None) -> Image.Image:
     """The whole picture, or a close-up of a place."""
     image = Image.fromarray(picture)
     if middle:
@@ -84,22 +75,19 @@ def said(call: Call) -> str:
 
 def main(out: Path = Path("outputs/examples/strip.jpg")) -> None:
     """Let the scripted agent solve one demo task, and draw what it was shown."""
-    with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
-        task = next(task for task in read_suite(path).tasks if task.id == TASK)
-    things, table = library("procedural"), load_table(task.scene.table, None)
-    # The luck that `probe demo` gives it.
-    agent = Watched(Scripted(task.kind, task.subject, generator(task.seed, "run", "scripted", 0)))
-    with Renderer() as renderer:
-        tools, station = set_table(task, things, table, renderer, pictures=True)
-        question = question_of(task, tools.first_picture())
-        record = run_episode(task.id, question, agent, tools, station, agent_name="scripted")
-        outcome = score(task, record, renderer).outcome
+    task, library = probe.load_suite("demo")[TASK], probe.open_library("procedural")
+    with probe.Renderer() as renderer:
+        # With the random draws that `probe demo` gives it.
+        agent = Watched(probe.builtin_agent("scripted", task, library, renderer=renderer))
+        record = probe.play(task, agent, library, name="scripted", renderer=renderer)
+        outcome = probe.score(task, record, library, renderer=renderer).outcome
+    question = record.question
     grasp = next(t for t in agent.turns if t.call.name == "grasp_and_remove")
     find = agent.turns[agent.turns.index(grasp) - 1]
     assert record.answer and question.picture is not None
     assert find.result.picture is not None and grasp.result.picture is not None
     chosen = dict(question.options)[record.answer.choice]
-    seen = read_graph(agent.turns[-1].result.text).called(chosen)[0]
+    seen = probe.read_graph(agent.turns[-1].result.text).called(chosen)[0]
     place = grasp.result.point_px
 
     image = Image.new("RGB", (WIDTH, TOP + SIDE + BELOW), "white")

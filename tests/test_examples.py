@@ -70,7 +70,7 @@ def test_an_agent_is_scored_and_its_record_replays(example, tmp_path):
     assert record.answer and record.answer.choice == task.answer
     assert record.manipulations == 1
     again = example("replay.py", "--folder", tmp_path / "run")
-    assert "Replayed byte for byte.\nGraded: right. The replay: right.\n" in again
+    assert "The replay is the same, byte for byte.\nGraded: right. The replay: right.\n" in again
 
 
 @pytest.mark.slow

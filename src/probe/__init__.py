@@ -30,7 +30,9 @@ if _machine() in {"x86_64", "AMD64"}:
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from probe.api.episodes import OpenEpisode, open_episode, play, score
+    from probe.agents.reading import read_graph, read_handle
+    from probe.api.agents import builtin_agent
+    from probe.api.episodes import OpenEpisode, open_episode, play, replay, score
     from probe.api.reports import WrittenReport, report, rescore
     from probe.api.runs import read_records, run
     from probe.api.scenes import make_scene, photograph, visibility
@@ -50,7 +52,9 @@ if TYPE_CHECKING:
     from probe.types import Camera, Frame, Pose
 
 _HOMES = {
-    "api.episodes": ("OpenEpisode", "open_episode", "play", "score"),
+    "agents.reading": ("read_graph", "read_handle"),
+    "api.agents": ("builtin_agent",),
+    "api.episodes": ("OpenEpisode", "open_episode", "play", "replay", "score"),
     "api.reports": ("WrittenReport", "report", "rescore"),
     "api.runs": ("read_records", "run"),
     "api.scenes": ("make_scene", "photograph", "visibility"),
@@ -95,13 +99,17 @@ __all__ = [
     "WrittenReport",
     "__version__",
     "build_suite",
+    "builtin_agent",
     "load_suite",
     "make_scene",
     "open_episode",
     "open_library",
     "photograph",
     "play",
+    "read_graph",
+    "read_handle",
     "read_records",
+    "replay",
     "report",
     "rescore",
     "run",

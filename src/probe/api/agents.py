@@ -9,6 +9,7 @@ from probe.agents.baselines import AtOnce, Rule, always, always_none, extreme, m
 from probe.agents.question_classifier import most_likely, read_learnt
 from probe.agents.random import Random
 from probe.agents.scripted import Scripted
+from probe.api.scenes import running
 from probe.assets.library import Library
 from probe.episodes.turns import Agent
 from probe.errors import BadData
@@ -33,6 +34,27 @@ ARMS: Mapping[str, str] = {
     **dict.fromkeys(get_args(_Sizing), "rule"),
 }
 """Arm of each agent."""
+
+
+def builtin_agent(
+    name: AgentName,
+    task: Task,
+    library: Library,
+    *,
+    run: int = 0,
+    renderer: Renderer | None = None,
+) -> Agent:
+    """One of the built-in agents, fresh for one episode.
+
+    Args:
+        name: "scripted", "random", or one of the baselines.
+        task: What it will be asked. The scripted agent is told the question's type and subject.
+        library: Has the task's objects, and those that its options name.
+        run: Number of the run; the random draws of an agent depend on it.
+        renderer: One that is running already; by default one is started, and ended afterwards.
+    """
+    with running(renderer) as drawing:
+        return make_agent(name, task, run, library, drawing)
 
 
 def make_agent(name: str, task: Task, run: int, library: Library, renderer: Renderer) -> Agent:

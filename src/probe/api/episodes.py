@@ -11,7 +11,10 @@ from probe.episodes.noise import NOISES, Noise, NoiseName
 from probe.episodes.play import open_episode as _open_episode
 from probe.episodes.play import play as _play
 from probe.episodes.play import score as _score
+from probe.episodes.play import set_table
 from probe.episodes.record import EpisodeRecord
+from probe.episodes.replay import differences
+from probe.episodes.replay import replay as _replay
 from probe.episodes.turns import Agent, Call, Question
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
@@ -173,6 +176,37 @@ def score(
     with running(renderer) as drawing:
         load_scene(drawing, task.scene, library, library.table(task.scene.table))
         return _score(task, record, drawing)
+
+
+def replay(
+    task: Task, record: EpisodeRecord, library: Library, *, renderer: Renderer | None = None
+) -> tuple[EpisodeRecord, list[str]]:
+    """Do a record's calls again on a fresh table.
+
+    Args:
+        task: What the record is about.
+        record: Of an agent without a pointing model, on the task as it was frozen.
+        library: Has the task's objects.
+        renderer: One that is running already; by default one is started, and ended afterwards.
+
+    Returns:
+        The new record, and where it differs from the first, in words; nothing if the two are the
+        same byte for byte, times apart.
+    """
+    with running(renderer) as drawing:
+        tools, station = set_table(
+            task,
+            library,
+            library.table(task.scene.table),
+            drawing,
+            pictures=False,
+            noise=record.noise,
+            conditions=record.conditions,
+            sight=record.sight,
+            run=record.run,
+        )
+        again = _replay(record, tools, station)
+    return again, differences(record, again)
 
 
 def _noise(noise: Noise | NoiseName) -> Noise:
