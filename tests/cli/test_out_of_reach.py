@@ -1,4 +1,4 @@
-"""Paths that can't be looked at, and limits under which nothing works, end a command in one line."""
+"""A path that can't be looked at, or too low a limit of memory, ends a command in one line."""
 
 from __future__ import annotations
 
