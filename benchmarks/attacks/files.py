@@ -85,11 +85,11 @@ def attack_files(folder: Path, run: Path, scale: float) -> Iterator[Attack]:
             continue  # no episode has been run yet: that is no error
         copy = _copy(folder, run)
         spoil(copy / file)
-        yield refusal(KIND, f"{file}: {name}", "rescore", copy, patience=60)
+        yield refusal(KIND, f"{file}: {name}", "rescore", copy)
     for name, spoil in some(list(SPOILT.items()), scale):
         copy = _copy(folder, run)
         spoil(copy / SUITE)
-        yield refusal(KIND, f"suite show: {name}", "suite", "show", copy / SUITE, patience=60)
+        yield refusal(KIND, f"suite show: {name}", "suite", "show", copy / SUITE)
     copy = _copy(folder, run)
     ordered = json.loads((copy / ORDERED).read_text())
     ordered["ordered"][0]["runs"] = 1_000_000_000
