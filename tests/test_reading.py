@@ -19,10 +19,13 @@ from probe.assets.environments.hdr_file import read_panorama
 from probe.assets.tables import load_table
 from probe.bench.prices import read_prices
 from probe.episodes.files import read_records
+from probe.episodes.folder import ARM, arm_of_folder
 from probe.episodes.ordered import ORDERED, read_ordered
+from probe.episodes.remarks import REMARKS, read_remarks
 from probe.errors import BadData
 from probe.files import read_document
 from probe.reading import DOCUMENT, VALUES, contents, json_contents
+from probe.runs.variation import VARIATION, read_variation
 from probe.scores.row_files import read_csv, read_json_lines
 from probe.tasks.suite_file import demo_suite, read_suite, write_suite
 
@@ -53,6 +56,26 @@ def folder(path: Path) -> Path:
 def test_only_regular_files_are_read(tmp_path, reader, made, words):
     with pytest.raises(BadData, match=words):
         reader(made(tmp_path / "x"))
+
+
+@pytest.mark.parametrize(
+    ("name", "reader"),
+    [
+        (ORDERED, read_ordered),
+        (VARIATION, read_variation),
+        (ARM, arm_of_folder),
+        (REMARKS, read_remarks),
+    ],
+)
+def test_a_link_to_nowhere_is_no_missing_file(tmp_path, name, reader):
+    assert not reader(tmp_path)
+    (tmp_path / name).symlink_to(tmp_path / "nowhere")
+    with pytest.raises(BadData, match=rf"{name}.*No such file"):
+        reader(tmp_path)
+    (tmp_path / name).unlink()
+    (tmp_path / name).symlink_to(name)
+    with pytest.raises(BadData, match=rf"{name}.*symbolic links"):
+        reader(tmp_path)
 
 
 def test_a_file_that_is_too_large_is_refused(tmp_path):

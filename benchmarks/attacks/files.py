@@ -7,10 +7,11 @@ import os
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
+from itertools import product
 from pathlib import Path
 
 from command import judged, probe, refusal
-from verdict import Attack
+from verdict import Attack, some
 
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.ordered import ORDERED
@@ -69,24 +70,26 @@ SPOILT: dict[str, Spoil] = {
 }
 
 
-def attack_files(folder: Path, run: Path) -> Iterator[Attack]:
+def attack_files(folder: Path, run: Path, scale: float) -> Iterator[Attack]:
     """Give commands spoilt copies of a run's files.
 
     Args:
         folder: For the copies.
         run: A folder that `probe run` left.
+        scale: The share of spoilt files that is tried.
     """
-    for file in (SUITE, RECORDS, ORDERED):
-        for name, spoil in SPOILT.items():
-            if file == RECORDS and name == "empty":
-                continue  # no episode has been run yet: that is no error
-            copy = _copy(folder, run)
-            spoil(copy / file)
-            yield refusal(KIND, f"{file}: {name}", "rescore", copy, patience=60)
-    for name, spoil in SPOILT.items():
+    for file, (name, spoil) in some(
+        list(product((SUITE, RECORDS, ORDERED), SPOILT.items())), scale
+    ):
+        if file == RECORDS and name == "empty":
+            continue  # no episode has been run yet: that is no error
+        copy = _copy(folder, run)
+        spoil(copy / file)
+        yield refusal(KIND, f"{file}: {name}", "rescore", copy)
+    for name, spoil in some(list(SPOILT.items()), scale):
         copy = _copy(folder, run)
         spoil(copy / SUITE)
-        yield refusal(KIND, f"suite show: {name}", "suite", "show", copy / SUITE, patience=60)
+        yield refusal(KIND, f"suite show: {name}", "suite", "show", copy / SUITE)
     copy = _copy(folder, run)
     ordered = json.loads((copy / ORDERED).read_text())
     ordered["ordered"][0]["runs"] = 1_000_000_000
@@ -106,10 +109,15 @@ def _copy(folder: Path, run: Path) -> Path:
     return copy
 
 
-def attack_options(folder: Path) -> Iterator[Attack]:
-    """Give commands numbers and folders that they can't take."""
+def attack_options(folder: Path, scale: float) -> Iterator[Attack]:
+    """Give commands numbers and folders that they can't take: that share of what is known."""
+    for words in some(_options(folder), scale):
+        yield refusal(OPTIONS, " ".join(str(word)[:40] for word in words), *words)
+
+
+def _options(folder: Path) -> list[tuple[str | Path, ...]]:
     out = ("--out", folder / "options")
-    for words in (
+    return [
         ("scene", "-3", *out), ("scene", "7", "--objects", "-1", *out),
         ("scene", "7", "--objects", "0", *out), ("scene", "7", "--reach", "-1", *out),
         ("scene", "7", "--reach", "nan", *out), ("scene", "7", "--gallery", "-2", *out),
@@ -128,13 +136,12 @@ def attack_options(folder: Path) -> Iterator[Attack]:
         ("run", "demo", "--agent", "always-A", "--out", "/proc/nowhere"),
         ("run", "demo", "--agent", "always-A", "--out", "/dev/null"),
         ("run", "demo", "--agent", "always-A", "--out", folder / ("a" * 300)),
-    ):  # fmt: skip
-        yield refusal(OPTIONS, " ".join(str(word)[:40] for word in words), *words)
+    ]  # fmt: skip
 
 
-def attack_memory(folder: Path) -> Iterator[Attack]:
-    """Start commands with less memory than they need."""
-    for mebibytes in (100, 300, 600, 1000, 1500):
+def attack_memory(folder: Path, scale: float) -> Iterator[Attack]:
+    """Start commands with less memory than they need: under that share of the limits."""
+    for mebibytes in some((100, 200, 300, 350, 450, 600, 1000, 1500), scale):
         name, words = f"{mebibytes} MiB of addresses", ("run", "demo", "--agent", "always-A")
         try:
             ended = probe(*words, "--out", folder / str(mebibytes), most_bytes=mebibytes << 20)

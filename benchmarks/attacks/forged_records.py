@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from command import probe, refusal
-from verdict import Attack
+from verdict import Attack, some
 
 from probe.audit.audit_file import AUDIT
 from probe.episodes.files import read_records, write_records
@@ -126,17 +126,18 @@ def played(folder: Path) -> Path:
     return out
 
 
-def attack_records(folder: Path) -> Iterator[Attack]:
+def attack_records(folder: Path, scale: float) -> Iterator[Attack]:
     """Forge an episode that was played, with right checksums; an honest one must pass.
 
     Args:
         folder: To work in.
+        scale: The share of forgeries that is tried.
     """
     run = played(folder)
     honest = probe("audit", run, "--replay", "all")
     verdict = "harmless" if honest.returncode == 0 else "crashed"
     yield Attack(CHECKS, "an honest one", verdict, honest.stderr[-300:])
-    for name, forge in FORGERIES.items():
+    for name, forge in some(list(FORGERIES.items()), scale):
         forged = _forged(folder, run, forge)
         yield refusal(CHECKS, name, "audit", forged, "--replay", "all")
     yield _renamed(folder, run)

@@ -14,7 +14,7 @@ from command import refusal
 from PIL import Image
 from trimesh.visual import TextureVisuals
 from trimesh.visual.material import PBRMaterial, SimpleMaterial
-from verdict import Attack
+from verdict import Attack, some
 
 KIND = "mesh files"
 _SIZE = 0.08
@@ -22,15 +22,16 @@ _SIZE = 0.08
 Spoil = Callable[[bytes], bytes]
 
 
-def attack_meshes(folder: Path) -> Iterator[Attack]:
+def attack_meshes(folder: Path, scale: float) -> Iterator[Attack]:
     """Add a whole mesh of each format, then spoilt ones.
 
     Args:
         folder: For the meshes and a library.
+        scale: The share of spoilt ones that is tried.
     """
     for form, suffix, spoilt in (("obj", "obj", _OBJ), ("gltf", "glb", _GLTF)):
         yield _whole(folder, form, suffix)
-        for number, (name, spoil) in enumerate(spoilt.items()):
+        for number, (name, spoil) in enumerate(some(list(spoilt.items()), scale)):
             home = folder / f"{form}_{number}"
             file = _box(home, suffix)
             file.write_bytes(spoil(file.read_bytes()))

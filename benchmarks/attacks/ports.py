@@ -12,6 +12,7 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
+import named
 from command import PATIENCE, surroundings
 from verdict import Attack
 
@@ -19,8 +20,8 @@ PAGE, LINE = "the page's port", "the line of MCP"
 _JSON = {"Content-Type": "application/json"}
 _CALL = {"name": "Eve", "turn": 0, "tool": "push", "arguments": {}}
 _STRANGE: list[Any] = [
-    None, True, -1, 10**400, 1e308, "", "\x00", "\ud800", "\u202e", "../..", "A" * 10_000, [], {},
-    [[]], {"a": {}}, ["\x1b[2J"],
+    None, True, -1, 10**400, 1e308, "", "\x00", "\ud800", "\u202e", named.NAME, "A" * 10_000, [],
+    {}, [[]], {"a": {}}, ["\x1b[2J"],
 ]  # fmt: skip
 
 
@@ -41,14 +42,25 @@ def _human(folder: Path) -> Generator[tuple[subprocess.Popen[str], int]]:
 
 
 def attack_page(folder: Path) -> Iterator[Attack]:
-    """Requests with a wrong host, origin, type, path, length or body; then one as it should be."""
+    """Requests with a wrong host, origin, type, path, length or body; then some as they should be.
+
+    Args:
+        folder: For the server; nothing may change beside it.
+    """
+    before = set(folder.parent.rglob("*"))
     with _human(folder) as (process, port):
         for name, method, path, headers, body in _requests(port):
             yield _asked(port, name, method, path, headers, body)
+        try:
+            named.plays(port)
+        except OSError as error:
+            yield Attack(PAGE, f"a person called {named.NAME}", "crashed", repr(error))
+            return
         polite = _asked(port, "enter", "POST", "/seat/enter", _JSON, b'{"name": "Ada"}')
         well = process.poll() is None and polite.verdict == "read wrongly"
         verdict = "harmless" if well else "crashed"
         yield Attack(PAGE, "a visitor after all that", verdict, polite.detail)
+    yield named.judged(PAGE, folder.parent, folder, before)
 
 
 _Request = tuple[str, str, str, dict[str, str], bytes | None]
@@ -72,10 +84,19 @@ def _requests(port: int) -> Iterator[_Request]:
     yield "a long body", "POST", "/seat/enter", _JSON, b'{"name": "' + b"A" * 100_000 + b'"}'
     yield "deep", "POST", "/seat/enter", _JSON, b"[" * 19_000
     yield "no JSON", "POST", "/seat/enter", _JSON, b"\xff\xfe{"
+    yield from _bodies()
+
+
+def _bodies() -> Iterator[_Request]:
     for strange in _STRANGE:
         words = repr(strange)[:30]
-        yield f"name {words}", "POST", "/seat/enter", _JSON, json.dumps({"name": strange}).encode()
-        for field in ("turn", "tool", "arguments", "name"):
+        if strange == named.NAME:  # a good name: what becomes of it is looked at apart
+            fields = "turn", "tool", "arguments"
+        else:
+            fields = "turn", "tool", "arguments", "name"
+            body = json.dumps({"name": strange}).encode()
+            yield f"name {words}", "POST", "/seat/enter", _JSON, body
+        for field in fields:
             body = json.dumps({**_CALL, field: strange}).encode()
             yield f"{field} {words}", "POST", "/seat/call", _JSON, body
 

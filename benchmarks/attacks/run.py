@@ -49,7 +49,7 @@ def attacks_of(folder: Path, scale: float) -> Mapping[str, Callable[[], Iterator
 
     Args:
         folder: To work in.
-        scale: Of the numbers of flips and kills.
+        scale: The share of each that is tried; of page and line, all.
     """
     rng = np.random.default_rng(0)
     run = prepared(folder)
@@ -61,16 +61,16 @@ def attacks_of(folder: Path, scale: float) -> Mapping[str, Callable[[], Iterator
 
     suite, count = folder / "one.json", round(scale * _KILLS)
     return {
-        "files": lambda: attack_files(folder, run),
-        "meshes": lambda: attack_meshes(folder),
-        "options": lambda: attack_options(folder),
-        "memory": lambda: attack_memory(folder),
-        "records": lambda: attack_records(folder),
+        "files": lambda: attack_files(folder, run, scale),
+        "meshes": lambda: attack_meshes(folder, scale),
+        "options": lambda: attack_options(folder, scale),
+        "memory": lambda: attack_memory(folder, scale),
+        "records": lambda: attack_records(folder, scale),
         "flips": flipped,
         "page": lambda: attack_page(folder / "page"),
         "line": lambda: attack_line(folder / "line"),
         "kills": lambda: kills(folder / "kills", suite, "scripted", count, rng),
-        "replies": lambda: attack_with_replies(folder / "replies"),
+        "replies": lambda: attack_with_replies(folder / "replies", scale),
     }
 
 
@@ -80,7 +80,7 @@ def main(only: tuple[str, ...] = (), scale: float = 1.0) -> None:
     Args:
         only: Some of these names, by default all: files, meshes, options, memory, records, flips,
             page, line, kills, replies.
-        scale: Of the numbers of flips and kills.
+        scale: The share of each that is tried; of page and line, all.
     """
     console, tried = Console(), list[Attack]()
     with tempfile.TemporaryDirectory() as folder:

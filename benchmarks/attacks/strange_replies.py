@@ -9,7 +9,7 @@ from threading import Lock
 from typing import Any
 
 from command import probe
-from verdict import Attack
+from verdict import Attack, some
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tests"))
@@ -55,7 +55,8 @@ REPLIES: list[tuple[str, Reply]] = [
 class _Script:
     """Says something strange first in each conversation, then answers."""
 
-    def __init__(self) -> None:
+    def __init__(self, replies: list[Reply]) -> None:
+        self._replies = replies
         self._said = 0
         self._lock = Lock()
 
@@ -64,14 +65,20 @@ class _Script:
             return _ANSWER
         with self._lock:
             self._said += 1
-            return REPLIES[(self._said - 1) % len(REPLIES)][1]
+            return self._replies[(self._said - 1) % len(self._replies)]
 
 
-def attack_with_replies(folder: Path) -> Iterator[Attack]:
-    """Evaluate a model over the demo's tasks, each reply first in one of its episodes."""
+def attack_with_replies(folder: Path, scale: float) -> Iterator[Attack]:
+    """Evaluate a model over the demo's tasks, each reply first in one of its episodes.
+
+    Args:
+        folder: For the run.
+        scale: The share of replies that is tried.
+    """
+    replies = some(REPLIES, scale)
     tasks = len(demo_suite().tasks)
-    epochs = -(-len(REPLIES) // tasks)
-    with serving(_Script(), keep=False) as server:
+    epochs = -(-len(replies) // tasks)
+    with serving(_Script([reply for _, reply in replies]), keep=False) as server:
         ended = probe(
             "run", "demo", "--model", "strange", "--endpoint", server.url, "--epochs", str(epochs),
             "--workers", "2", "--out", folder, patience=1800,
@@ -80,7 +87,7 @@ def attack_with_replies(folder: Path) -> Iterator[Attack]:
     answered = sum(record.end == "answered" for record in records)
     whole = epochs * tasks
     for number in range(whole):
-        name = REPLIES[number][0] if number < len(REPLIES) else "one of them again"
+        name = replies[number][0] if number < len(replies) else "one of them again"
         yield Attack(KIND, name, "harmless" if number < answered else "crashed")
     if answered < whole:
         told = ended.returncode != 0 and "Traceback" not in ended.stderr

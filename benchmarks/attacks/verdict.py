@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Literal, TypeVar, get_args
 
 from rich.console import Console
 from rich.table import Table
@@ -34,6 +34,15 @@ class Attack:
     name: str
     verdict: Verdict
     detail: str = ""
+
+
+Case = TypeVar("Case")
+
+
+def some(cases: Sequence[Case], scale: float) -> list[Case]:
+    """That share of some cases, evenly over all of them; at least one, at most each once."""
+    count = min(len(cases), max(1, round(scale * len(cases))))
+    return [cases[number * len(cases) // count] for number in range(count)]
 
 
 def show(attacks: Iterable[Attack], console: Console) -> int:

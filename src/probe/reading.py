@@ -42,6 +42,14 @@ def opened(path: Path) -> BinaryIO:
     return os.fdopen(handle, "rb")
 
 
+def is_there(path: Path) -> bool:
+    """Whether anything is at a path, a link to nowhere included.
+
+    Where a missing file stands for "nothing was said", one that can't be found any more mustn't.
+    """
+    return os.path.lexists(path)
+
+
 def contents(path: Path, most: int = DOCUMENT) -> bytes:
     """All bytes of a file.
 

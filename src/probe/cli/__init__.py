@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import resource
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -57,10 +59,21 @@ _MEMORY = (
 )
 
 
+LEAST_ADDRESSES = 400 << 20
+"""Bytes that every command needs. With fewer, libraries in C end the process in words of their own
+or wait for ever, and no exception says so."""
+
+_OUT_OF_REACH = {
+    errno.ENAMETOOLONG: "Choose a shorter path",
+    errno.EACCES: "Choose another path, or have its permissions changed",
+}
+"""What to do about a path of which the system won't even say whether anything is there."""
+
+
 def main() -> None:
     """Run the command line; expected failures become one line and exit status 1.
 
-    So does a lack of memory.
+    So do a lack of memory, and a path that can't be looked at.
     """
     try:
         _run(sys.argv[1:])
@@ -70,6 +83,11 @@ def main() -> None:
         # A library that can't be mapped into memory is said to be missing.
         reason = " ".join(str(failure).split()) or "there is none left"
         _end(f"Memory ran out, or the installation is broken: {reason}. {_MEMORY}")
+    except OSError as failure:
+        remedy = _OUT_OF_REACH.get(failure.errno or 0)
+        if remedy is None or failure.filename is None:
+            raise
+        _end(f"{failure.filename}: {failure.strerror}. {remedy}.")
     except KeyboardInterrupt:
         _end("interrupted")
 
@@ -79,11 +97,21 @@ def _end(reason: str) -> NoReturn:
     sys.exit(f"probe: {visible(' '.join(reason.splitlines()))}")
 
 
+def _check_addresses() -> None:
+    """End where a limit leaves too few addresses for any command."""
+    most, _ = resource.getrlimit(resource.RLIMIT_AS)
+    if most != resource.RLIM_INFINITY and most < LEAST_ADDRESSES:
+        needed = f"{most >> 20} MiB of memory are allowed, and {LEAST_ADDRESSES >> 20} is the least"
+        _end(f"{needed} that anything works with. Raise the limit (ulimit -v).")
+
+
 def _run(arguments: list[str]) -> None:
     import tyro
 
     app = tyro.extras.SubcommandApp()
     wanted = arguments[0] if arguments else ""
+    if wanted in COMMANDS:
+        _check_addresses()
     for name, command in COMMANDS.items():
         if name == wanted:
             module = import_module(f"probe.cli.{command.module}")

@@ -13,7 +13,7 @@ from probe.episodes.files import append_line, append_record, read_records
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, OutputFailed
 from probe.files import write_text
-from probe.reading import opened, words
+from probe.reading import is_there, opened, words
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 
@@ -84,7 +84,7 @@ def arm_of_folder(out: Path) -> str | None:
         BadData: The file that says so can't be read.
     """
     path = out / ARM
-    if not path.exists():
+    if not is_there(path):
         return None
     try:
         return words(path).strip() or None

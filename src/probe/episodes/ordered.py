@@ -9,6 +9,7 @@ import pydantic
 
 from probe.errors import BadData
 from probe.files import read_document, write_text
+from probe.reading import is_there
 
 ORDERED = "ordered.json"
 
@@ -39,7 +40,7 @@ def read_ordered(out: Path) -> Ordered:
         BadData: The file can't be read.
     """
     path = out / ORDERED
-    if not path.exists():
+    if not is_there(path):
         return {}
     found = read_document(path, OrderedDocument, "Delete it, and start the same run again")
     return {(it.agent, it.arm): it.runs for it in found.ordered}

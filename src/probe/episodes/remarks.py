@@ -12,7 +12,7 @@ from probe.episodes.files import append_line
 from probe.episodes.folder import alone
 from probe.errors import BadData
 from probe.files import fault, write_bytes
-from probe.reading import contents
+from probe.reading import contents, is_there
 
 REMARKS = "remarks.jsonl"
 LONGEST = 1000
@@ -72,7 +72,7 @@ def read_remarks(out: Path) -> list[Remark]:
         BadData: A line is no remark.
     """
     path = out / REMARKS
-    if not path.exists():
+    if not is_there(path):
         return []
     try:
         lines = contents(path).splitlines()

@@ -13,6 +13,7 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.files import read_document, write_text
+from probe.reading import is_there
 from probe.runs.vary import VariedTask
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of, read_suite, write_suite
@@ -42,7 +43,7 @@ def read_variation(out: Path) -> Variation | None:
         BadData: It can't be read.
     """
     path = out / VARIATION
-    return read_document(path, Variation, "Choose another folder") if path.exists() else None
+    return read_document(path, Variation, "Choose another folder") if is_there(path) else None
 
 
 def write_variation(out: Path, variation: Variation) -> None:
