@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from probe.agents.reading import read_graph, read_handle
     from probe.api.agents import builtin_agent
     from probe.api.episodes import OpenEpisode, open_episode, play, replay, score
+    from probe.api.models import model_behind
     from probe.api.reports import WrittenReport, report, rescore
     from probe.api.runs import read_records, run
     from probe.api.scenes import make_scene, photograph, visibility
@@ -42,6 +43,8 @@ if TYPE_CHECKING:
     from probe.episodes.record import EpisodeRecord
     from probe.episodes.turns import Agent, Call, Question, Turn
     from probe.errors import ProbeError
+    from probe.perception.choice import Perceiver, Perception, pointing
+    from probe.perception.things import Thing, Words
     from probe.render.renderer import Renderer
     from probe.scene.scene import Scene
     from probe.scores.summary import Scores
@@ -55,6 +58,7 @@ _HOMES = {
     "agents.reading": ("read_graph", "read_handle"),
     "api.agents": ("builtin_agent",),
     "api.episodes": ("OpenEpisode", "open_episode", "play", "replay", "score"),
+    "api.models": ("model_behind",),
     "api.reports": ("WrittenReport", "report", "rescore"),
     "api.runs": ("read_records", "run"),
     "api.scenes": ("make_scene", "photograph", "visibility"),
@@ -64,6 +68,8 @@ _HOMES = {
     "episodes.record": ("EpisodeRecord",),
     "episodes.turns": ("Agent", "Call", "Question", "Turn"),
     "errors": ("ProbeError",),
+    "perception.choice": ("Perceiver", "Perception", "pointing"),
+    "perception.things": ("Thing", "Words"),
     "render.renderer": ("Renderer",),
     "scene.scene": ("Scene",),
     "scores.summary": ("Scores",),
@@ -85,6 +91,8 @@ __all__ = [
     "Library",
     "Noise",
     "OpenEpisode",
+    "Perceiver",
+    "Perception",
     "Pose",
     "ProbeError",
     "Question",
@@ -94,17 +102,21 @@ __all__ = [
     "Scores",
     "Suite",
     "Task",
+    "Thing",
     "ToolResult",
     "Turn",
+    "Words",
     "WrittenReport",
     "__version__",
     "build_suite",
     "builtin_agent",
     "load_suite",
     "make_scene",
+    "model_behind",
     "open_episode",
     "open_library",
     "photograph",
+    "pointing",
     "play",
     "read_graph",
     "read_handle",

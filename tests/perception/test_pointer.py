@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from model_server import Reply, serving
+from probe.api.models import model_behind
 from probe.asking import UnusableReply
-from probe.cli.models import model_behind
 from probe.errors import ModelFailed
 from probe.perception.pointer import Pointer
 from probe.perception.points import Convention

@@ -16,6 +16,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import differences
 from probe.episodes.replay import replay as _replay
 from probe.episodes.turns import Agent, Call, Question
+from probe.perception.choice import Perceiver, ideal
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.tasks.grading import Score
@@ -93,6 +94,7 @@ def open_episode(
     *,
     noise: Noise | NoiseName = "none",
     run: int = 0,
+    perceiver: Perceiver = ideal,
     renderer: Renderer | None = None,
 ) -> OpenEpisode:
     """Set a task's table and open the tools over it.
@@ -102,6 +104,7 @@ def open_episode(
         library: Has the task's objects; `open_library("all")` has those of every packaged suite.
         noise: How far the hand misses where it is sent: "none", "paper", or a Noise.
         run: Number of the run; each run of a task has its own noise.
+        perceiver: What the tools see with; by default the ideal detector. See pointing().
         renderer: One that is running already, for this episode alone; by default one is started.
 
     Raises:
@@ -112,7 +115,14 @@ def open_episode(
     try:
         table = library.table(task.scene.table)
         episode = _open_episode(
-            task, "by hand", library, table, drawing, run=run, noise=_noise(noise)
+            task,
+            "by hand",
+            library,
+            table,
+            drawing,
+            run=run,
+            noise=_noise(noise),
+            perceiver=perceiver,
         )
     except BaseException:
         if renderer is None:

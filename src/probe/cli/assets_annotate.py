@@ -9,6 +9,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.api.models import model_behind
 from probe.api.resources import Pool, library, library_folder
 from probe.assets.annotation.applying import apply_notes
 from probe.assets.annotation.notes import (
@@ -25,7 +26,6 @@ from probe.assets.annotation.words import describe
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.cli.assets_review import draw_own, kept_views, with_own, with_twins
-from probe.cli.models import model_behind
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say, track
 from probe.errors import ModelFailed

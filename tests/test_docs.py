@@ -1,0 +1,65 @@
+"""What the docs show as Python runs as it stands, with `import probe` alone; so do examples."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+import probe
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
+BLOCK = re.compile(r"^( *)```python([^\n]*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
+"""Indentation, words after the language, code. "no-run" marks a part of a class or function."""
+
+CODE = {
+    str(page.relative_to(ROOT)): [found[2] for found in BLOCK.findall(page.read_text())
+                                  if "no-run" not in found[1]]
+    for page in PAGES
+}  # fmt: skip
+RUNNABLE = [page for page, blocks in CODE.items() if blocks]
+EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+
+
+def strangers(code: str) -> set[str]:
+    """Modules of the package that code imports past the front door."""
+    found = set[str]()
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.Import):
+            found |= {each.name for each in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            found.add(node.module or "")
+    return {name for name in found if name.startswith("probe.")}
+
+
+def test_there_are_pages_with_code():
+    assert {"docs/looks.md", "docs/perception.md", "docs/extend/add-a-backend.md"} <= {*RUNNABLE}
+
+
+@pytest.mark.parametrize("page", RUNNABLE)
+def test_pages_import_the_public_api_alone(page: str):
+    assert strangers("\n".join(CODE[page])) == set()
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.name)
+def test_examples_import_the_public_api_alone(path: Path):
+    assert strangers(path.read_text()) == set()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", RUNNABLE)
+def test_code_of_a_page_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {"__name__": page}
+    for number, block in enumerate(CODE[page]):
+        exec(compile(block, f"{page}, block {number}", "exec"), names)
+
+
+def test_every_public_name_is_there_and_documented():
+    for name in probe.__all__:
+        found = getattr(probe, name)
+        if not name.startswith("_") and name not in {"SUMS_BOUND", "Perceiver"}:
+            assert found.__doc__, name
