@@ -12,7 +12,8 @@ from probe.assets.library import Library, open_library
 from probe.cli.suite_verify import Unverified, verify
 from probe.tasks.suite import Suite, selection
 from probe.tasks.suite_file import digest_of, packaged_suite, read_suite, write_suite
-from probe.tasks.task import Form, Letter, Mark, Option, QuestionKind, Task
+from probe.tasks.task import Letter, Mark, Option, QuestionKind, Task
+from probe.tasks.type_rules import Form
 from probe.verification.text import read_anew
 
 V1, UNFILTERED, DEMO, SCANS = map(packaged_suite, ("v1", "v1-unfiltered", "demo", "v1-scans"))

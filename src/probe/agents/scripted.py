@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
 
 import numpy as np
 
@@ -12,8 +11,6 @@ from probe.agents.pairs import compare, size
 from probe.agents.phrases import Reason, Say, silent
 from probe.agents.plans import count, find, uncover
 from probe.episodes.turns import Call, Question, Turn
-
-Kind = Literal["beneath", "compare", "count", "find", "reduce", "size"]
 
 
 class Scripted:
@@ -25,7 +22,7 @@ class Scripted:
 
     def __init__(
         self,
-        kind: Kind,
+        kind: str,
         subject: str,
         rng: np.random.Generator,
         first: Way = "grasp",
@@ -47,7 +44,7 @@ class Scripted:
                 answer proves nothing: never certify a task by it.
             say: Gives the words that go with each call; they change nothing that is done.
         """
-        self._kind: Kind = kind
+        self._kind = kind
         self._subject = subject
         self._rng = rng
         self._first: Way = first

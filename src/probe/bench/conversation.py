@@ -10,6 +10,7 @@ from probe.bench.wire import call_of, result_message
 from probe.episodes.participation import ModelReply, Points
 from probe.runs.worker_messages import CallResult
 from probe.tasks.task import Task
+from probe.tasks.type_rules import rules_of
 from probe.toolshed.result import Answer
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import meant
@@ -63,7 +64,7 @@ async def in_words(
 
 def _lacks_point(task: Task, answer: Answer) -> bool:
     """Whether an object was named that has to be pointed at; "None of the above" can't be."""
-    return task.kind == "find" and answer.choice != "E" and answer.point_px is None
+    return rules_of(task.kind).pointed and answer.choice != "E" and answer.point_px is None
 
 
 async def _carried_out(

@@ -9,7 +9,7 @@ import numpy as np
 from probe.assets.colour.difference import ciede2000
 from probe.errors import UnknownName
 from probe.generation.colour_words import KNOWN, colours_in
-from probe.tasks.task import Form
+from probe.tasks.type_rules import Form
 from probe.types import Array
 
 LEAD, LEAD_DARKER = 8.0, 16.0

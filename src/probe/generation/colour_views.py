@@ -14,7 +14,7 @@ from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.scene.lighting import AMBIENT, Lighting
 from probe.scene.scene import Scene
-from probe.tasks.task import Form
+from probe.tasks.type_rules import Form
 from probe.types import Array, Frame
 
 LIGHTS = (AMBIENT, Lighting("workshop"))

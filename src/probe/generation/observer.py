@@ -15,7 +15,8 @@ from probe.assets.colour.difference import ciede2000
 from probe.generation.colour_words import colours_in
 from probe.generation.first_look import FirstLook, VisibleThing
 from probe.tasks.english import plural
-from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Form, Letter, QuestionKind
+from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Letter, QuestionKind
+from probe.tasks.type_rules import Form
 from probe.types import Array
 
 _RESEMBLES = 25.0

@@ -10,7 +10,8 @@ from typing import TypeVar
 
 from probe.generation.salt import Salt
 from probe.scene.seeds import generator
-from probe.tasks.task import LETTERS, PAIR, Form, Letter, QuestionKind
+from probe.tasks.task import KINDS, LETTERS, PAIR, Letter, QuestionKind
+from probe.tasks.type_rules import Form, rules_of
 from probe.tasks.wordings import wordings
 
 ATTEMPTS = 1000
@@ -18,7 +19,7 @@ ATTEMPTS = 1000
 
 _COUNTS = tuple(product(range(4), range(3)))
 _REMOVALS = (1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 5)
-PAIRED: tuple[QuestionKind, ...] = "compare", "size"
+PAIRED: tuple[QuestionKind, ...] = tuple(k for k in KINDS if rules_of(k).paired)
 """Types that ask about two marked things."""
 
 _CROSSED = tuple(product(PAIR, (True, False), (True, False)))

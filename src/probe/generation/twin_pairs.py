@@ -16,8 +16,9 @@ from probe.generation.colour_words import colours_in
 from probe.generation.paint_twins import PaintTwins
 from probe.generation.palettes import dimmed, main_colour
 from probe.generation.plan import TaskPlan
-from probe.tasks.task import PAIR, Form
+from probe.tasks.task import PAIR
 from probe.tasks.truth import which_fits
+from probe.tasks.type_rules import Form
 from probe.types import Array
 
 _DRAWS = 4000

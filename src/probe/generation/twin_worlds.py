@@ -12,8 +12,9 @@ from probe.generation.colour_views import ColourViews
 from probe.generation.result import Rejected
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
-from probe.tasks.task import PAIR, Form
+from probe.tasks.task import PAIR
 from probe.tasks.truth import which_fits
+from probe.tasks.type_rules import Form
 from probe.types import Array
 
 MOST_APART = 1.5

@@ -8,6 +8,7 @@ from typing import Literal
 from probe.generation.visibility_rules import is_clear, is_hidden, is_little, is_partly_visible
 from probe.scene.visibility import Visibility
 from probe.tasks.task import QuestionKind, Task
+from probe.tasks.type_rules import rules_of
 
 Band = Literal["hidden", "partly", "between", "little", "clear"]
 
@@ -28,7 +29,7 @@ def broken_rule(task: Task, now: Mapping[int, Visibility]) -> str | None:
 
 
 def _band(kind: QuestionKind, seen: Visibility) -> Band:
-    if kind in ("compare", "size"):
+    if rules_of(kind).paired:
         return "little" if is_little(seen) else "between"
     if is_hidden(seen):
         return "hidden"

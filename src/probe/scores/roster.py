@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from probe.scores.row import Row
+from probe.tasks.type_rules import rules_of
 
 
 class Listed(NamedTuple):
@@ -26,10 +27,6 @@ class Listed(NamedTuple):
 
 Roster = Mapping[str, Listed]
 """Tasks by id."""
-
-NAIVE: Mapping[str, float] = {"count": 1 / 3}
-"""By type, what a look gives that moves nothing, where that is more than a guess: in Count 0, 1 or
-2 are hidden, equally often; who counts what shows and adds one of these is right in a third."""
 
 
 def roster_of(rows: Iterable[Row]) -> dict[str, Listed]:
@@ -50,6 +47,6 @@ def chance_by_kind(roster: Roster) -> dict[str, float]:
 
 
 def naive_by_kind(roster: Roster) -> dict[str, float]:
-    """What is right by type without moving anything: a blind guess, or more by a look (NAIVE)."""
+    """Share that is right by type without moving anything: a guess, or more by a look."""
     chance = chance_by_kind(roster)
-    return {kind: max(guessed, NAIVE.get(kind, 0.0)) for kind, guessed in chance.items()}
+    return {kind: max(guessed, rules_of(kind).naive) for kind, guessed in chance.items()}

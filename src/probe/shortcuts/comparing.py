@@ -6,7 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 
 from probe.agents.text_features import Features
-from probe.tasks.task import NONE_OF_THE_ABOVE, Form
+from probe.tasks.task import NONE_OF_THE_ABOVE
+from probe.tasks.type_rules import Form
 
 
 def relative(name: str, values: Sequence[float | None]) -> tuple[Features, ...]:

@@ -10,7 +10,7 @@ from typing import Literal
 from scipy import stats
 
 from probe.scores.holm import holm
-from probe.scores.roster import NAIVE
+from probe.tasks.type_rules import rules_of
 
 Verdict = Literal["below", "within noise", "above"]
 
@@ -19,7 +19,7 @@ LEVEL = 0.05
 
 POWER = 0.80
 
-CEILING, PAIRED_CEILING, COUNT_CEILING = 0.20, 0.50, NAIVE["count"]
+CEILING, PAIRED_CEILING, COUNT_CEILING = 0.20, 0.50, rules_of("count").naive
 ALLOWANCE, PAIRED_ALLOWANCE = 0.03, 0.04
 
 
@@ -82,7 +82,7 @@ def allowed(kind: str, *, letters_alone: bool = False) -> tuple[float, float]:
         letters_alone: For somebody who doesn't know what the options say: in Count, too, one
             letter is as good as another.
     """
-    if kind in ("compare", "size"):
+    if rules_of(kind).paired:
         return PAIRED_CEILING, PAIRED_ALLOWANCE
     if kind == "count" and not letters_alone:
         return COUNT_CEILING, ALLOWANCE

@@ -13,7 +13,8 @@ import numpy as np
 from probe.assets.spec import ObjectSpec
 from probe.generation.first_look import FirstLook, VisibleThing
 from probe.shortcuts.sample import CatalogueFacts, LabelledSample, Sample
-from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, Form, QuestionKind
+from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, QuestionKind
+from probe.tasks.type_rules import Form
 
 _COLOURS = ("red", "green", "blue", "yellow", "white", "black")
 _CATEGORIES = ("mug", "brick", "egg", "die", "pawn", "coin", "lid", "cork", "nut", "key")

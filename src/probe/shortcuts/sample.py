@@ -12,7 +12,8 @@ from probe.generation.first_look import FirstLook
 from probe.generation.observer import says
 from probe.generation.plan import block_of
 from probe.tasks.english import plural
-from probe.tasks.task import LETTERS, PAIR, Form, QuestionKind, Task
+from probe.tasks.task import LETTERS, PAIR, QuestionKind, Task
+from probe.tasks.type_rules import Form
 
 
 @dataclass(frozen=True)

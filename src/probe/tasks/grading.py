@@ -11,6 +11,7 @@ import numpy as np
 from probe.scene.layout import BASKET_POSITION, BASKET_SIZE, TABLE_SIZE
 from probe.scene.scene import Scene
 from probe.tasks.task import Letter, Task
+from probe.tasks.type_rules import rules_of
 from probe.types import Array, Pose
 
 POINT_TOLERANCE_PX = 2.0
@@ -87,7 +88,7 @@ def grade(task: Task, answer: FinalAnswer, last: LastView) -> Score:
 
 def looks_at_end(task: Task, answer: FinalAnswer) -> bool:
     """Whether an answer's worth depends on the last view: a letter that has to be pointed at."""
-    return task.kind == "find" and answer.letter == task.answer and task.answer != "E"
+    return rules_of(task.kind).pointed and answer.letter == task.answer and task.answer != "E"
 
 
 def whereabouts(pose: Pose) -> Whereabouts:

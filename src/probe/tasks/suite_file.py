@@ -18,14 +18,11 @@ from probe.scene.layout import PICTURE_PX
 from probe.scene.visibility import Visibility
 from probe.tasks.reserved import Difference, difference, unlike
 from probe.tasks.suite import Suite
-from probe.tasks.task import LETTERS, Certificate, Form, Letter, Mark, Option, QuestionKind, Task
+from probe.tasks.task import LETTERS, Certificate, Letter, Mark, Option, QuestionKind, Task
+from probe.tasks.type_rules import Form, rules_of
 
 CANARY = "PROBE SUITE; NOT FOR TRAINING; canary 6d0f1c52-6c0e-4e7c-9a53-0b6f2f8f7d41"
 """Anyone who finds this text in training data knows that a suite got there."""
-
-_FEWEST_TARGETS: dict[QuestionKind, int] = {
-    "beneath": 1, "find": 1, "compare": 2, "reduce": 1, "size": 2
-}  # fmt: skip
 
 _REMEDY = "Fetch the suite again, or build it with `probe suite build`"
 
@@ -84,8 +81,8 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
             raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
         if self.answer not in LETTERS[: len(self.options)]:
             raise ValueError(f"its answer {self.answer} is none of its options")
-        if len(self.targets) < _FEWEST_TARGETS.get(self.kind, 0):
-            raise ValueError(f"{self.kind} is about {_FEWEST_TARGETS[self.kind]} targets or more")
+        if len(self.targets) < (fewest := rules_of(self.kind).fewest_targets):
+            raise ValueError(f"{self.kind} is about {fewest} targets or more")
         return self
 
     @staticmethod

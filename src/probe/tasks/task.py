@@ -4,16 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
+from probe.tasks.registry import question_types
+from probe.tasks.type_rules import Form
 
-QuestionKind = Literal["beneath", "compare", "count", "find", "reduce", "size"]
-KINDS: tuple[QuestionKind, ...] = get_args(QuestionKind)
+KINDS: tuple[str, ...] = question_types()
+"""Names of the question types there are."""
 
-Form = Literal["plain", "colour", "darker", "like", "longer", "larger", "smaller"]
-"""What exactly Compare and Size ask; "plain" in the other types."""
+if TYPE_CHECKING:
+    QuestionKind = str
+    """Name of a question type; one of KINDS."""
+else:
+    # At run time a Literal, so that files and options with other names are refused.
+    QuestionKind = Literal[KINDS]
 
 Letter = Literal["A", "B", "C", "D", "E"]
 LETTERS: tuple[Letter, ...] = get_args(Letter)

@@ -9,7 +9,8 @@ import numpy as np
 
 from probe.assets.colour.difference import ciede2000
 from probe.scene.scene import PlacedObject, Scene
-from probe.tasks.task import Form, Letter
+from probe.tasks.task import Letter
+from probe.tasks.type_rules import Form
 from probe.types import Array
 
 COVERED_SHARE = 0.7

@@ -3,29 +3,22 @@
 from __future__ import annotations
 
 import string
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.resources import files
 from typing import Annotated
 
 import pydantic
 import yaml
 
 from probe.errors import BadData
-from probe.tasks.task import Form, QuestionKind
+from probe.tasks.registry import WORDINGS, folder_of
+from probe.tasks.task import QuestionKind
+from probe.tasks.type_rules import Form, rules_of
 
 FEWEST = 20
 """Ways to ask each type."""
 
-_SLOTS: Mapping[QuestionKind, Mapping[Form, set[str]]] = {
-    "beneath": {"plain": {"cover"}},
-    "compare": {"colour": {"colour"}, "darker": set(), "like": {"name"}},
-    "count": {"plain": {"names"}},
-    "find": {"plain": set()},
-    "reduce": {"plain": {"names"}},
-    "size": {"longer": set(), "larger": set(), "smaller": set()},
-}
 _REMEDY = "Correct that line"
 
 
@@ -74,9 +67,8 @@ def wordings(kind: QuestionKind) -> tuple[Wording, ...]:
     Raises:
         BadData: The file breaks its schema; the message names the line.
     """
-    name = f"{kind}.yaml"
-    text = (files("probe.tasks") / "data" / name).read_text("utf-8")
-    return parse_wordings(text, name)
+    path = folder_of(kind) / WORDINGS
+    return parse_wordings(path.read_text("utf-8"), path)
 
 
 def parse_wordings(text: str, path: object) -> tuple[Wording, ...]:
@@ -97,18 +89,19 @@ def parse_wordings(text: str, path: object) -> tuple[Wording, ...]:
     except pydantic.ValidationError as error:
         first = error.errors()[0]
         raise _broken(path, root, first["loc"], first["msg"]) from error
-    if set(document.forms) != set(_SLOTS[document.kind]):
-        wanted = ", ".join(_SLOTS[document.kind])
+    known = rules_of(document.kind).forms
+    if set(document.forms) != set(known):
+        wanted = ", ".join(known)
         raise _broken(path, root, ("forms",), f"the forms of {document.kind} are {wanted}")
     for form, texts in document.forms.items():
         for number, wording in enumerate(texts):
-            fault = _slot_fault(wording, _SLOTS[document.kind][form])
+            fault = _slot_fault(wording, known[form])
             if fault:
                 raise _broken(path, root, ("forms", form, number), fault)
     return tuple(Wording(form, text) for form, texts in document.forms.items() for text in texts)
 
 
-def _slot_fault(wording: str, wanted: set[str]) -> str | None:
+def _slot_fault(wording: str, wanted: frozenset[str]) -> str | None:
     """What is wrong with a wording's slots; None if nothing is."""
     try:
         slots = [slot for _, slot, _, _ in string.Formatter().parse(wording) if slot is not None]

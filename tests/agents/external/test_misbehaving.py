@@ -104,10 +104,10 @@ def test_what_it_started_ends_with_it(outsider):
 
 WITHOUT_NAMESPACES = """
 import os, sys, time
-from probe.agents.external import guard
-guard._unshare = lambda flags: False
+from probe.agents.external import supervisor
+supervisor._unshare = lambda flags: False
 out = int(sys.argv[1])
-assert guard.guard(False) is False
+assert supervisor.guard(False) is False
 if os.fork() == 0:
     os.setsid()
     if os.fork() == 0:

@@ -10,6 +10,7 @@ from probe.episodes.remarks import Remark
 from probe.episodes.turns import Call, Turn
 from probe.interfaces.human.progress import HumanProgress
 from probe.tasks.task import Task
+from probe.tasks.type_rules import rules_of
 from probe.toolshed.result import Status
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 
@@ -97,7 +98,7 @@ def at_table(state: State, place: int, task: Task, said: Remark | None) -> State
         number=place + 1,
         question=task.question,
         options=tuple((option.letter, option.text) for option in task.options),
-        asks_point=task.kind == "find",
+        asks_point=rules_of(task.kind).pointed,
         ambiguous=said is not None and said.ambiguous,
         note="" if said is None else said.note,
     )

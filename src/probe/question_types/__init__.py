@@ -1,0 +1,1 @@
+"""The question types, a folder each; `probe.tasks.registry` finds their parts."""

@@ -1,0 +1,1 @@
+"""Beneath: what is under the cover?"""

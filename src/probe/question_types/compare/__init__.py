@@ -1,0 +1,1 @@
+"""Compare: which of two marked things has a colour?"""

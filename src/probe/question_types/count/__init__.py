@@ -1,0 +1,1 @@
+"""Count: how many were on the table at the start?"""

@@ -1,0 +1,1 @@
+"""Find: which of these is on the table, and where?"""

@@ -1,0 +1,1 @@
+"""Reduce: remove these objects; which was hidden behind them?"""

@@ -1,0 +1,1 @@
+"""Size: which of two marked things is longer, larger or smaller?"""

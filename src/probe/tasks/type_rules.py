@@ -1,0 +1,49 @@
+"""What grading, suites and scores need to know of a question type. Knows no tools and no scenes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from probe.tasks.registry import part_of
+
+Form = Literal["plain", "colour", "darker", "like", "longer", "larger", "smaller"]
+"""What exactly Compare and Size ask; "plain" in the other types."""
+
+Answers = Literal["objects", "numbers", "marks"]
+"""What the options are: four of five objects, four of five numbers, or the two marked things."""
+
+
+@dataclass(frozen=True)
+class TypeRules:
+    """The rules of a question type.
+
+    Attributes:
+        forms: What it may ask, and for each form the slots that its wordings have.
+        answers: What its options are.
+        fewest_targets: Objects that decide, at least.
+        pointed: Whether a named option needs a point on the object.
+        naive: Share that is right without moving anything, where that is more than a guess.
+    """
+
+    forms: Mapping[Form, frozenset[str]]
+    answers: Answers
+    fewest_targets: int
+    pointed: bool = False
+    naive: float = 0.0
+
+    @property
+    def paired(self) -> bool:
+        """Whether it asks about two marked things."""
+        return self.answers == "marks"
+
+
+def rules_of(kind: str) -> TypeRules:
+    """The rules of a question type.
+
+    Raises:
+        UnknownName: There is no such type.
+        IncompleteType: Its rules can't be used.
+    """
+    return part_of(kind, "rules", TypeRules)
