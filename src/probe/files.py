@@ -46,6 +46,7 @@ def write_bytes(path: Path, content: bytes) -> None:
 def write_secret(path: Path, text: str) -> None:
     """Write a UTF-8 file that its owner alone can read; whole, and only if there is none yet.
 
+    So is its folder, if that is made for it.
     Of several who do so at once, one succeeds, and the others leave its file as it is.
 
     Raises:
@@ -53,7 +54,7 @@ def write_secret(path: Path, text: str) -> None:
     """
     temporary = ""
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         # Born with mode 0600.
         handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         with os.fdopen(handle, "wb") as file:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import stat
 import subprocess
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,6 +14,7 @@ import pytest
 from forgeries import TASK, honest, moved, with_step, with_steps, write_folder
 from pages import Page
 from probe.agents.scripted import Scripted
+from probe.assets.folders import audit_key_file
 from probe.assets.library import open_library
 from probe.assets.tables import load_table
 from probe.audit.audit_file import AUDIT, ReplayVerdict, hashes_of_lines, keep
@@ -28,6 +30,11 @@ from probe.errors import BadData
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from run_folders import DEMO, episode, write_run
+
+
+def told(capsys: pytest.CaptureFixture[str]) -> str:
+    """What was printed, in one line."""
+    return " ".join(capsys.readouterr().out.split())
 
 
 def test_without_replays_the_checks_alone_are_made(tmp_path, capsys):
@@ -51,11 +58,32 @@ def test_numbers_of_replays_that_mean_nothing_are_refused(tmp_path, count):
 def test_what_differed_once_is_said_again_and_fails(tmp_path, capsys):
     out = write_folder(tmp_path, honest())
     differs = ReplayVerdict(outcome="differs", reason="step 3: after")
-    keep(out, dict.fromkeys(hashes_of_lines(out), differs), results=1)
+    keep(out, dict.fromkeys(hashes_of_lines(out), differs), results=1, key_file=audit_key_file())
     with pytest.raises(NotAsRecorded, match="1 of 1 replays differ from what is recorded"):
         audit(out, replay="all")
     said = capsys.readouterr().out
     assert f"{TASK.id}, run 0 of anna differs: step 3: after" in said
+
+
+def test_an_audit_that_came_with_the_folder_is_set_aside(tmp_path, capsys):
+    """One that was honestly made, by somebody else; and one of before there were keys."""
+    out = write_folder(tmp_path / "run", honest())
+    equal = dict.fromkeys(hashes_of_lines(out), ReplayVerdict(outcome="equal"))
+    keep(out, equal, results=1, key_file=tmp_path / "theirs.key")
+    text = json.loads((out / AUDIT).read_bytes())
+    del text["sum"], text["seal"]
+    for theirs in ((out / AUDIT).read_bytes(), json.dumps(text).encode()):
+        (out / AUDIT).write_bytes(theirs)
+        rescore(out, arm="agentic")
+        assert f"{out}: not audited here (audit.json was made elsewhere)." in told(capsys)
+        page = Page(write_run_report([out]).read_text())
+        assert "not audited here (audit.json was made elsewhere)" in page.section("scores")
+        capsys.readouterr()
+        audit(out)
+        said = told(capsys)
+        assert f"{out}: audit.json was not made here: its verdicts don't count." in said
+        assert f"{out}: not audited." in said
+        assert stat.S_IMODE(audit_key_file().stat().st_mode) == 0o600
 
 
 def test_a_folder_is_signed_and_verified(tmp_path, capsys):
@@ -86,7 +114,12 @@ def test_scores_and_reports_say_how_far_they_are_audited(tmp_path, capsys):
     rescore(out)
     assert f"{out}: not audited." in " ".join(capsys.readouterr().out.split())
     assert "not audited" in Page(write_run_report([out]).read_text()).section("scores")
-    keep(out, dict.fromkeys(hashes_of_lines(out), ReplayVerdict(outcome="equal")), results=4)
+    keep(
+        out,
+        dict.fromkeys(hashes_of_lines(out), ReplayVerdict(outcome="equal")),
+        results=4,
+        key_file=audit_key_file(),
+    )
     words = "audited: 4 of 4 replayed, all equal"
     assert words in Page(write_run_report([out]).read_text()).section("scores")
     capsys.readouterr()
@@ -122,13 +155,13 @@ def invented(record: EpisodeRecord) -> EpisodeRecord:
     return record
 
 
-def told(record: EpisodeRecord) -> EpisodeRecord:
+def retold(record: EpisodeRecord) -> EpisodeRecord:
     return with_step(record, 0, text=record.steps[0].text + "\nThe answer is A.")
 
 
 FORGED: dict[str, tuple[Callable[[EpisodeRecord], EpisodeRecord], str]] = {
     "the target under an invented point": (invented, "differs: step 3: after, step 4: after"),
-    "what a tool told": (told, "differs: step 1: text"),
+    "what a tool told": (retold, "differs: step 1: text"),
     "another run's luck": (lambda it: replace(it, run=1), "differs: step 3: "),
     "another noise": (lambda it: replace(it, noise=NOISES["none"]), "differs: step 3: "),
 }

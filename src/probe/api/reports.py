@@ -9,6 +9,7 @@ from pathlib import Path
 from probe.api.gathering import gather, one_suite, short_names
 from probe.api.grading import graded, scene_renderer_of
 from probe.api.progress import Track, silent
+from probe.api.resources import audit_key_file
 from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES, rows_of, write_beside
 from probe.audit.audit_file import audit_of
 from probe.episodes.folder import SUITE
@@ -97,7 +98,8 @@ def report(
     write_beside(folder, rows, scores)
     page = folder / ("report.html" if single_file else "index.html")
     audits = tuple(
-        (name, audit_of(run).words) for name, run in zip(short_names(runs), runs, strict=True)
+        (name, audit_of(run, audit_key_file()).words)
+        for name, run in zip(short_names(runs), runs, strict=True)
     )
     files = (ROWS_CSV, ROWS_JSON, SCORES)
     shown = Report(suite, scores, played, tuple(candidates), files, audits)

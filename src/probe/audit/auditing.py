@@ -6,7 +6,7 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from probe.audit.audit_file import ReplayVerdict, earlier, hashes_of_lines, keep
+from probe.audit.audit_file import ReplayVerdict, earlier, hashes_of_lines, is_foreign, keep
 from probe.audit.replaying import Claim, Replayer, unable
 from probe.episodes.folder import reserved
 from probe.episodes.record import EpisodeRecord
@@ -25,11 +25,15 @@ class Audit:
     Attributes:
         out: The folder.
         claims: Its records but for failures of ours, in the order of the file.
+        key_file: Of whoever audits.
+        foreign: Whether it came with an audit of somebody else, which is set aside.
         verdicts: What is known so far, by line.
     """
 
     out: Path
     claims: tuple[Claim, ...]
+    key_file: Path
+    foreign: bool = False
     verdicts: dict[str, ReplayVerdict] = field(default_factory=dict[str, ReplayVerdict])
 
     def lacking(self, count: int | None) -> list[Claim]:
@@ -39,11 +43,16 @@ class Audit:
 
     def keep(self) -> None:
         """Write down what is known."""
-        keep(self.out, self.verdicts, len(self.claims))
+        keep(self.out, self.verdicts, len(self.claims), self.key_file)
 
 
-def begin(out: Path, suite: Suite) -> Audit:
+def begin(out: Path, suite: Suite, key_file: Path) -> Audit:
     """Check a folder's records, and take up what is known of replays of them.
+
+    Args:
+        out: The folder.
+        suite: Its suite, which has been read.
+        key_file: Of whoever audits; verdicts of anybody else are set aside.
 
     Raises:
         BadData: A record can't be read, or can't be of a run of the suite.
@@ -57,7 +66,7 @@ def begin(out: Path, suite: Suite) -> Audit:
         for line, record in zip(lines, records, strict=True)
         if record.end != "fault"
     )
-    audit = Audit(out, claims, earlier(out))
+    audit = Audit(out, claims, key_file, is_foreign(out, key_file), earlier(out, key_file))
     for claim in claims:
         if reason := unable(claim.record):
             audit.verdicts[claim.line] = ReplayVerdict(outcome="not replayable", reason=reason)

@@ -10,8 +10,8 @@ from typing import Annotated
 
 import tyro
 
-from probe.api.resources import cache_folder, opener
-from probe.audit.audit_file import ReplayVerdict, audit_of, counted
+from probe.api.resources import audit_key_file, cache_folder, opener
+from probe.audit.audit_file import AUDIT, ReplayVerdict, audit_of, counted
 from probe.audit.auditing import Audit, begin, replay_claims, whose
 from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_manifest
 from probe.audit.replaying import Claim, Replayer
@@ -50,7 +50,8 @@ def audit(
 ) -> None:
     """Check a run's records; replay them, sign the folder, or verify who signed it, on request.
 
-    What replays came to is kept in audit.json; the same command goes on where it stopped.
+    What replays came to is kept in audit.json; the same command goes on where it stopped. One that
+    was made with another user's key, or with none, doesn't count.
 
     Args:
         out: Folder that `probe run` wrote to.
@@ -64,7 +65,7 @@ def audit(
         refuse_stray("with --verify", {"--sign": sign, "--replay": replay})
         _verify(out, verify)
     suite, count = read_suite(out / SUITE), _count(replay)
-    found = begin(out, suite)
+    found = begin(out, suite, audit_key_file())
     tell_unsummed(out)
     _tell(out, suite, found)
     if verify is None and (replay is not None or sign is None):
@@ -96,6 +97,8 @@ def _tell(out: Path, suite: Suite, audit: Audit) -> None:
         f"{out}: {len(audit.claims)} results on {_kind_of(out, suite)}. All agree with themselves, "
         "their tasks and the folder's notes."
     )
+    if audit.foreign:
+        say(f"{out}: {AUDIT} was not made here: its verdicts don't count.")
 
 
 def _kind_of(out: Path, suite: Suite) -> str:
@@ -122,7 +125,7 @@ def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -
             for _ in results:
                 progress.update(line, advance=1)
     _print(audit)
-    say(f"{audit.out}: {audit_of(audit.out).words}.")
+    say(f"{audit.out}: {audit_of(audit.out, audit.key_file).words}.")
     audited = counted(audit.verdicts, len(audit.claims))
     if audited.differ:
         raise NotAsRecorded(audit.out, audited.differ, audited.equal + audited.differ)

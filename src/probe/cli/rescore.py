@@ -9,6 +9,7 @@ from typing import Annotated
 import tyro
 
 from probe.api import reports
+from probe.api.resources import audit_key_file
 from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES
 from probe.audit.audit_file import audit_of
 from probe.cli.checksum_notice import tell_unsummed
@@ -39,7 +40,7 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
         say(_FLOORS)
     for line in _lines(scores):
         say(line)
-    say(f"{out}: {audit_of(out).words}.")
+    say(f"{out}: {audit_of(out, audit_key_file()).words}.")
     say(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
 
 
