@@ -17,6 +17,7 @@ from probe.report.build_log import read_build_log
 from probe.report.page import Report, write_report
 from probe.scores.marking import roster_of_tasks
 from probe.scores.summary import Scores, summarise
+from probe.tasks.identity import identity_of
 from probe.tasks.suite_file import read_suite
 
 SEVERAL = Path("outputs/report")
@@ -31,17 +32,20 @@ class WrittenReport:
         page: The file to open in a browser.
         scores: Of everyone who answered.
         audits: The name of each folder, and how far it was audited, in words.
+        remark: What has to stand beside the scores, since the suite isn't a whole packaged one.
     """
 
     page: Path
     scores: Scores
     audits: tuple[tuple[str, str], ...]
+    remark: str = ""
 
 
 def rescore(folder: str | Path, *, arm: str | None = None, track: Track = silent) -> Scores:
     """Grade the records of a folder again, without physics.
 
-    Writes rows.csv, rows.jsonl and scores.json into the folder.
+    Writes rows.csv, rows.jsonl and scores.json into the folder. Of a part of a packaged suite they
+    bear the name "demo (2 of 6 tasks)".
 
     Args:
         folder: Holds suite.json and records.jsonl, as `probe run` or `run` writes them.
@@ -54,8 +58,10 @@ def rescore(folder: str | Path, *, arm: str | None = None, track: Track = silent
     """
     out = Path(folder)
     suite = read_suite(out / SUITE)
-    rows = rows_of(out, suite.name, graded(out, track), arm)
-    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
+    identity = identity_of(suite)
+    rows = rows_of(out, identity.title, graded(out, track), arm)
+    roster = roster_of_tasks(suite.tasks)
+    scores = summarise(identity.title, rows, roster, whole=identity.whole)
     write_beside(out, rows, scores)
     return scores
 
@@ -93,8 +99,9 @@ def report(
         played = gather(
             runs, suite, scene_renderer, folder, arm=arm, single=single_file, track=track
         )
-    rows = [each.row for each in played]
-    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
+    rows, identity = [each.row for each in played], identity_of(suite)
+    roster = roster_of_tasks(suite.tasks)
+    scores = summarise(identity.title, rows, roster, whole=identity.whole)
     write_beside(folder, rows, scores)
     page = folder / ("report.html" if single_file else "index.html")
     audits = tuple(
@@ -104,4 +111,4 @@ def report(
     files = (ROWS_CSV, ROWS_JSON, SCORES)
     shown = Report(suite, scores, played, tuple(candidates), files, audits)
     write_report(page, shown, single=single_file)
-    return WrittenReport(page, scores, audits)
+    return WrittenReport(page, scores, audits, identity.remark)
