@@ -23,7 +23,7 @@ from probe.audit.audit_file import (
     keep,
 )
 from probe.audit.audit_key import key_of, ready_key
-from probe.audit.auditing import begin
+from probe.audit.auditing import begin, missing_of
 from probe.checksum import with_sum, without_sum
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS, SUITE
@@ -129,14 +129,34 @@ def test_what_needs_a_model_again_cannot_be_replayed_and_is_counted(tmp_path):
     ]
 
 
-def test_episodes_are_spaced_evenly(tmp_path):
+def test_a_sample_is_drawn_by_its_seed(tmp_path):
     records = [honest(task) for task in DEMO.tasks]
-    audit = begin(
-        out := write_folder(tmp_path, *records), read_suite(out / SUITE), tmp_path / "key"
-    )
-    assert [it.task for it in audit.lacking(3)] == [DEMO.tasks[at] for at in (0, 2, 4)]
+    out = write_folder(tmp_path, *records)
+    audit = begin(out, read_suite(out / SUITE), tmp_path / "key")
+    drawn = {seed: tuple(it.record.task for it in audit.lacking(3, seed)) for seed in range(40)}
+    order = [task.id for task in DEMO.tasks]
+    for tasks in drawn.values():
+        assert len(set(tasks)) == 3 and list(tasks) == sorted(tasks, key=order.index)
+    # Of 20 threes 40 draws leave out few, and no record is safe.
+    assert len(set(drawn.values())) > 10 and {it for some in drawn.values() for it in some} == {
+        *order
+    }
+    assert audit.lacking(3, 7) == audit.lacking(3, 7)
     assert len(audit.lacking(99)) == len(audit.lacking(None)) == 6
     assert audit.lacking(0) == []
+
+
+def test_episodes_without_a_result_are_counted(tmp_path):
+    one, other = DEMO.tasks[:2]
+    fault = replace(honest(other), steps=(), answer=None, end="fault", fault="gone")
+    fault = replace(fault, seconds=Seconds(), run=1)
+    bea = replace(honest(one), agent="bea", run=2)
+    # Two runs of six tasks are ordered of anna; bea has run 2 of one task.
+    found = missing_of([honest(one), fault, bea], DEMO, {("anna", ""): 2})
+    assert found == (12 + 6 - 2, 12 + 6)
+    assert missing_of([], DEMO, {}) == (6, 6)
+    out = write_folder(tmp_path, honest(one))
+    assert begin(out, read_suite(out / SUITE), tmp_path / "key").missing == (11, 12)
 
 
 def forged(out: Path, *, seal: str | None) -> None:

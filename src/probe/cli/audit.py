@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import secrets
 from collections import Counter
 from collections.abc import Sequence
 from contextlib import closing
@@ -24,10 +25,12 @@ from probe.cli.screen import bar, say
 from probe.episodes.folder import SUITE
 from probe.errors import BadData, ProbeError
 from probe.runs.variation import read_variation
+from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import packaged_suite, packaged_suites, read_suite
+from probe.tasks.suite_file import find_suite, packaged_suites, read_suite
 
 _SHOWN = 10
+_SEED_BITS = 62
 
 
 class NotAsRecorded(ProbeError):
@@ -41,12 +44,24 @@ class NotAsRecorded(ProbeError):
         )
 
 
+class NotRepeated(ProbeError):
+    """All was to be replayed, and some of it can't be."""
+
+    def __init__(self, out: Path, unable: int, results: int) -> None:
+        super().__init__(
+            f"{out}: {unable} of {results} results couldn't be repeated, so that nothing confirms "
+            "them. Don't count them, or have them run again where somebody watches."
+        )
+
+
 def audit(
     out: Annotated[Path, tyro.conf.Positional],
     replay: str | None = None,
     workers: int = 1,
     sign: Path | None = None,
     verify: Path | None = None,
+    seed: int | None = None,
+    suite: str | None = None,
 ) -> None:
     """Check a run's records; replay them, sign the folder, or verify who signed it, on request.
 
@@ -55,21 +70,28 @@ def audit(
 
     Args:
         out: Folder that `probe run` wrote to.
-        replay: How many episodes to do again, evenly spaced, or "all".
+        replay: How many episodes to do again, drawn at random, or "all".
         workers: Processes that replay.
         sign: SSH key to sign the hashes of all files with, last of all.
         verify: File of SSH public keys, one of which must have signed the folder as it is.
+        seed: Of the draw; by default a new one, which is told.
+        suite: What the folder's suite has to be: the name of a packaged one, or your own file.
     """
-    check_numbers({"--workers": workers})
+    check_numbers({"--workers": workers, "--seed": seed})
+    count = _count(replay)
+    if not count:
+        refuse_stray("unless --replay says how many", {"--seed": seed})
     if verify is not None:
         refuse_stray("with --verify", {"--sign": sign, "--replay": replay})
         _verify(out, verify)
-    suite, count = read_suite(out / SUITE), _count(replay)
-    found = begin(out, suite, audit_key_file())
+    asked, reference = read_suite(out / SUITE), find_suite(suite) if suite else None
+    found = begin(out, asked, audit_key_file(), reference)
     tell_unsummed(out)
-    _tell(out, suite, found)
+    _tell(out, asked, found)
+    if suite is not None:
+        say(f"{out}: its suite is {suite}, all of it.")
     if verify is None and (replay is not None or sign is None):
-        _replay(found, suite, found.lacking(count), workers)
+        _replay(found, asked, _drawn(found, count, seed), workers, whole=count is None)
     if sign is not None:
         files = write_manifest(out)
         sign_manifest(out, sign)
@@ -85,6 +107,15 @@ def _count(replay: str | None) -> int | None:
     return int(replay)
 
 
+def _drawn(audit: Audit, count: int | None, seed: int | None) -> list[Claim]:
+    """What to replay; tells the seed of a draw, so that it can be made again."""
+    if seed is None:
+        seed = secrets.randbits(_SEED_BITS)
+    if count and count < len(audit.claims):
+        say(f"Replays {count} of {len(audit.claims)} results, drawn by --seed {seed}.")
+    return audit.lacking(count, seed)
+
+
 def _verify(out: Path, keys: Path) -> None:
     words = verify_manifest(out, keys)
     files = check_manifest(out)
@@ -95,27 +126,36 @@ def _tell(out: Path, suite: Suite, audit: Audit) -> None:
     """What the checks found; they would have raised what doesn't agree."""
     say(
         f"{out}: {len(audit.claims)} results on {_kind_of(out, suite)}. All agree with themselves, "
-        "their tasks and the folder's notes."
+        f"their tasks and the folder's notes; {_missing(*audit.missing)}."
     )
+    if remark := identity_of(suite).remark:
+        say(f"{out}: {remark}.")
     if audit.foreign:
         say(f"{out}: {AUDIT} was not made here: its verdicts don't count.")
 
 
+def _missing(missing: int, total: int) -> str:
+    if not missing:
+        return f"of {total} episodes none is missing"
+    return f"{missing} of {total} episodes {'is' if missing == 1 else 'are'} missing"
+
+
 def _kind_of(out: Path, suite: Suite) -> str:
-    if suite.name not in packaged_suites():
-        return f"{suite.name}, which isn't a suite of the package"
-    tasks = len(packaged_suite(suite.name).tasks)
-    part = "" if len(suite.tasks) == tasks else f"{len(suite.tasks)} of {tasks} tasks of "
-    variation = read_variation(out)
-    under = f", under {variation.conditions}" if variation else ", as packaged"
-    return f"{part}{suite.name}{under}"
+    identity, variation = identity_of(suite), read_variation(out)
+    under = f", under {variation.conditions}" if variation else ""
+    if suite.name in packaged_suites():
+        under = under or ", as packaged"
+    return f"{identity.title}{under}"
 
 
-def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -> None:
+def _replay(
+    audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int, *, whole: bool
+) -> None:
     """Replay what has no verdict yet, and say what is known then.
 
     Raises:
         NotAsRecorded: Something differs.
+        NotRepeated: The whole folder was to be replayed, and something can't be.
     """
     place = Replayer(suite, opener(), cache_folder() / "light")
     audit.keep()
@@ -129,6 +169,8 @@ def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -
     audited = counted(audit.verdicts, len(audit.claims))
     if audited.differ:
         raise NotAsRecorded(audit.out, audited.differ, audited.equal + audited.differ)
+    if whole and audited.unable:
+        raise NotRepeated(audit.out, audited.unable, audited.results)
 
 
 def _print(audit: Audit) -> None:
