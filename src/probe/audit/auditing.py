@@ -46,7 +46,7 @@ class Audit:
         wanted: Sequence[Claim] = self.claims
         if count is not None and count < len(wanted):
             drawn = generator(seed, "audit").choice(len(wanted), count, replace=False)
-            wanted = [wanted[place] for place in sorted(drawn)]
+            wanted = [self.claims[int(place)] for place in sorted(drawn)]
         return [claim for claim in wanted if claim.line not in self.verdicts]
 
     def keep(self) -> None:

@@ -193,15 +193,21 @@ def digest_of(task: Task) -> str:
     return TaskDocument.of(task).digest()
 
 
-def write_suite(path: Path, suite: Suite) -> None:
+def write_suite(path: Path, suite: Suite, *, private: bool = False) -> None:
     """Write a suite as JSON that ends with a checksum; floats keep every bit.
+
+    Args:
+        path: The file.
+        suite: What to write.
+        private: Only its owner can read it; so it is of any suite that is committed to a salt.
 
     Raises:
         OutputFailed: It can't be written; nothing half-written is left.
     """
     left_out = {"commitment"} if suite.commitment is None else None
     text = _document(suite).model_dump_json(indent=1, exclude=left_out)
-    write_bytes(path, with_sum(text.encode()))
+    private = private or suite.commitment is not None
+    write_bytes(path, with_sum(text.encode()), private=private)
 
 
 def content_hash(suite: Suite) -> str:
