@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import secrets
-from collections import Counter
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
@@ -12,24 +11,22 @@ from typing import Annotated
 import tyro
 
 from probe.api.resources import audit_key_file, cache_folder, opener
-from probe.audit.audit_file import AUDIT, ReplayVerdict, audit_of, counted
-from probe.audit.auditing import Audit, begin, replay_claims, whose
+from probe.audit.audit_file import audit_of, counted
+from probe.audit.auditing import Audit, begin, replay_claims
 from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_manifest
 from probe.audit.replaying import Claim, Replayer
 from probe.audit.signing import sign as sign_manifest
 from probe.audit.signing import verify as verify_manifest
+from probe.cli.audit_words import tell_checks, tell_verdicts
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.numbers import check_numbers
 from probe.cli.option_conflicts import refuse_stray
 from probe.cli.screen import bar, say
 from probe.episodes.folder import SUITE
 from probe.errors import BadData, ProbeError
-from probe.runs.variation import read_variation
-from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import find_suite, packaged_suites, read_suite
+from probe.tasks.suite_file import find_suite, read_suite
 
-_SHOWN = 10
 _SEED_BITS = 62
 
 
@@ -87,7 +84,7 @@ def audit(
     asked, reference = read_suite(out / SUITE), find_suite(suite) if suite else None
     found = begin(out, asked, audit_key_file(), reference)
     tell_unsummed(out)
-    _tell(out, asked, found)
+    tell_checks(out, asked, found)
     if suite is not None:
         say(f"{out}: its suite is {suite}, all of it.")
     if verify is None and (replay is not None or sign is None):
@@ -122,32 +119,6 @@ def _verify(out: Path, keys: Path) -> None:
     say(words, f"{files} files are as they were signed.")
 
 
-def _tell(out: Path, suite: Suite, audit: Audit) -> None:
-    """What the checks found; they would have raised what doesn't agree."""
-    say(
-        f"{out}: {len(audit.claims)} results on {_kind_of(out, suite)}. All agree with themselves, "
-        f"their tasks and the folder's notes; {_missing(*audit.missing)}."
-    )
-    if remark := identity_of(suite).remark:
-        say(f"{out}: {remark}.")
-    if audit.foreign:
-        say(f"{out}: {AUDIT} was not made here: its verdicts don't count.")
-
-
-def _missing(missing: int, total: int) -> str:
-    if not missing:
-        return f"of {total} episodes none is missing"
-    return f"{missing} of {total} episodes {'is' if missing == 1 else 'are'} missing"
-
-
-def _kind_of(out: Path, suite: Suite) -> str:
-    identity, variation = identity_of(suite), read_variation(out)
-    under = f", under {variation.conditions}" if variation else ""
-    if suite.name in packaged_suites():
-        under = under or ", as packaged"
-    return f"{identity.title}{under}"
-
-
 def _replay(
     audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int, *, whole: bool
 ) -> None:
@@ -164,28 +135,10 @@ def _replay(
             line = progress.add_task("Replaying", total=len(claims))
             for _ in results:
                 progress.update(line, advance=1)
-    _print(audit)
+    tell_verdicts(audit)
     say(f"{audit.out}: {audit_of(audit.out, audit.key_file).words}.")
     audited = counted(audit.verdicts, len(audit.claims))
     if audited.differ:
         raise NotAsRecorded(audit.out, audited.differ, audited.equal + audited.differ)
     if whole and audited.unable:
         raise NotRepeated(audit.out, audited.unable, audited.results)
-
-
-def _print(audit: Audit) -> None:
-    """Each record that differs, and how many can't be replayed for which reason."""
-    known = [(it, audit.verdicts[it.line]) for it in audit.claims if it.line in audit.verdicts]
-    differing = [(it, verdict) for it, verdict in known if verdict.outcome == "differs"]
-    for claim, verdict in differing[:_SHOWN]:
-        say(f"{whose(claim.record)} differs: {verdict.reason}")
-    if len(differing) > _SHOWN:
-        say(f"... and {len(differing) - _SHOWN} more, in audit.json.")
-    unable = Counter(_reason(verdict) for _, verdict in known)
-    for reason, count in unable.items():
-        if reason:
-            say(f"{count} can't be replayed: {reason}")
-
-
-def _reason(verdict: ReplayVerdict) -> str:
-    return verdict.reason if verdict.outcome == "not replayable" else ""
