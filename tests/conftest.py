@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Generator
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,15 @@ settings.load_profile("same")
 assert probe.SUMS_BOUND, "NumPy was imported before probe: its sums differ on this machine"
 
 ROOT = Path(__file__).resolve().parents[1]
+
+
+@pytest.fixture(scope="session", autouse=True)
+def own_data(tmp_path_factory: pytest.TempPathFactory) -> Generator[Path]:
+    """The user's own data: none. Tests make keys there, and nobody's objects take part in them."""
+    folder = tmp_path_factory.mktemp("data-home")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_DATA_HOME", str(folder))
+        yield folder / "probe"
 
 
 @pytest.fixture(scope="session")

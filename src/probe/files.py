@@ -22,8 +22,13 @@ from probe.types import Array
 Document = TypeVar("Document", bound=BaseModel)
 
 
-def write_bytes(path: Path, content: bytes) -> None:
+def write_bytes(path: Path, content: bytes, *, private: bool = False) -> None:
     """Write a whole file or none: a temporary file beside it takes its place when complete.
+
+    Args:
+        path: The file; its folder is made if need be.
+        content: All of it.
+        private: Only its owner can read it (mode 0600).
 
     Raises:
         OutputFailed: The disk is full, or the folder can't be written.
@@ -34,7 +39,9 @@ def write_bytes(path: Path, content: bytes) -> None:
         handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         with os.fdopen(handle, "wb") as file:
             file.write(content)
-        os.chmod(temporary, 0o644)
+        # Born with mode 0600.
+        if not private:
+            os.chmod(temporary, 0o644)
         os.replace(temporary, path)
     except OSError as error:
         if temporary:
@@ -46,6 +53,7 @@ def write_bytes(path: Path, content: bytes) -> None:
 def write_secret(path: Path, text: str) -> None:
     """Write a UTF-8 file that its owner alone can read; whole, and only if there is none yet.
 
+    So is its folder, if that is made for it.
     Of several who do so at once, one succeeds, and the others leave its file as it is.
 
     Raises:
@@ -53,7 +61,7 @@ def write_secret(path: Path, text: str) -> None:
     """
     temporary = ""
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         # Born with mode 0600.
         handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         with os.fdopen(handle, "wb") as file:
@@ -78,20 +86,21 @@ def check_new(out: Path) -> None:
         raise BadData(out, "is there already", "Choose a new folder")
 
 
-def claim_folder(path: Path, settings: BaseModel, remedy: str) -> None:
+def claim_folder(path: Path, settings: BaseModel, remedy: str, *, private: bool = False) -> None:
     """Write down how the work in a folder is done, or see that it was begun in the same way.
 
     Args:
         path: File for that, in the folder.
         settings: How.
         remedy: What to do if the file can't be read.
+        private: Only its owner can read the file.
 
     Raises:
         BadData: It was begun otherwise, or the file is broken.
         OutputFailed: It can't be written.
     """
     if not path.exists():
-        write_text(path, settings.model_dump_json(indent=1) + "\n")
+        write_text(path, settings.model_dump_json(indent=1) + "\n", private=private)
         return
     before = read_document(path, type(settings), remedy)
     for name, now in settings.model_dump().items():
@@ -123,9 +132,21 @@ def whole_folder(folder: Path) -> Generator[Path]:
                 shutil.rmtree(building)
 
 
-def write_text(path: Path, text: str) -> None:
+def write_text(path: Path, text: str, *, private: bool = False) -> None:
     """Write a whole UTF-8 text file or none; see write_bytes."""
-    write_bytes(path, text.encode())
+    write_bytes(path, text.encode(), private=private)
+
+
+def make_private(folder: Path) -> None:
+    """Let its owner alone into a folder (mode 0700).
+
+    Raises:
+        OutputFailed: It is somebody else's.
+    """
+    try:
+        folder.chmod(0o700)
+    except OSError as error:
+        raise OutputFailed(folder, error) from error
 
 
 def write_picture(path: Path, pixels: Array) -> None:

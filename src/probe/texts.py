@@ -36,6 +36,11 @@ def line(text: str) -> str:
     return visible(text).replace("\n", "\\n")
 
 
+def plain(text: str) -> str:
+    """A text in printable ASCII; all else stands there as in Python, whatever it looks like."""
+    return "".join(it if " " <= it <= "~" else it.encode("unicode_escape").decode() for it in text)
+
+
 def cell(text: str) -> str:
     """A text as a cell of a table for spreadsheets, which take some beginnings for a formula.
 

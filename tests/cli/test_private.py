@@ -41,6 +41,13 @@ def test_a_private_suite_has_no_first_number(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_no_suite_is_built_under_a_name_like_a_packaged_ones(tmp_path):
+    for name in ("Demo", "v1_"):
+        with pytest.raises(BadData, match="looks like the packaged"):
+            build(tmp_path / f"{name}.json", {"find": 1})
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_without_its_salt_a_private_suite_cant_be_made_again(private):
     with pytest.raises(BadData, match="--rebuild: needs the salt of mine.*--salt FILE"):
         verify(str(private), rebuild=1)

@@ -95,7 +95,9 @@ def test_a_line_that_is_cut_off_is_named(tmp_path, play):
     path = tmp_path / "records.jsonl"
     whole = line_of(play())
     path.write_bytes(whole + whole[:-40])
-    with pytest.raises(BadData, match=r"records.jsonl, line 2: .*Delete this line"):
+    with pytest.raises(
+        BadData, match=r"records.jsonl, line 2: .*If these are your own records, delete this line"
+    ):
         read_records(path)
     with pytest.raises(BadData, match=r"records.jsonl, line 2: is cut off"):
         append_record(path, play())

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import stat
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 
+from probe.assets.library import open_library
 from probe.errors import BadData
 from probe.generation.build_folder import KEPT, BuildFolder, BuildSettings, CandidateLog, TaskSlot
+from probe.tasks.suite_file import demo_suite, write_suite
 
 PLACE = TaskSlot("count", 7)
 
@@ -24,6 +30,28 @@ def test_a_log_comes_back_as_it_was_written(tmp_path):
     assert parts.log_path(PLACE).read_text().splitlines()[0] == (
         "count\t7000\tsettle\t-\ttwo of them overlap\t1.2"
     )
+
+
+def mode(path: Path) -> int:
+    return stat.S_IMODE(path.stat().st_mode)
+
+
+@pytest.mark.parametrize("commitment", [None, "0" * 64])
+def test_what_is_private_is_its_owners_alone(tmp_path, cache, commitment):
+    """Also in a folder that was there before, as on a machine that a salt was carried to."""
+    parts = BuildFolder(tmp_path / "mine.parts")
+    parts.folder.mkdir(mode=0o755)
+    parts.claim(BuildSettings(pool="procedural", unchecked=True, commitment=commitment))
+    parts.add(PLACE, line("settle"))
+    task, library = demo_suite().tasks[0], open_library("procedural", None, cache)
+    parts.keep(PLACE, task, library)
+    parts.keep_unsolved(task, library)
+    modes = {mode(path) for path in parts.folder.iterdir()}
+    assert len(list(parts.folder.iterdir())) == 4
+    assert (mode(parts.folder), modes) == ((0o700, {0o600}) if commitment else (0o755, {0o644}))
+    suite = replace(demo_suite(), name="mine", commitment=commitment)
+    write_suite(tmp_path / "mine.json", suite)
+    assert mode(tmp_path / "mine.json") == (0o600 if commitment else 0o644)
 
 
 def test_places_have_logs_of_their_own(tmp_path):

@@ -75,6 +75,7 @@ def test_no_two_are_drawn_alike_and_only_the_owner_can_read_one(tmp_path):
     first, second = begun(tmp_path / "a"), begun(tmp_path / "b")
     assert first != second
     assert stat.S_IMODE((tmp_path / "a" / SALT).stat().st_mode) == 0o600
+    assert stat.S_IMODE((tmp_path / "a").stat().st_mode) == 0o700
     assert [path.name for path in (tmp_path / "a").iterdir() if path.name.startswith(".")] == []
 
 

@@ -19,6 +19,7 @@ from probe.report.scene_renderer import SceneRenderer
 from probe.report.stills import Still, develop, file_of, stills_of
 from probe.scores.missing import settled
 from probe.scores.row import Row
+from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
@@ -117,9 +118,10 @@ def _entries(
     run: Path, suite: Suite, scene_renderer: SceneRenderer, arm: str | None, track: Track
 ) -> list[_Entry]:
     found = grade_folder(run, suite, scene_renderer, track)
+    rows = rows_of(run, identity_of(suite).title, found, arm)
     return [
         _Entry(task, record, row, stills_of(task, record))
-        for (task, record, _), row in zip(found, rows_of(run, suite.name, found, arm), strict=True)
+        for (task, record, _), row in zip(found, rows, strict=True)
     ]
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from probe.api.gathering import gather, one_suite, short_names
 from probe.api.grading import graded, scene_renderer_of
 from probe.api.progress import Track, silent
+from probe.api.resources import audit_key_file
 from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES, rows_of, write_beside
 from probe.audit.audit_file import audit_of
 from probe.episodes.folder import SUITE
@@ -16,6 +17,7 @@ from probe.report.build_log import read_build_log
 from probe.report.page import Report, write_report
 from probe.scores.marking import roster_of_tasks
 from probe.scores.summary import Scores, summarise
+from probe.tasks.identity import identity_of
 from probe.tasks.suite_file import read_suite
 
 SEVERAL = Path("outputs/report")
@@ -30,17 +32,20 @@ class WrittenReport:
         page: The file to open in a browser.
         scores: Of everyone who answered.
         audits: The name of each folder, and how far it was audited, in words.
+        remark: What has to stand beside the scores, since the suite isn't a whole packaged one.
     """
 
     page: Path
     scores: Scores
     audits: tuple[tuple[str, str], ...]
+    remark: str = ""
 
 
 def rescore(folder: str | Path, *, arm: str | None = None, track: Track = silent) -> Scores:
     """Grade the records of a folder again, without physics.
 
-    Writes rows.csv, rows.jsonl and scores.json into the folder.
+    Writes rows.csv, rows.jsonl and scores.json into the folder. Of a part of a packaged suite they
+    bear the name "demo (2 of 6 tasks)".
 
     Args:
         folder: Holds suite.json and records.jsonl, as `probe run` or `run` writes them.
@@ -53,8 +58,10 @@ def rescore(folder: str | Path, *, arm: str | None = None, track: Track = silent
     """
     out = Path(folder)
     suite = read_suite(out / SUITE)
-    rows = rows_of(out, suite.name, graded(out, track), arm)
-    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
+    identity = identity_of(suite)
+    rows = rows_of(out, identity.title, graded(out, track), arm)
+    roster = roster_of_tasks(suite.tasks)
+    scores = summarise(identity.title, rows, roster, whole=identity.whole)
     write_beside(out, rows, scores)
     return scores
 
@@ -92,14 +99,16 @@ def report(
         played = gather(
             runs, suite, scene_renderer, folder, arm=arm, single=single_file, track=track
         )
-    rows = [each.row for each in played]
-    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
+    rows, identity = [each.row for each in played], identity_of(suite)
+    roster = roster_of_tasks(suite.tasks)
+    scores = summarise(identity.title, rows, roster, whole=identity.whole)
     write_beside(folder, rows, scores)
     page = folder / ("report.html" if single_file else "index.html")
     audits = tuple(
-        (name, audit_of(run).words) for name, run in zip(short_names(runs), runs, strict=True)
+        (name, audit_of(run, audit_key_file()).words)
+        for name, run in zip(short_names(runs), runs, strict=True)
     )
     files = (ROWS_CSV, ROWS_JSON, SCORES)
     shown = Report(suite, scores, played, tuple(candidates), files, audits)
     write_report(page, shown, single=single_file)
-    return WrittenReport(page, scores, audits)
+    return WrittenReport(page, scores, audits, identity.remark)

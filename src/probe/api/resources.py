@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from probe.assets.folders import assets_folder, cache_folder, library_folder
+from probe.assets.folders import assets_folder, audit_key_file, cache_folder, library_folder
 from probe.assets.library import Library, Pool, open_all, open_library
 from probe.assets.tables import table_ids
 
 __all__ = [
     "Pool",
     "assets_folder",
+    "audit_key_file",
     "cache_folder",
     "everything",
     "library",

@@ -13,7 +13,7 @@ from probe.generation.build_folder import BuildFolder, BuildSettings
 from probe.generation.salt_file import salt_of
 from probe.render.renderer import Renderer
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import find_suite
+from probe.tasks.suite_file import check_new_name, find_suite
 from probe.tasks.task import QuestionKind
 
 
@@ -67,9 +67,11 @@ def build_suite(
 
     Raises:
         Unsatisfiable: A task can't be made of these objects; the message says what is missing.
-        BadData: The folder beside the file belongs to another suite.
+        BadData: The folder beside the file belongs to another suite, or the file's name looks like
+            a packaged suite's.
     """
     path = Path(out)
+    check_new_name(path.stem, path)
     folder, library = BuildFolder(path.with_suffix(".parts")), open_library(pool)
     places = places_of(counts, first)
     salt = salt_of(folder, public=public)

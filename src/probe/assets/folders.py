@@ -23,5 +23,14 @@ def cache_folder() -> Path:
 def library_folder() -> Path:
     """The user's own objects: PROBE_LIBRARY, or XDG_DATA_HOME/probe/objects (~/.local/share)."""
     named = os.environ.get("PROBE_LIBRARY")
+    return Path(named) if named else _data_folder() / "objects"
+
+
+def audit_key_file() -> Path:
+    """The secret key of this user's audits: XDG_DATA_HOME/probe/audit.key (~/.local/share)."""
+    return _data_folder() / "audit.key"
+
+
+def _data_folder() -> Path:
     home = os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share"
-    return Path(named) if named else Path(home) / "probe" / "objects"
+    return Path(home) / "probe"

@@ -6,14 +6,17 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from probe.audit.audit_file import ReplayVerdict, earlier, hashes_of_lines, keep
+from probe.audit.audit_file import ReplayVerdict, earlier, hashes_of_lines, is_foreign, keep
 from probe.audit.replaying import Claim, Replayer, unable
 from probe.episodes.folder import reserved
+from probe.episodes.ordered import Ordered, read_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.runs.checks.folder import read_checked
+from probe.runs.checks.reference import check_reference
 from probe.runs.variation import read_variation
 from probe.runs.worker_pool import LostJob, carry_out
-from probe.tasks.suite import Suite, spaced
+from probe.scene.seeds import generator
+from probe.tasks.suite import Suite
 from probe.tasks.suite_file import packaged_suite, packaged_suites
 from probe.tasks.task import Task
 
@@ -25,43 +28,75 @@ class Audit:
     Attributes:
         out: The folder.
         claims: Its records but for failures of ours, in the order of the file.
+        key_file: Of whoever audits.
+        missing: Episodes of the suite without a result, and of how many.
+        foreign: Whether it came with an audit of somebody else, which is set aside.
         verdicts: What is known so far, by line.
     """
 
     out: Path
     claims: tuple[Claim, ...]
+    key_file: Path
+    missing: tuple[int, int] = (0, 0)
+    foreign: bool = False
     verdicts: dict[str, ReplayVerdict] = field(default_factory=dict[str, ReplayVerdict])
 
-    def lacking(self, count: int | None) -> list[Claim]:
-        """Of so many claims, evenly spaced, or of all, those without a verdict."""
-        wanted = self.claims if count is None else spaced(self.claims, count)
+    def lacking(self, count: int | None, seed: int = 0) -> list[Claim]:
+        """Of so many claims, drawn by a seed, or of all, those without a verdict."""
+        wanted: Sequence[Claim] = self.claims
+        if count is not None and count < len(wanted):
+            drawn = generator(seed, "audit").choice(len(wanted), count, replace=False)
+            wanted = [self.claims[int(place)] for place in sorted(drawn)]
         return [claim for claim in wanted if claim.line not in self.verdicts]
 
     def keep(self) -> None:
         """Write down what is known."""
-        keep(self.out, self.verdicts, len(self.claims))
+        keep(self.out, self.verdicts, len(self.claims), self.key_file)
 
 
-def begin(out: Path, suite: Suite) -> Audit:
+def begin(out: Path, suite: Suite, key_file: Path, reference: Suite | None = None) -> Audit:
     """Check a folder's records, and take up what is known of replays of them.
 
+    Args:
+        out: The folder.
+        suite: Its suite, which has been read.
+        key_file: Of whoever audits; verdicts of anybody else are set aside.
+        reference: What the suite has to be, if whoever audits has that.
+
     Raises:
-        BadData: A record can't be read, or can't be of a run of the suite.
+        BadData: A record can't be read, or can't be of a run of the suite; or this is another one.
     """
     records = read_checked(out, suite)
+    if reference is not None:
+        check_reference(out, suite, reference, records)
     tasks = {task.id: task for task in suite.tasks}
-    bases = _bases(out, suite)
+    bases = _bases(out, suite, reference)
     lines = hashes_of_lines(out)
     claims = tuple(
         Claim(line, record, tasks[record.task], bases.get(record.task))
         for line, record in zip(lines, records, strict=True)
         if record.end != "fault"
     )
-    audit = Audit(out, claims, earlier(out))
+    missing = missing_of(records, suite, read_ordered(out))
+    foreign, known = is_foreign(out, key_file), earlier(out, key_file)
+    audit = Audit(out, claims, key_file, missing, foreign, known)
     for claim in claims:
         if reason := unable(claim.record):
             audit.verdicts[claim.line] = ReplayVerdict(outcome="not replayable", reason=reason)
     return audit
+
+
+def missing_of(records: Sequence[EpisodeRecord], suite: Suite, ordered: Ordered) -> tuple[int, int]:
+    """How many episodes have no result, and of how many.
+
+    Each agent in each arm should have each run of each task that was ordered, or that any has.
+    """
+    runs = {whose: set(range(count)) for whose, count in ordered.items()}
+    for record in records:
+        runs.setdefault((record.agent, record.arm), set()).add(record.run)
+    found = {(it.task, it.agent, it.arm, it.run) for it in records if it.end != "fault"}
+    total = len(suite.tasks) * max(1, sum(map(len, runs.values())))
+    return total - len(found), total
 
 
 def replay_claims(
@@ -98,8 +133,10 @@ def _verdict(result: bytes | LostJob) -> ReplayVerdict:
     return ReplayVerdict.model_validate_json(result)
 
 
-def _bases(out: Path, suite: Suite) -> dict[str, Task]:
-    """The packaged tasks that a folder's were made from, if they were and are known."""
-    if read_variation(out) is None or suite.name not in packaged_suites():
+def _bases(out: Path, suite: Suite, reference: Suite | None) -> dict[str, Task]:
+    """The tasks that a folder's were made from under other conditions, if they are known."""
+    if read_variation(out) is None:
         return {}
-    return {task.id: task for task in packaged_suite(suite.name).tasks}
+    if reference is None and suite.name in packaged_suites():
+        reference = packaged_suite(suite.name)
+    return {} if reference is None else {task.id: task for task in reference.tasks}

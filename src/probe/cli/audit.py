@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+import secrets
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
@@ -10,24 +10,24 @@ from typing import Annotated
 
 import tyro
 
-from probe.api.resources import cache_folder, opener
-from probe.audit.audit_file import ReplayVerdict, audit_of, counted
-from probe.audit.auditing import Audit, begin, replay_claims, whose
+from probe.api.resources import audit_key_file, cache_folder, opener
+from probe.audit.audit_file import audit_of, counted
+from probe.audit.auditing import Audit, begin, replay_claims
 from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_manifest
 from probe.audit.replaying import Claim, Replayer
 from probe.audit.signing import sign as sign_manifest
 from probe.audit.signing import verify as verify_manifest
+from probe.cli.audit_words import tell_checks, tell_verdicts
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.numbers import check_numbers
 from probe.cli.option_conflicts import refuse_stray
 from probe.cli.screen import bar, say
 from probe.episodes.folder import SUITE
 from probe.errors import BadData, ProbeError
-from probe.runs.variation import read_variation
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import packaged_suite, packaged_suites, read_suite
+from probe.tasks.suite_file import find_suite, read_suite
 
-_SHOWN = 10
+_SEED_BITS = 62
 
 
 class NotAsRecorded(ProbeError):
@@ -41,34 +41,54 @@ class NotAsRecorded(ProbeError):
         )
 
 
+class NotRepeated(ProbeError):
+    """All was to be replayed, and some of it can't be."""
+
+    def __init__(self, out: Path, unable: int, results: int) -> None:
+        super().__init__(
+            f"{out}: {unable} of {results} results couldn't be repeated, so that nothing confirms "
+            "them. Don't count them, or have them run again where somebody watches."
+        )
+
+
 def audit(
     out: Annotated[Path, tyro.conf.Positional],
     replay: str | None = None,
     workers: int = 1,
     sign: Path | None = None,
     verify: Path | None = None,
+    seed: int | None = None,
+    suite: str | None = None,
 ) -> None:
     """Check a run's records; replay them, sign the folder, or verify who signed it, on request.
 
-    What replays came to is kept in audit.json; the same command goes on where it stopped.
+    What replays came to is kept in audit.json; the same command goes on where it stopped. One that
+    was made with another user's key, or with none, doesn't count.
 
     Args:
         out: Folder that `probe run` wrote to.
-        replay: How many episodes to do again, evenly spaced, or "all".
+        replay: How many episodes to do again, drawn at random, or "all".
         workers: Processes that replay.
         sign: SSH key to sign the hashes of all files with, last of all.
         verify: File of SSH public keys, one of which must have signed the folder as it is.
+        seed: Of the draw; by default a new one, which is told.
+        suite: What the folder's suite has to be: the name of a packaged one, or your own file.
     """
-    check_numbers({"--workers": workers})
+    check_numbers({"--workers": workers, "--seed": seed})
+    count = _count(replay)
+    if not count:
+        refuse_stray("unless --replay says how many", {"--seed": seed})
     if verify is not None:
         refuse_stray("with --verify", {"--sign": sign, "--replay": replay})
         _verify(out, verify)
-    suite, count = read_suite(out / SUITE), _count(replay)
-    found = begin(out, suite)
+    asked, reference = read_suite(out / SUITE), find_suite(suite) if suite else None
+    found = begin(out, asked, audit_key_file(), reference)
     tell_unsummed(out)
-    _tell(out, suite, found)
+    tell_checks(out, asked, found)
+    if suite is not None:
+        say(f"{out}: its suite is {suite}, all of it.")
     if verify is None and (replay is not None or sign is None):
-        _replay(found, suite, found.lacking(count), workers)
+        _replay(found, asked, _drawn(found, count, seed), workers, whole=count is None)
     if sign is not None:
         files = write_manifest(out)
         sign_manifest(out, sign)
@@ -84,35 +104,29 @@ def _count(replay: str | None) -> int | None:
     return int(replay)
 
 
+def _drawn(audit: Audit, count: int | None, seed: int | None) -> list[Claim]:
+    """What to replay; tells the seed of a draw, so that it can be made again."""
+    if seed is None:
+        seed = secrets.randbits(_SEED_BITS)
+    if count and count < len(audit.claims):
+        say(f"Replays {count} of {len(audit.claims)} results, drawn by --seed {seed}.")
+    return audit.lacking(count, seed)
+
+
 def _verify(out: Path, keys: Path) -> None:
     words = verify_manifest(out, keys)
     files = check_manifest(out)
     say(words, f"{files} files are as they were signed.")
 
 
-def _tell(out: Path, suite: Suite, audit: Audit) -> None:
-    """What the checks found; they would have raised what doesn't agree."""
-    say(
-        f"{out}: {len(audit.claims)} results on {_kind_of(out, suite)}. All agree with themselves, "
-        "their tasks and the folder's notes."
-    )
-
-
-def _kind_of(out: Path, suite: Suite) -> str:
-    if suite.name not in packaged_suites():
-        return f"{suite.name}, which isn't a suite of the package"
-    tasks = len(packaged_suite(suite.name).tasks)
-    part = "" if len(suite.tasks) == tasks else f"{len(suite.tasks)} of {tasks} tasks of "
-    variation = read_variation(out)
-    under = f", under {variation.conditions}" if variation else ", as packaged"
-    return f"{part}{suite.name}{under}"
-
-
-def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -> None:
+def _replay(
+    audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int, *, whole: bool
+) -> None:
     """Replay what has no verdict yet, and say what is known then.
 
     Raises:
         NotAsRecorded: Something differs.
+        NotRepeated: The whole folder was to be replayed, and something can't be.
     """
     place = Replayer(suite, opener(), cache_folder() / "light")
     audit.keep()
@@ -121,26 +135,10 @@ def _replay(audit: Audit, suite: Suite, claims: Sequence[Claim], workers: int) -
             line = progress.add_task("Replaying", total=len(claims))
             for _ in results:
                 progress.update(line, advance=1)
-    _print(audit)
-    say(f"{audit.out}: {audit_of(audit.out).words}.")
+    tell_verdicts(audit)
+    say(f"{audit.out}: {audit_of(audit.out, audit.key_file).words}.")
     audited = counted(audit.verdicts, len(audit.claims))
     if audited.differ:
         raise NotAsRecorded(audit.out, audited.differ, audited.equal + audited.differ)
-
-
-def _print(audit: Audit) -> None:
-    """Each record that differs, and how many can't be replayed for which reason."""
-    known = [(it, audit.verdicts[it.line]) for it in audit.claims if it.line in audit.verdicts]
-    differing = [(it, verdict) for it, verdict in known if verdict.outcome == "differs"]
-    for claim, verdict in differing[:_SHOWN]:
-        say(f"{whose(claim.record)} differs: {verdict.reason}")
-    if len(differing) > _SHOWN:
-        say(f"... and {len(differing) - _SHOWN} more, in audit.json.")
-    unable = Counter(_reason(verdict) for _, verdict in known)
-    for reason, count in unable.items():
-        if reason:
-            say(f"{count} can't be replayed: {reason}")
-
-
-def _reason(verdict: ReplayVerdict) -> str:
-    return verdict.reason if verdict.outcome == "not replayable" else ""
+    if whole and audited.unable:
+        raise NotRepeated(audit.out, audited.unable, audited.results)

@@ -19,6 +19,7 @@ from probe.errors import BadData
 from probe.files import write_text
 from probe.scores.marking import roster_of_tasks
 from probe.scores.row import Row
+from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import QuestionKind
@@ -69,8 +70,9 @@ def _learnt(path: Path | None) -> Mapping[str, QuestionClassifier]:
 
 
 def _words(suite: Suite, runs: int) -> str:
+    title = identity_of(suite).title
     return (
-        f"Right answers in per cent on {suite.name}, {len(suite.tasks)} tasks, {runs} runs; in "
+        f"Right answers in per cent on {title}, {len(suite.tasks)} tasks, {runs} runs; in "
         "brackets 95 % intervals (t, over tasks). The constant answer is the one that is best over "
         "the trained types."
     )

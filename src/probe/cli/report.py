@@ -50,6 +50,8 @@ def write_run_report(
         tell_unsummed(run)
     for card in written.scores.cards:
         say(headline_line(card))
+    if written.remark:
+        say(f"{written.remark}.")
     for name, words in written.audits:
         say(f"{name}: {words}")
     return written.page

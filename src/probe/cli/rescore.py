@@ -9,13 +9,17 @@ from typing import Annotated
 import tyro
 
 from probe.api import reports
+from probe.api.resources import audit_key_file
 from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES
 from probe.audit.audit_file import audit_of
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.screen import ScreenTable, say, track
+from probe.episodes.folder import SUITE
 from probe.scores.row import Entrant
 from probe.scores.scorecard import Figure, Scorecard
 from probe.scores.summary import AGENTIC, DIRECT, Scores
+from probe.tasks.identity import identity_of
+from probe.tasks.suite_file import read_suite
 
 _FLOORS = (
     "Chance is a blind guess; naive is what needs no moving (Count: what shows, and 0, 1 or 2 "
@@ -37,9 +41,11 @@ def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) 
         _table(card).show()
     if scores.cards:
         say(_FLOORS)
+    if remark := identity_of(read_suite(out / SUITE)).remark:
+        say(f"{out}: {remark}.")
     for line in _lines(scores):
         say(line)
-    say(f"{out}: {audit_of(out).words}.")
+    say(f"{out}: {audit_of(out, audit_key_file()).words}.")
     say(f"Rows are in {out / ROWS_CSV} and {out / ROWS_JSON}, all scores in {out / SCORES}.")
 
 

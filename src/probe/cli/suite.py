@@ -35,7 +35,7 @@ from probe.generation.salt import Salt
 from probe.generation.salt_file import salt_of
 from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
-from probe.tasks.suite_file import find_suite
+from probe.tasks.suite_file import check_new_name, find_suite
 from probe.tasks.task import KINDS, QuestionKind
 
 app = tyro.extras.SubcommandApp()
@@ -82,6 +82,7 @@ def build(
     if first and not public:
         reason = "numbers public tasks; a private suite's follow from its salt"
         raise BadData("--first", reason, "Say --public too, or leave it out")
+    check_new_name(out.stem, out)
     parts, things = BuildFolder(out.with_suffix(".parts")), library(pool)
     places = places_of(counts, first)
     if not places:

@@ -17,7 +17,10 @@ from probe.errors import BadData, OutputFailed
 from probe.files import write_bytes
 
 _BLOCK = 2**16
-_REMEDY = "Delete this line (the others are whole) and run the episode again"
+_REMEDY = (
+    "If these are your own records, delete this line (the others are whole) and run the episode "
+    "again"
+)
 
 
 def line_of(record: EpisodeRecord, *, timed: bool = True) -> bytes:

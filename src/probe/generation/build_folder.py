@@ -15,7 +15,7 @@ import pydantic
 
 from probe.assets.library import Library
 from probe.errors import BadData
-from probe.files import claim_folder, read_document, write_text
+from probe.files import claim_folder, make_private, read_document, write_text
 from probe.reading import words
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
@@ -97,13 +97,16 @@ class BuildFolder:
     folder: Path
 
     def claim(self, making: BuildSettings) -> None:
-        """Begin the folder, or see that it was begun in this way.
+        """Begin the folder, or see that it was begun in this way; a private suite's is its owner's.
 
         Raises:
             BadData: It was begun otherwise.
             OutputFailed: It can't be written.
         """
-        claim_folder(self.folder / _MAKING, making, _REMEDY)
+        private = making.commitment is not None
+        claim_folder(self.folder / _MAKING, making, _REMEDY, private=private)
+        if private:
+            make_private(self.folder)
 
     def making(self) -> BuildSettings | None:
         """How its tasks are made; None if nothing was begun there.
@@ -113,6 +116,16 @@ class BuildFolder:
         """
         path = self.folder / _MAKING
         return read_document(path, BuildSettings, _REMEDY) if path.exists() else None
+
+    @property
+    def is_private(self) -> bool:
+        """Whether its files are for its owner alone.
+
+        Raises:
+            BadData: How it was begun can't be read.
+        """
+        making = self.making()
+        return making is not None and making.commitment is not None
 
     def task_path(self, place: TaskSlot) -> Path:
         """Where a place's task lies once it is made."""
@@ -144,7 +157,8 @@ class BuildFolder:
         if line.seed in {each.seed for each in before}:
             return
         lines = [*before, line]
-        write_text(self.log_path(place), "".join(f"{each}\n" for each in lines))
+        text = "".join(f"{each}\n" for each in lines)
+        write_text(self.log_path(place), text, private=self.is_private)
 
     def is_exhausted(self, place: TaskSlot, attempts: int) -> bool:
         """Whether all of so many candidates were tried for a place in vain."""
@@ -153,14 +167,13 @@ class BuildFolder:
 
     def keep(self, place: TaskSlot, task: Task, library: Library) -> None:
         """Write a place's task."""
-        write_suite(
-            self.task_path(place), freeze(f"{place.kind}-{place.episode}", (task,), library)
-        )
+        suite = freeze(f"{place.kind}-{place.episode}", (task,), library)
+        write_suite(self.task_path(place), suite, private=self.is_private)
 
     def keep_unsolved(self, task: Task, library: Library) -> None:
         """Write a candidate that failed only the scripted agents' check."""
         suite = freeze(f"unsolved-{task.kind}-{task.seed}", (task,), library)
-        write_suite(self.folder / f"{suite.name}.json", suite)
+        write_suite(self.folder / f"{suite.name}.json", suite, private=self.is_private)
 
     def unsolved(self, places: Sequence[TaskSlot]) -> Iterator[Task]:
         """The candidates of some places that failed only the scripted agents' check."""

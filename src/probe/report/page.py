@@ -19,6 +19,7 @@ from probe.report.rendering import digest, joined, script_json, write_page
 from probe.report.suite_facts import suite_facts
 from probe.report.summary_tables import effort_table, missing_table, type_table, unknown_measures
 from probe.scores.summary import Scores
+from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
 
 LARGEST_SINGLE = 20
@@ -121,6 +122,7 @@ def _values(report: Report) -> dict[str, object]:
     played = report.played
     return {
         "suite": report.suite,
+        "identity": identity_of(report.suite),
         "scores": report.scores,
         "cards": cards,
         "types": type_table(cards),

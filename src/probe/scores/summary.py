@@ -30,8 +30,8 @@ class Scores:
     Attributes:
         suite: Its name.
         seed: Of all draws.
-        complete: Nothing is missing; otherwise comparisons rest on what is there, and headlines
-            are refused.
+        complete: Nothing is missing, and the tasks are all that its suite has; where rows are
+            missing comparisons rest on what is there, and headlines are refused.
         cards: One an entrant, best first by the worst case.
         agentic_against_direct: A family of comparisons: each agent that has both arms.
         all_pairs: Another: everyone with everyone.
@@ -51,7 +51,9 @@ class Scores:
     arms: ArmEffect | None
 
 
-def summarise(suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0) -> Scores:
+def summarise(
+    suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0, *, whole: bool = True
+) -> Scores:
     """All scores of a suite.
 
     Args:
@@ -59,6 +61,7 @@ def summarise(suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0) ->
         rows: Of any agents in any arms; runs that failed may be there beside their repetitions.
         roster: All tasks of the suite.
         seed: Of all draws.
+        whole: Whether these are all tasks of the suite that it is a part of, if it is one.
 
     Raises:
         ContraryRows: Rows of another suite or of other tasks, or two results of a run.
@@ -81,7 +84,7 @@ def summarise(suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0) ->
     return Scores(
         suite=suite,
         seed=seed,
-        complete=not any(card.gaps for card in cards),
+        complete=whole and not any(card.gaps for card in cards),
         cards=tuple(cards),
         agentic_against_direct=tuple(family(results, arms, seed)),
         all_pairs=tuple(pairs),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import replace
 from importlib import resources
 from pathlib import Path
 from typing import Annotated, Literal
@@ -16,10 +17,12 @@ from probe.files import read_document, write_bytes
 from probe.scene.document import SceneDocument
 from probe.scene.layout import PICTURE_PX
 from probe.scene.visibility import Visibility
+from probe.tasks.look_alike import look_alike
 from probe.tasks.reserved import Difference, difference, unlike
 from probe.tasks.suite import Suite
 from probe.tasks.task import LETTERS, Certificate, Letter, Mark, Option, QuestionKind, Task
 from probe.tasks.type_rules import Form, rules_of
+from probe.texts import plain
 
 CANARY = "PROBE SUITE; NOT FOR TRAINING; canary 6d0f1c52-6c0e-4e7c-9a53-0b6f2f8f7d41"
 """Anyone who finds this text in training data knows that a suite got there."""
@@ -187,23 +190,42 @@ def digest_of(task: Task) -> str:
     return TaskDocument.of(task).digest()
 
 
-def write_suite(path: Path, suite: Suite) -> None:
+def write_suite(path: Path, suite: Suite, *, private: bool = False) -> None:
     """Write a suite as JSON that ends with a checksum; floats keep every bit.
+
+    Args:
+        path: The file.
+        suite: What to write.
+        private: Only its owner can read it; so it is of any suite that is committed to a salt.
 
     Raises:
         OutputFailed: It can't be written; nothing half-written is left.
     """
+    left_out = {"commitment"} if suite.commitment is None else None
+    text = _document(suite).model_dump_json(indent=1, exclude=left_out)
+    private = private or suite.commitment is not None
+    write_bytes(path, with_sum(text.encode()), private=private)
+
+
+def content_hash(suite: Suite) -> str:
+    """SHA-256 of all that a suite holds but its name; 64 hex digits, however its file is laid out.
+
+    Objects' fingerprints count in the order of their ids.
+    """
+    sorted_ = replace(suite, objects=dict(sorted(suite.objects.items())))
+    text = _document(sorted_).model_dump_json(exclude={"name"})
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _document(suite: Suite) -> SuiteDocument:
     tasks = [TaskDocument.of(task) for task in suite.tasks]
-    document = SuiteDocument(
+    return SuiteDocument(
         name=suite.name,
         commitment=suite.commitment,
         objects=dict(suite.objects),
         manifest={task.id: task.digest() for task in tasks},
         tasks=tasks,
     )
-    left_out = {"commitment"} if suite.commitment is None else None
-    text = document.model_dump_json(indent=1, exclude=left_out)
-    write_bytes(path, with_sum(text.encode()))
 
 
 def read_suite(path: Path) -> Suite:
@@ -245,7 +267,7 @@ def _packaged_hash(file: str) -> str | None:
 
 
 def check_name(suite: Suite, path: Path, differs: Difference = difference) -> None:
-    """Refuse a suite that bears the name of a packaged one and is neither that nor a part of it.
+    """Refuse a suite under a packaged one's name, or nearly, that is neither that nor a part of it.
 
     Args:
         suite: Of any name.
@@ -256,11 +278,23 @@ def check_name(suite: Suite, path: Path, differs: Difference = difference) -> No
         BadData: It isn't what it says it is.
     """
     if suite.name not in packaged_suites():
+        check_new_name(suite.name, path)
         return
     reason = unlike(suite, packaged_suite(suite.name), differs)
     if reason:
         words = f"is called {suite.name} but isn't the packaged {suite.name}: {reason}"
         raise BadData(path, words, "Take the packaged one, or give this one a name of its own")
+
+
+def check_new_name(name: str, path: Path) -> None:
+    """Refuse a name that people would take for a packaged suite's.
+
+    Raises:
+        BadData: It differs from one only by case, spaces, punctuation or signs that look alike.
+    """
+    if known := look_alike(name, packaged_suites()):
+        reason = f'its suite is called "{plain(name)}", which looks like the packaged {known}'
+        raise BadData(path, reason, "Give it a name that nobody can take for that")
 
 
 def demo_suite() -> Suite:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from importlib.resources import files
 from typing import Literal, get_args
@@ -17,6 +18,9 @@ from probe.transcripts.coordinates import IN_WORDS
 
 Arm = Literal["agentic", "direct", "blind", "oracle-view"]
 """How a model may answer: with tools, from one picture, none, or pictures of the evidence."""
+
+
+_POINTING = re.compile(r"pointer [!-~]+( [!-~]+)*")
 
 
 class _Prompts(pydantic.BaseModel, extra="forbid", frozen=True):
@@ -39,6 +43,17 @@ def arm_named(name: str) -> Arm:
         if arm == name.split(",")[0]:
             return arm
     raise UnknownName("arm", name, list(get_args(Arm)))
+
+
+def check_arm(name: str) -> None:
+    """Refuse what no run calls an arm: after its name only who points for perception may stand.
+
+    Raises:
+        UnknownName: There is no such arm, or another text follows.
+    """
+    arm, comma, more = name.partition(", ")
+    if arm_named(name) != arm or (comma and not (arm == "agentic" and _POINTING.fullmatch(more))):
+        raise UnknownName("arm", name, [*get_args(Arm), "agentic, pointer NAME"])
 
 
 def system_prompt(arm: Arm, points: Points) -> str:

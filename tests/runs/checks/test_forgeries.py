@@ -198,6 +198,22 @@ FORGERIES = {
         replace(HONEST, conditions=Conditions(camera="moved")),
         "its camera isn't where its conditions put it",
     ),
+    "free words after an arm": (
+        replace(WITH_TOOLS, seat=replace(CALLED, arm="agentic, pointing self")),
+        "There is no arm called 'agentic, pointing self'",
+    ),
+    "nobody who points": (
+        replace(WITH_TOOLS, seat=replace(CALLED, arm="agentic, pointer ")),
+        "There is no arm called 'agentic, pointer '",
+    ),
+    "an arm without a space": (
+        replace(WITH_TOOLS, seat=replace(CALLED, arm="agentic,pointer self")),
+        "There is no arm called 'agentic,pointer self'",
+    ),
+    "a pointer without tools": (
+        replace(IN_WORDS, seat=replace(SPOKEN, arm="direct, pointer self")),
+        "There is no arm called 'direct, pointer self'",
+    ),
     "an unknown arm": (
         replace(WITH_TOOLS, seat=replace(CALLED, arm="agentical")),
         "There is no arm called 'agentical'",

@@ -70,7 +70,7 @@ def check_records(records: Sequence[EpisodeRecord], suite: Suite, path: Path) ->
 
 
 def check_suite_of(out: Path, suite: Suite, records: Sequence[EpisodeRecord]) -> None:
-    """Refuse a folder's suite that bears the name of a packaged one and wasn't made from it.
+    """Refuse a folder's suite that bears a packaged one's name, or nearly, and isn't made from it.
 
     Args:
         out: The folder.
@@ -81,9 +81,9 @@ def check_suite_of(out: Path, suite: Suite, records: Sequence[EpisodeRecord]) ->
         BadData: It is another suite.
     """
     variation, path = read_variation(out), out / SUITE
-    if variation is None:
+    if variation is None or suite.name not in packaged_suites():
         check_name(suite, path)
-    elif records and suite.name in packaged_suites():
+    elif records:
         check_name(suite, path, partial(difference_under, records[0].conditions))
         known = {task.id: task for task in packaged_suite(suite.name).tasks}
         if digest_of_tasks([known[task.id] for task in suite.tasks]) != variation.base:

@@ -15,7 +15,7 @@ from probe.runs.viewpoints import camera_of
 from probe.scene.lighting import AMBIENT
 from probe.scene.scene import Scene
 from probe.tasks.task import Task
-from probe.transcripts.prompts import arm_named
+from probe.transcripts.prompts import check_arm
 from probe.types import Pose
 
 _SAME = 1e-9
@@ -68,7 +68,7 @@ def _of_seat(record: EpisodeRecord) -> Iterator[str]:
     try:
         # An agent that isn't a model, but whose own fault is noted, has none.
         if seat.arm:
-            arm_named(seat.arm)
+            check_arm(seat.arm)
     except UnknownName as error:
         yield str(error).rstrip(".")
     counted = (seat.tokens_in, seat.tokens_out, seat.cost)
