@@ -19,6 +19,7 @@ from probe.bench.harness import PATIENCE, harness_task
 from probe.bench.model_runner import ROLE, ModelRunner
 from probe.bench.plan import ModelRunPlan, missing_of
 from probe.bench.prices import Price
+from probe.bench.raw_arguments import as_sent
 from probe.bench.reasons import said, unreached
 from probe.errors import MissingExtra, ModelFailed
 
@@ -112,7 +113,7 @@ def _unanswered(model: Model, error: Exception) -> str:
 async def _greet(model: Model) -> None:
     async with model:
         config = GenerateConfig(max_retries=2, attempt_timeout=PATIENCE)
-        await model.generate("Say hello.", config=config)
+        await as_sent(model).generate("Say hello.", config=config)
 
 
 def _model(chosen: Participants, name: str) -> Model:

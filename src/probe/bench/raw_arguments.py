@@ -23,6 +23,7 @@ from inspect_ai.model import (
 )
 from inspect_ai.tool import ToolCall, ToolChoice, ToolInfo
 
+from probe.bench.reasoning_tags import bound_tags
 from probe.bench.writable import unreadable, writable_call, writable_output
 
 _BEFORE, _AFTER = "tool call arguments:\n\n", "\n\nError details:"
@@ -42,6 +43,7 @@ def as_sent(model: Model) -> Model:
     What can't be written down, or read, of its replies is put right before anybody sees it.
     """
     if not isinstance(model.api.generate, _AsSent):
+        bound_tags(type(model.api).__module__)
         model.api.generate = _AsSent(model.api)
     return model
 

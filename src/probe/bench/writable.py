@@ -7,6 +7,7 @@ from typing import Any, cast
 from inspect_ai.model import ModelCall, ModelOutput
 from pydantic_core import PydanticSerializationError
 
+from probe.bench.reasoning_tags import TooManyTags
 from probe.texts import writable
 
 _TOO_LONG, _TOO_DEEP = "integer string conversion", "depth exceeded"
@@ -30,6 +31,8 @@ def unreadable(error: Exception) -> str | None:
     """
     if isinstance(error, RecursionError) or _TOO_DEEP in str(error):
         return "it is nested too deep"
+    if isinstance(error, TooManyTags):
+        return str(error)
     if _TOO_LONG in str(error):
         return "a number in it has too many digits"
     return None
