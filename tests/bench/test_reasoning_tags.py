@@ -7,7 +7,7 @@ from typing import Any
 
 import anyio
 import pytest
-from inspect_ai.model import GenerateConfig, ModelOutput, get_model
+from inspect_ai.model import ContentReasoning, GenerateConfig, ModelOutput, get_model
 
 from bench.painted import demo, plan
 from bench.sitting_in import NAME, answer, kept, replies_so_far, run_in, seat_of, values_of
@@ -73,7 +73,9 @@ def test_reasoning_is_told_apart_as_ever():
     long = "hm " * 100_000
     output, _ = asked(NAME, f"<think>{long}</think>ANSWER: B")
     assert output.completion == "ANSWER: B"
-    assert output.error is None and output.message.content[0].reasoning == long.strip()
+    thought = output.message.content[0]
+    assert isinstance(thought, ContentReasoning) and thought.reasoning == long.strip()
+    assert output.error is None
 
 
 def test_what_may_be_looked_through():

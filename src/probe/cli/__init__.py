@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 from typing import NoReturn
 
+from probe.cli.output import silence
 from probe.errors import ProbeError
 from probe.texts import visible
 
@@ -57,13 +59,29 @@ _MEMORY = (
 )
 
 
+_NO_SUCH_NAME = (errno.ENAMETOOLONG, errno.ELOOP)
+_NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
+_ELSEWHERE = "Free some space, or send what is printed somewhere else."
+
+
 def main() -> None:
     """Run the command line; expected failures become one line and exit status 1.
 
-    So does a lack of memory.
+    So does a lack of memory, and output that can't be written.
     """
     try:
-        _run(sys.argv[1:])
+        try:
+            _run(sys.argv[1:])
+        finally:
+            # What can't be printed is known when it is written out, not before.
+            if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison]
+                sys.stdout.flush()
+    except BrokenPipeError:
+        # Whoever read it has seen enough (`probe ... | head`).
+        silence()
+        sys.exit(1)
+    except OSError as failure:
+        _end(_words_of(failure))
     except ProbeError as failure:
         _end(str(failure))
     except (MemoryError, ImportError) as failure:
@@ -72,6 +90,21 @@ def main() -> None:
         _end(f"Memory ran out, or the installation is broken: {reason}. {_MEMORY}")
     except KeyboardInterrupt:
         _end("interrupted")
+
+
+def _words_of(failure: OSError) -> str:
+    """What the system refused, if that is of the user's making.
+
+    Raises:
+        OSError: It isn't; that is an error of ours.
+    """
+    if failure.filename is not None and failure.errno in _NO_SUCH_NAME:
+        return f"{failure.filename}: {failure.strerror}. Check the path."
+    # Of standard output no name is told; files of ours are OutputFailed.
+    if failure.filename is not None or failure.errno not in _NO_ROOM:
+        raise failure
+    silence()
+    return f"Output can't be written: {failure.strerror}. {_ELSEWHERE}"
 
 
 def _end(reason: str) -> NoReturn:
