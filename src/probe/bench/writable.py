@@ -24,6 +24,15 @@ def writable_call(call: ModelCall) -> ModelCall:
     return cast("ModelCall", _made_writable(call))
 
 
+def made_writable(error: Exception) -> None:
+    """Make what an error says such that it can be told; a server may put anything there."""
+    error.args = tuple(_cleaned(list(error.args)))
+    for name in ("message", "body"):
+        said = getattr(error, name, None)
+        if isinstance(said, str | list | dict):
+            setattr(error, name, _cleaned(said))
+
+
 def unreadable(error: Exception) -> str | None:
     """What of a reply that has come no client can read; None if that isn't why it failed.
 
