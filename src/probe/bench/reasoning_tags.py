@@ -57,8 +57,9 @@ class _Checked:
     def __init__(self, look: Any) -> None:
         self._look = look
 
-    def __call__(self, content: str) -> Any:
-        check_tags(content)
+    def __call__(self, content: Any) -> Any:
+        if isinstance(content, str):  # else the server broke the protocol: the harness says so
+            check_tags(content)
         return self._look(content)
 
 
