@@ -23,12 +23,17 @@ class BadData(ProbeError):
         super().__init__(f"{path}: {reason}. {remedy}")
 
 
+_LONGEST_NAME = 80
+"""Characters of a name that is shown back."""
+
+
 class UnknownName(ProbeError):
     """A name that is not in a catalogue."""
 
     def __init__(self, kind: str, name: str, known: list[str]) -> None:
         shown = ", ".join(known[:12]) + (" ..." if len(known) > 12 else "")
-        super().__init__(f"There is no {kind} called {name!r}. Known: {shown}.")
+        called = name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 3]}..."
+        super().__init__(f"There is no {kind} called {called!r}. Known: {shown}.")
 
 
 class Unsatisfiable(ProbeError):
@@ -62,6 +67,14 @@ class Unfinished(ProbeError):
 
     def __init__(self, missing: int, total: int, what: str, remedy: str) -> None:
         super().__init__(f"{missing} of {total} {what} are missing. {remedy}")
+
+
+class ObjectsRefused(ProbeError):
+    """Objects were looked at, and some of them can't be used."""
+
+    def __init__(self, refused: int, total: int) -> None:
+        many = f"{refused} of {total} objects can't be used"
+        super().__init__(f"{many}; the table says why. Mend or leave out those files.")
 
 
 class ModelFailed(ProbeError):

@@ -184,11 +184,18 @@ def read_document(
     try:
         return model.model_validate_json(without_sum(reading.json_contents(path, most)))
     except OSError as error:
-        raise BadData(path, error.strerror or str(error), missing) from error
+        raise BadData(path, _unread(path, error), missing) from error
     except ValidationError as error:
         raise BadData(path, fault(error, "the file"), remedy) from error
     except ValueError as error:
         raise BadData(path, str(error), remedy) from error
+
+
+def _unread(path: Path, error: OSError) -> str:
+    """Why a file can't be read; of a link to nothing, the system names what it would lead to."""
+    if isinstance(error, FileNotFoundError) and path.is_symlink():
+        return f"is a link to {os.readlink(path)}, which isn't there"
+    return error.strerror or str(error)
 
 
 def fault(error: ValidationError, whole: str) -> str:

@@ -92,7 +92,8 @@ def test_errors_and_replies_without_a_choice_are_faults_of_their_episode(tmp_pat
     with serving(script(odd)) as server:
         log = run_in(plan(tmp_path / "error", "agentic", SUITE), server.url, max_retries=0)
     assert values_of(log) == {HOSTILE.id: "missing", CALM.id: "C"}
-    assert "gave no reply 1" in (kept(tmp_path / "error")[HOSTILE.id].fault or "")
+    fault = kept(tmp_path / "error")[HOSTILE.id].fault or ""
+    assert "gave no reply 1" in fault and "400" in fault and "no ? such thing" in fault, fault
     with serving(script(Reply(choices=0))) as server:
         log = run_in(plan(tmp_path / "none", "agentic", SUITE), server.url, max_retries=0)
     assert values_of(log) == {HOSTILE.id: "missing", CALM.id: "C"}

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from contextlib import closing
+import warnings
+from asyncio import CancelledError
+from collections.abc import Generator, Sequence
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from typing import Literal
@@ -19,6 +21,7 @@ from probe.bench.harness import PATIENCE, harness_task
 from probe.bench.model_runner import ROLE, ModelRunner
 from probe.bench.plan import ModelRunPlan, missing_of
 from probe.bench.prices import Price
+from probe.bench.raw_arguments import as_sent
 from probe.bench.reasons import said, unreached
 from probe.errors import MissingExtra, ModelFailed
 
@@ -73,17 +76,32 @@ def evaluate(
         # Before anything is asked; each sample would raise it otherwise.
         if runner.take_up(order):
             greet([_model(chosen, name) for name in (chosen.model, chosen.pointer) if name])
-        run_harness(
-            harness_task(plan, runner),
-            model=model,
-            model_roles={ROLE: pointer} if pointer else {},
-            display=display,
-            log_dir=str(plan.out / LOGS),
-            max_samples=plan.workers,
-        )
+        with _interruptible(), warnings.catch_warnings():
+            # Of a reply whose fields have other types than they should.
+            warnings.filterwarnings("ignore", message="Pydantic serializer warnings")
+            run_harness(
+                harness_task(plan, runner),
+                model=model,
+                model_roles={ROLE: pointer} if pointer else {},
+                display=display,
+                log_dir=str(plan.out / LOGS),
+                max_samples=plan.workers,
+            )
     if runner.stopped is not None:
         raise runner.stopped
     return missing_of(plan, order)
+
+
+@contextmanager
+def _interruptible() -> Generator[None]:
+    """Lets Ctrl-C end the harness alone, whatever it raises then; what is missing is told after."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        return
+    except BaseExceptionGroup as group:
+        if group.subgroup((KeyboardInterrupt, CancelledError)) is None:
+            raise
 
 
 def greet(models: Sequence[Model]) -> None:
@@ -112,7 +130,7 @@ def _unanswered(model: Model, error: Exception) -> str:
 async def _greet(model: Model) -> None:
     async with model:
         config = GenerateConfig(max_retries=2, attempt_timeout=PATIENCE)
-        await model.generate("Say hello.", config=config)
+        await as_sent(model).generate("Say hello.", config=config)
 
 
 def _model(chosen: Participants, name: str) -> Model:

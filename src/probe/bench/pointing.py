@@ -12,6 +12,7 @@ from probe.bench.reasons import said
 from probe.bench.usage import EpisodeUsage
 from probe.bench.wire import data_uri
 from probe.runs.worker_messages import NoReply, PointerRequest
+from probe.texts import writable
 
 
 class Pointing:
@@ -48,7 +49,9 @@ class Pointing:
             return NoReply(f"{self._model.name} gave no reply, {which}: {reason}")
         self._episode_usage.note_retries(which, seen)
         self._episode_usage.count(which, output, self._price)
-        if not output.completion.strip():
+        if output.error:
+            self._episode_usage.fault(which, f"can't be read: {writable(output.error)}")
+        elif not output.completion.strip():
             self._episode_usage.fault(which, "empty")
         self._known[asked] = output.completion
         return output.completion

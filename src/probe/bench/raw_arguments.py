@@ -23,7 +23,8 @@ from inspect_ai.model import (
 )
 from inspect_ai.tool import ToolCall, ToolChoice, ToolInfo
 
-from probe.bench.writable import unreadable, writable_call, writable_output
+from probe.bench.reasoning_tags import bound_tags
+from probe.bench.writable import made_writable, unreadable, writable_call, writable_output
 
 _BEFORE, _AFTER = "tool call arguments:\n\n", "\n\nError details:"
 """Around the arguments in what the harness says of a call that it can't read; so do we."""
@@ -42,6 +43,7 @@ def as_sent(model: Model) -> Model:
     What can't be written down, or read, of its replies is put right before anybody sees it.
     """
     if not isinstance(model.api.generate, _AsSent):
+        bound_tags(type(model.api).__module__)
         model.api.generate = _AsSent(model.api)
     return model
 
@@ -78,9 +80,13 @@ class _AsSent:
         except (ValueError, RecursionError) as error:
             reason = unreadable(error)
             if reason is None:
+                made_writable(error)
                 raise
             # The model's doing: it is told so, as of any reply without a call.
             return ModelOutput(choices=[_EMPTY.model_copy(deep=True)], error=reason)
+        except Exception as error:  # whatever a provider's client may raise
+            made_writable(error)
+            raise
 
 
 def _put_right(generated: _Generated) -> _Generated:
@@ -88,6 +94,7 @@ def _put_right(generated: _Generated) -> _Generated:
         return writable_output(generated)
     output, wire = generated
     if not isinstance(output, ModelOutput):
+        made_writable(output)
         return output, writable_call(wire)
     if output.choices and wire.response:
         _undo_all(output, wire.response)

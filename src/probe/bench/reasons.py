@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from probe.texts import writable
+
+_UNLIKE_THE_PROTOCOL = {
+    "APIResponseValidationError", "AssertionError", "AttributeError", "IndexError",
+    "JSONDecodeError", "KeyError", "TypeError", "UnicodeDecodeError", "ValidationError",
+}  # fmt: skip
+"""What clients raise over a field that is missing or has another type, and text that is none."""
 
 LONGEST = 200
 """Characters of what a server says that a record keeps."""
@@ -20,7 +27,15 @@ def said(error: BaseException) -> str:
     status = getattr(inner, "status_code", None)
     lost = unreached(inner)
     text = " ".join(f"{status or ''} {words} {f'({lost})' if lost else ''}".split())
-    return f"{type(inner).__name__}: {writable(text[:LONGEST])}"
+    return explained(f"{type(inner).__name__}: {writable(text[:LONGEST])}")
+
+
+def explained(reason: str) -> str:
+    """A reason that begins with an error's name, with what that error means of a reply."""
+    name = re.split(r"\W", reason, maxsplit=1)[0]
+    if name not in _UNLIKE_THE_PROTOCOL:
+        return reason
+    return f"its reply doesn't follow the protocol ({reason})"
 
 
 def unreached(error: BaseException) -> str | None:

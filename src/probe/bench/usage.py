@@ -7,7 +7,7 @@ from inspect_ai.log import transcript
 from inspect_ai.model import ModelOutput
 
 from probe.bench.prices import Price, cost_of, tokens_in
-from probe.bench.reasons import LONGEST
+from probe.bench.reasons import LONGEST, explained
 from probe.texts import writable
 
 _ODD_STOPS = {
@@ -58,7 +58,9 @@ class EpisodeUsage:
         failed = len(reasons) + sum(each.retries or 0 for each in events)
         if failed:
             times = "once" if failed == 1 else f"{failed} times"
-            why = f": {writable(' '.join(reasons[-1].split())[:LONGEST])}" if reasons else ""
+            why = ""
+            if reasons:
+                why = f": {explained(writable(' '.join(reasons[-1].split())[:LONGEST]))}"
             self.fault(which, f"the server failed {times}{why}")
 
     def fault(self, which: str, what: str) -> None:

@@ -7,6 +7,7 @@ from typing import Any, cast
 from inspect_ai.model import ModelCall, ModelOutput
 from pydantic_core import PydanticSerializationError
 
+from probe.bench.reasoning_tags import TooManyTags
 from probe.texts import writable
 
 _TOO_LONG, _TOO_DEEP = "integer string conversion", "depth exceeded"
@@ -23,6 +24,15 @@ def writable_call(call: ModelCall) -> ModelCall:
     return cast("ModelCall", _made_writable(call))
 
 
+def made_writable(error: Exception) -> None:
+    """Make what an error says such that it can be told; a server may put anything there."""
+    error.args = tuple(_cleaned(list(error.args)))
+    for name in ("message", "body"):
+        said = getattr(error, name, None)
+        if isinstance(said, str | list | dict):
+            setattr(error, name, _cleaned(said))
+
+
 def unreadable(error: Exception) -> str | None:
     """What of a reply that has come no client can read; None if that isn't why it failed.
 
@@ -30,6 +40,8 @@ def unreadable(error: Exception) -> str | None:
     """
     if isinstance(error, RecursionError) or _TOO_DEEP in str(error):
         return "it is nested too deep"
+    if isinstance(error, TooManyTags):
+        return str(error)
     if _TOO_LONG in str(error):
         return "a number in it has too many digits"
     return None

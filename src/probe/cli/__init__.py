@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import NoReturn
 
+from probe.cli.output import silence
 from probe.errors import ProbeError
 from probe.texts import visible
 
@@ -66,30 +67,56 @@ or wait for ever, and no exception says so."""
 _OUT_OF_REACH = {
     errno.ENAMETOOLONG: "Choose a shorter path",
     errno.EACCES: "Choose another path, or have its permissions changed",
+    errno.ELOOP: "Check the path",
 }
 """What to do about a path of which the system won't even say whether anything is there."""
+
+_NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
+_ELSEWHERE = "Free some space, or send what is printed somewhere else."
 
 
 def main() -> None:
     """Run the command line; expected failures become one line and exit status 1.
 
-    So do a lack of memory, and a path that can't be looked at.
+    So do a lack of memory, a path that can't be looked at, and output that can't be written.
     """
     try:
-        _run(sys.argv[1:])
+        try:
+            _run(sys.argv[1:])
+        finally:
+            # What can't be printed is known when it is written out, not before.
+            if sys.stdout is not None:  # pyright: ignore[reportUnnecessaryComparison]
+                sys.stdout.flush()
+    except BrokenPipeError:
+        # Whoever read it has seen enough (`probe ... | head`).
+        silence()
+        sys.exit(1)
+    except OSError as failure:
+        _end(_words_of(failure))
     except ProbeError as failure:
         _end(str(failure))
     except (MemoryError, ImportError) as failure:
         # A library that can't be mapped into memory is said to be missing.
         reason = " ".join(str(failure).split()) or "there is none left"
         _end(f"Memory ran out, or the installation is broken: {reason}. {_MEMORY}")
-    except OSError as failure:
-        remedy = _OUT_OF_REACH.get(failure.errno or 0)
-        if remedy is None or failure.filename is None:
-            raise
-        _end(f"{failure.filename}: {failure.strerror}. {remedy}.")
     except KeyboardInterrupt:
         _end("interrupted")
+
+
+def _words_of(failure: OSError) -> str:
+    """What the system refused, if that is of the user's making.
+
+    Raises:
+        OSError: It isn't; that is an error of ours.
+    """
+    remedy = _OUT_OF_REACH.get(failure.errno or 0)
+    if failure.filename is not None and remedy is not None:
+        return f"{failure.filename}: {failure.strerror}. {remedy}."
+    # Of standard output no name is told; files of ours are OutputFailed.
+    if failure.filename is not None or failure.errno not in _NO_ROOM:
+        raise failure
+    silence()
+    return f"Output can't be written: {failure.strerror}. {_ELSEWHERE}"
 
 
 def _end(reason: str) -> NoReturn:

@@ -27,7 +27,7 @@ from probe.assets.library import own_folder, scans_folder
 from probe.cli.assets_split import near_duplicates, show_pairs
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import Column, ScreenTable, say, track
-from probe.errors import BadData
+from probe.errors import BadData, ObjectsRefused
 
 Unit = Literal["m", "cm", "mm"]
 _METRES: dict[Unit, float] = {"m": 1.0, "cm": 0.01, "mm": 0.001}
@@ -78,6 +78,8 @@ def check_objects(
 ) -> None:
     """Say of each object whether it can be used, and if not why; nothing is written.
 
+    The exit status is 1 if one can't.
+
     Args:
         what: scans or own (pools), or a folder or file of objects.
         unit: m, cm or mm; if left out, each format's own.
@@ -94,6 +96,8 @@ def check_objects(
         table.add(verdict.label, verdict.refusal or "OK", "; ".join(verdict.remarks), *cost)
     table.show()
     _sum_up(verdicts)
+    if refused := sum(verdict.refusal is not None for verdict in verdicts):
+        raise ObjectsRefused(refused, len(verdicts))
 
 
 def _candidates(

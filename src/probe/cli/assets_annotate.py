@@ -25,6 +25,7 @@ from probe.assets.annotation.table import TABLE, corrected, write_table
 from probe.assets.annotation.words import describe
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
+from probe.cli.address import check_address
 from probe.cli.assets_review import draw_own, kept_views, with_own, with_twins
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say, track
@@ -61,6 +62,7 @@ def annotate(
         timeout: Seconds to wait for a reply before trying again.
     """
     check_numbers({"--limit": limit, "--timeout": timeout})
+    check_address(endpoint)
     objects, ask = library(pool), model_behind(endpoint, model, timeout)
     waiting = [spec for spec in objects.specs[:limit] if not _is_done(out, spec)]
     with Renderer() as renderer:

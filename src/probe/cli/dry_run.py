@@ -7,7 +7,7 @@ from pathlib import Path
 from probe.bench.estimate import PICTURE_TOKENS, REPLY_TOKENS, Estimate, estimate
 from probe.bench.models import settings_of
 from probe.bench.prices import Price
-from probe.cli.model_run import ModelRunOptions, check_address, plan_of, price_of
+from probe.cli.model_run import ModelRunOptions, check_asked, plan_of, price_of
 from probe.cli.screen import say
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
@@ -21,7 +21,7 @@ def would_ask(suite: Suite, seats: ModelRunOptions, out: Path) -> None:
     Raises:
         BadData: Prices can't be read, or the folder can't.
     """
-    check_address(seats.endpoint)
+    check_asked(seats)
     _tell(suite, seats, out, price_of(seats.prices, seats.model))
     if seats.pointer != "oracle":
         say(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")

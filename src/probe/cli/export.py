@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated
@@ -10,7 +11,7 @@ import tyro
 
 from probe.api.resources import cache_folder, everything
 from probe.assets.library import Library
-from probe.bench.dataset import CARD, Row, row_of, write_dataset
+from probe.bench.dataset import CARD, TABLE, Row, row_of, write_dataset
 from probe.cli.screen import say, track
 from probe.episodes.participation import Points
 from probe.errors import BadData
@@ -34,12 +35,29 @@ def export(
         out: A new folder; `datasets.load_dataset` reads it.
         points: How places are counted in the texts.
     """
-    if (out / CARD).exists():
-        raise BadData(out, f"has a {CARD} already", "Choose a new folder")
+    _check_place(out)
     asked, things = find_suite(suite), everything()
     check_objects(asked, things)
     count = write_dataset(out, asked.name, _rows(asked, things, points))
     say(f"{count} tasks are in {out}; the answers too, so keep its canary with every copy.")
+
+
+def _check_place(out: Path) -> None:
+    """See that nothing is there but what an export leaves that was broken off: a table, no card.
+
+    Raises:
+        BadData: Something is.
+    """
+    remedy = "Choose a new folder"
+    if (out / CARD).exists():
+        raise BadData(out, f"has a {CARD} already", remedy)
+    if os.path.lexists(out) and not out.is_dir():
+        raise BadData(out, "is there already, and no folder", remedy)
+    parts = {out / TABLE, *(out / TABLE).parents}
+    strange = [] if not out.exists() else [it for it in out.rglob("*") if it not in parts]
+    if strange:
+        reason = f"holds something else already ({strange[0].relative_to(out)})"
+        raise BadData(out, reason, remedy)
 
 
 def _rows(suite: Suite, things: Library, points: Points) -> Iterator[Row]:

@@ -13,6 +13,7 @@ from probe.assets.library import Library
 from probe.bench.models import settings_of
 from probe.bench.plan import ModelRunPlan
 from probe.bench.prices import Price, Prices, read_prices
+from probe.cli.address import check_address
 from probe.cli.screen import say
 from probe.cli.variation import varied
 from probe.episodes.conditions import Conditions
@@ -73,7 +74,7 @@ def take_seats(suite: Suite, seats: ModelRunOptions, out: Path, *, plain: bool =
         MissingExtra: The harness isn't installed.
         BadData: The folder is about something else, prices can't be read, or nobody has the model.
     """
-    check_address(seats.endpoint)
+    check_asked(seats)
     price = price_of(seats.prices, seats.model)
     for name in {seats.model, seats.pointer} - {"oracle", "self"}:
         if seats.endpoint is None:
@@ -110,15 +111,16 @@ def price_of(path: Path | None, name: str) -> Price | None:
     return price
 
 
-def check_address(endpoint: str | None) -> None:
-    """See that it is one.
+def check_asked(seats: ModelRunOptions) -> None:
+    """See that models have names, and the server an address.
 
     Raises:
-        BadData: It isn't.
+        BadData: One hasn't.
     """
-    if endpoint is not None and not endpoint.startswith(("http://", "https://")):
-        remedy = "Begin it with http:// or https://"
-        raise BadData("--endpoint", f"{endpoint!r} is no address of a server", remedy)
+    check_address(seats.endpoint)
+    for option, name in (("--model", seats.model), ("--pointer", seats.pointer)):
+        if not name.strip():
+            raise BadData(option, "is empty", "Say the name of a model")
 
 
 def _check_served(name: str) -> None:

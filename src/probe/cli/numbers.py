@@ -34,6 +34,7 @@ _RANGES: Mapping[str, tuple[float, float]] = {
     "--runs": (1, MOST_RUNS),
     "--seats": (1, 256),
     "--seed": (0, _SEED),
+    "SEED": (0, _SEED),
     "--share": (0, 1),
     "--side-px": (32, 8192),
     "--sigma": (0, 0.5),

@@ -83,7 +83,9 @@ def run(
             "--endpoint": endpoint, "--prices": prices, "--dry-run": dry_run or None,
         })  # fmt: skip
         asked, things = find_suite(suite), everything()
-        name, agent_of = who_acts(agent or "scripted", agent_name, sandbox, suite, out)
+        name, agent_of = who_acts(
+            "scripted" if agent is None else agent, agent_name, sandbox, suite, out
+        )
         order = RunOrder(name, runs or 1, NOISES[noise], conditions, part)
         missing = run_order(asked, order, agent_of, things, out, workers or 1)
         total = len(order.jobs(asked.tasks))
@@ -92,14 +94,15 @@ def run(
             "--agent": agent, "--agent-name": agent_name, "--runs": runs,
             "--sandbox": None if sandbox == Sandbox() else sandbox,
         })  # fmt: skip
-        check_pointer(pointer or "oracle", arm or "agentic", conditions)
+        pointer = "oracle" if pointer is None else pointer
+        check_pointer(pointer, arm or "agentic", conditions)
         seats = ModelRunOptions(
             library=opener(),
             model=model,
             arm=arm or "agentic",
             epochs=epochs or 3,
             points=points,
-            pointer=pointer or "oracle",
+            pointer=pointer,
             endpoint=endpoint,
             prices=prices,
             noise=NOISES[noise],

@@ -13,6 +13,7 @@ from probe.assets.library import Library
 from probe.assets.tables import table_ids
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say, track
+from probe.errors import BadData
 from probe.files import encode, write_bytes, write_picture
 from probe.render.illumination import Illumination
 from probe.render.lighting import light_of
@@ -29,6 +30,9 @@ from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.types import Camera
 from probe.world.scenes import SettledScene, draw_scene
+
+_MANY = 40
+"""Objects that take so long to settle that it has to be said."""
 
 
 def scene(
@@ -48,23 +52,29 @@ def scene(
     Writes picture.png, depth.png (16 bit, 0.1 mm), labels.png (value = instance) and scene.json.
 
     Args:
-        seed: Any whole number; the same seed gives the same bytes.
+        seed: A whole number, 0 or above; the same seed gives the same bytes.
         out: Folder for the files.
         pool: Which objects may appear; scans need PROBE_ASSETS.
         objects: How many.
         reach: How far from the table's middle they are dropped, metres: less is denser.
-        buried: So many of the smallest are put down first, something larger right over each.
+        buried: So many of the smallest are put down first, something larger right over each; at
+            most half of the objects.
         gallery: If above 0, write this many scenes, from this seed on, and a page of them.
         lighting: "ambient", or surroundings that light the table: a painted room
             (docs/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
         camera: From above, or obliquely from the front.
         renderer: What draws colour; blender needs the extra of that name, and more time.
     """
-    check_numbers({"--seed": seed, "--objects": objects, "--buried": buried, "--gallery": gallery})
+    check_numbers({"SEED": seed, "--objects": objects, "--buried": buried, "--gallery": gallery})
+    if 2 * buried > objects:
+        reason = f"of {objects} objects, {buried} can't lie under others"
+        raise BadData("--buried", reason, "Say at most half of --objects")
     things, pile = library(pool), PileSettings(reach, buried)
     with Renderer(cache_folder() / "light", renderer) as drawing:
         studio = _Studio(drawing, view_camera(camera), light_of(Lighting(lighting), things.assets))
         if gallery == 0:
+            if objects > _MANY:
+                say(f"Settling {objects} objects; over {_MANY} may take minutes.")
             drawn = [_settle(seed, things, objects, pile)]
             _write(out, drawn[0].scene, things, studio)
             say(f"Picture, depth, labels and scene are in {out}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 from dataclasses import replace
 from importlib import resources
 from pathlib import Path
@@ -309,7 +310,8 @@ def find_suite(name: str) -> Suite:
         UnknownName: It is neither.
         BadData: The file isn't a whole suite, or bears the name of a packaged one that it isn't.
     """
-    if name.endswith(".json") or Path(name).exists():
+    # A link is looked at, wherever it leads; a name that no file can have is none.
+    if name.endswith(".json") or os.path.lexists(name):
         suite = read_suite(Path(name))
         check_name(suite, Path(name))
         return suite

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import stat
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +12,7 @@ START_SECONDS = 120.0
 """Wall time that a file may take to be loaded and to make an agent."""
 
 _LEAST_GB = 0.25
+_SAY = "Say --agent FILE.py:ClassName"
 
 
 @dataclass(frozen=True)
@@ -66,6 +68,13 @@ class AgentFile:
         """
         path, _, name = text.partition(".py:")
         file = Path(f"{path}.py" if name else text)
-        if not file.is_file():
-            raise BadData(file, "there is no such file", "Say --agent FILE.py:ClassName")
-        return AgentFile(file.resolve(), name or None)
+        try:
+            mode = file.stat().st_mode
+            resolved = file.resolve()
+        except FileNotFoundError as error:
+            raise BadData(file, "there is no such file", _SAY) from error
+        except OSError as error:  # a name that is too long, a loop of links
+            raise BadData(file, error.strerror or str(error), _SAY) from error
+        if not stat.S_ISREG(mode):
+            raise BadData(file, "is no regular file", _SAY)
+        return AgentFile(resolved, name or None)
