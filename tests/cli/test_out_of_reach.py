@@ -26,8 +26,6 @@ def refused(monkeypatch: pytest.MonkeyPatch, *words: object) -> str:
     "words",
     [
         ("run", "demo", "--agent", "always-A", "--out", LONG),
-        ("run", LONG, "--agent", "always-A"),
-        ("run", "demo", "--agent", f"{LONG}.py:Mine"),
         ("rescore", LONG),
         ("merge", "one", "--out", LONG),
     ],
