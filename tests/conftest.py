@@ -17,7 +17,9 @@ import probe
 settings.register_profile("same", derandomize=True, database=None, deadline=None)
 settings.load_profile("same")
 
-assert probe.SUMS_BOUND, "NumPy was imported before probe: its sums differ on this machine"
+assert probe.SUMS_BOUND, (
+    "NumPy was imported before probe, or the environment binds sums otherwise: they differ here"
+)
 
 ROOT = Path(__file__).resolve().parents[1]
 

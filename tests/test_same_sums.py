@@ -50,6 +50,8 @@ def test_what_other_sums_gave_is_kept_under_another_name():
 
     first, late = key(KEY), key(f"import numpy\n{KEY}")
     assert first != late
+    assert key(KEY, OPENBLAS_CORETYPE="SkylakeX") == late
+    assert key(KEY, NPY_DISABLE_CPU_FEATURES="AVX512_SPR") == late
     # A process that is started by one of ours has the same sums, whatever it imports first.
     features = "X86_V4 AVX512_ICL AVX512_SPR"
     bound = key(

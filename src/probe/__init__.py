@@ -16,16 +16,16 @@ _binding = {
     "OPENBLAS_CORETYPE": "Haswell",
     "NPY_DISABLE_CPU_FEATURES": "X86_V4 AVX512_ICL AVX512_SPR",
 }
-SUMS_BOUND = (
-    _machine() not in {"x86_64", "AMD64"}
-    or "numpy" not in _sys.modules
-    or _binding.items() <= _os.environ.items()
-)
-"""Whether this process's sums come out as on other machines: not if NumPy was there before us."""
+_here = _machine() in {"x86_64", "AMD64"}
+_late = "numpy" in _sys.modules and not _binding.items() <= _os.environ.items()
 
-if _machine() in {"x86_64", "AMD64"}:
+if _here:
     for _name, _value in _binding.items():
         _os.environ.setdefault(_name, _value)
+
+SUMS_BOUND = not _here or (not _late and _binding.items() <= _os.environ.items())
+"""Whether this process's sums come out as on other machines: not if NumPy was there before us, nor
+if the environment says otherwise."""
 
 __version__ = "0.1.0"
 

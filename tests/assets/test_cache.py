@@ -25,6 +25,15 @@ def test_what_is_stored_comes_back(tmp_path):
     assert [path.suffix for path in tmp_path.rglob("*") if path.is_file()] == [".npz"]
 
 
+def test_what_was_kept_before_sums_were_told_apart_is_not_read(tmp_path):
+    cache = Cache(tmp_path)
+    cache.store(KEY, ARRAYS)
+    path = cache.path(KEY)
+    (tmp_path / KEY[:2]).mkdir()
+    path.rename(tmp_path / KEY[:2] / path.name)
+    assert cache.load(KEY) is None
+
+
 def _cut(content: bytes) -> bytes:
     return content[: len(content) // 2]
 

@@ -65,7 +65,7 @@ def test_a_painted_table_comes_out_of_the_cache_as_it_was_painted(tmp_path):
         assert kept.normal is not None and np.array_equal(kept.normal, painted.normal)
         numbers = (kept.id, kept.tile_size, kept.roughness, kept.metallic)
         assert numbers == (painted.id, painted.tile_size, painted.roughness, painted.metallic)
-    (entry,) = tmp_path.glob("*/*.npz")
+    (entry,) = tmp_path.rglob("*.npz")
     entry.write_bytes(entry.read_bytes()[:1000])
     load_table.cache_clear()
     again = load_table("oak_planks", None, cache)

@@ -65,18 +65,8 @@ def test_one_task_of_each_type_holds_and_is_solved_again(
     assert verdict.solved
 
 
-UNREPEATED = pytest.mark.xfail(
-    reason="v1's Compare doesn't come out of its seeds with bound sums; cause not found yet",
-    strict=False,
-)
-REBUILT = [
-    pytest.param(task, id=task.id, marks=[UNREPEATED] if task.kind == "compare" else [])
-    for task in FIRST
-]
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize("task", REBUILT)
+@pytest.mark.parametrize("task", FIRST, ids=lambda task: task.id)
 def test_one_task_of_each_type_comes_out_of_its_seed_again(
     library: Library, renderer: Renderer, task
 ):

@@ -65,6 +65,10 @@ class Cache:
         write_bytes(self.path(key), buffer.getvalue())
 
     def path(self, key: str) -> Path:
-        """The file of a key; another where this process's sums differ in their last bits."""
-        folder = self.folder if SUMS_BOUND else self.folder / "other-sums"
-        return folder / key[:2] / f"{key}.npz"
+        """The file of a key; another where this process's sums differ in their last bits.
+
+        What lies in the folder itself is read by nobody: until both kinds were told apart, any
+        process wrote there.
+        """
+        sums = "bound-sums" if SUMS_BOUND else "other-sums"
+        return self.folder / sums / key[:2] / f"{key}.npz"
