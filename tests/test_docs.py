@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import importlib.util
+import pkgutil
 import re
 from pathlib import Path
 
@@ -49,6 +51,29 @@ def test_examples_import_the_public_api_alone(path: Path):
     assert strangers(path.read_text()) == set()
 
 
+def anchors_of(page: Path) -> set[str]:
+    """What a link may name after "#": GitHub's slugs of the page's headings."""
+    text = re.sub(r"^ *```.*?^ *```", "", page.read_text("utf-8"), flags=re.MULTILINE | re.DOTALL)
+    titles = re.findall(r"^#+ +(.+)$", text, re.MULTILINE)
+    plain = [re.sub(r"[^\w\- ]", "", title.lower()) for title in titles]
+    return {title.replace(" ", "-") for title in plain}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_links_lead_somewhere(page: Path):
+    text = re.sub(r"^ *```.*?^ *```", "", page.read_text("utf-8"), flags=re.MULTILINE | re.DOTALL)
+    dead = list[str]()
+    for link in re.findall(r"\]\(([^)\s]+)\)", text):
+        if re.match(r"[a-z]+:", link):
+            continue
+        path, _, anchor = link.partition("#")
+        target = (page.parent / path).resolve() if path else page
+        found = target.exists() and ROOT in (target, *target.parents)
+        if not found or (anchor and target.suffix == ".md" and anchor not in anchors_of(target)):
+            dead.append(link)
+    assert dead == []
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("page", RUNNABLE)
 def test_code_of_a_page_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
@@ -63,3 +88,17 @@ def test_every_public_name_is_there_and_documented():
         found = getattr(probe, name)
         if not name.startswith("_") and name not in {"SUMS_BOUND", "Perceiver"}:
             assert found.__doc__, name
+
+
+def test_the_page_of_the_api_is_made_from_its_docstrings():
+    spec = importlib.util.spec_from_file_location("api_page", ROOT / "scripts/api_page.py")
+    assert spec and spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    assert module.PAGE.read_text("utf-8") == module.page(), "run scripts/api_page.py"
+
+
+def test_no_public_name_is_a_folder_or_module_of_the_package():
+    """Importing a submodule would put it in the place of the name."""
+    modules = {found.name for found in pkgutil.iter_modules(probe.__path__)}
+    assert modules & set(probe.__all__) == set()

@@ -1,6 +1,6 @@
 """PROBE: questions about a cluttered table that only moving things can answer.
 
-The names below are the public API; `docs/reference/api.md` lists them. They are imported when they
+The names below are the public API; `docs/api.md` lists them. They are imported when they
 are first used.
 """
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from probe.api.agents import builtin_agent
     from probe.api.episodes import OpenEpisode, open_episode, play, replay, score
     from probe.api.models import model_behind
-    from probe.api.reports import WrittenReport, report, rescore
+    from probe.api.reports import WrittenReport, rescore, write_report
     from probe.api.runs import read_records, run
     from probe.api.scenes import make_scene, photograph, visibility
     from probe.api.suites import build_suite, load_suite, open_library
@@ -59,7 +59,7 @@ _HOMES = {
     "api.agents": ("builtin_agent",),
     "api.episodes": ("OpenEpisode", "open_episode", "play", "replay", "score"),
     "api.models": ("model_behind",),
-    "api.reports": ("WrittenReport", "report", "rescore"),
+    "api.reports": ("WrittenReport", "rescore", "write_report"),
     "api.runs": ("read_records", "run"),
     "api.scenes": ("make_scene", "photograph", "visibility"),
     "api.suites": ("build_suite", "load_suite", "open_library"),
@@ -122,11 +122,11 @@ __all__ = [
     "read_handle",
     "read_records",
     "replay",
-    "report",
     "rescore",
     "run",
     "score",
     "visibility",
+    "write_report",
 ]
 
 

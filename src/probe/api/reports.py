@@ -14,7 +14,8 @@ from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES, rows_of, write_beside
 from probe.audit.audit_file import audit_of
 from probe.episodes.folder import SUITE
 from probe.report.build_log import read_build_log
-from probe.report.page import Report, write_report
+from probe.report.page import Report
+from probe.report.page import write_report as _write_report
 from probe.scores.marking import roster_of_tasks
 from probe.scores.summary import Scores, summarise
 from probe.tasks.identity import identity_of
@@ -66,7 +67,7 @@ def rescore(folder: str | Path, *, arm: str | None = None, track: Track = silent
     return scores
 
 
-def report(
+def write_report(
     folders: str | Path | Sequence[str | Path],
     out: str | Path | None = None,
     *,
@@ -110,5 +111,5 @@ def report(
     )
     files = (ROWS_CSV, ROWS_JSON, SCORES)
     shown = Report(suite, scores, played, tuple(candidates), files, audits)
-    write_report(page, shown, single=single_file)
+    _write_report(page, shown, single=single_file)
     return WrittenReport(page, scores, audits, identity.remark)

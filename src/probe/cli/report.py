@@ -42,8 +42,8 @@ def write_run_report(
     build_log: Path | None = None,
     single: bool = False,
 ) -> Path:
-    """Write a report and say what it holds; returns the page. See probe.api.reports.report."""
-    written = reports.report(
+    """Write a report and say what it holds; returns the page."""
+    written = reports.write_report(
         runs, out, arm=arm, build_log=build_log, single_file=single, track=track
     )
     for run in runs:
