@@ -26,9 +26,10 @@ class BadData(ProbeError):
 class UnknownName(ProbeError):
     """A name that is not in a catalogue."""
 
-    def __init__(self, kind: str, name: str, known: list[str]) -> None:
-        shown = ", ".join(known[:12]) + (" ..." if len(known) > 12 else "")
-        super().__init__(f"There is no {kind} called {name!r}. Known: {shown}.")
+    def __init__(self, kind: str, name: str, known: list[str], remedy: str = "") -> None:
+        shown = ", ".join(known[:12]) + (" ..." if len(known) > 12 else ".")
+        told = f"There is no {kind} called {name!r}. Known: {shown} {remedy}"
+        super().__init__(told.rstrip())
 
 
 class Unsatisfiable(ProbeError):
