@@ -70,7 +70,7 @@ def test_only_regular_files_are_read(tmp_path, reader, made, words):
 def test_a_link_to_nowhere_is_no_missing_file(tmp_path, name, reader):
     assert not reader(tmp_path)
     (tmp_path / name).symlink_to(tmp_path / "nowhere")
-    with pytest.raises(BadData, match=rf"{name}.*No such file"):
+    with pytest.raises(BadData, match=rf"{name}.*(No such file|is a link to .*nowhere)"):
         reader(tmp_path)
     (tmp_path / name).unlink()
     (tmp_path / name).symlink_to(name)

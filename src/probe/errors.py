@@ -30,10 +30,11 @@ _LONGEST_NAME = 80
 class UnknownName(ProbeError):
     """A name that is not in a catalogue."""
 
-    def __init__(self, kind: str, name: str, known: list[str]) -> None:
-        shown = ", ".join(known[:12]) + (" ..." if len(known) > 12 else "")
+    def __init__(self, kind: str, name: str, known: list[str], remedy: str = "") -> None:
+        shown = ", ".join(known[:12]) + (" ..." if len(known) > 12 else ".")
         called = name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 3]}..."
-        super().__init__(f"There is no {kind} called {called!r}. Known: {shown}.")
+        told = f"There is no {kind} called {called!r}. Known: {shown} {remedy}"
+        super().__init__(told.rstrip())
 
 
 class Unsatisfiable(ProbeError):

@@ -125,9 +125,9 @@ def test_a_broken_picture_is_named(tmp_path):
 
 
 def test_an_unknown_table_is_refused(tmp_path):
-    with pytest.raises(UnknownName, match="lava"):
+    with pytest.raises(UnknownName, match="lava.*PROBE_ASSETS names"):
         load_table("lava", None)
-    with pytest.raises(UnknownName, match="lava"):
+    with pytest.raises(UnknownName, match=f"lava.*textures of {tmp_path}"):
         load_table("lava", tmp_path)
 
 

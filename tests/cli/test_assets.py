@@ -13,20 +13,25 @@ import trimesh
 
 from data_sets import box, obj_folder
 from glb_files import textured, write_glb
+from probe.assets.gltf.glb_writer import glb_bytes
+from probe.assets.importers.adding import find_sources
+from probe.assets.importers.normalised import normalised
+from probe.assets.importers.options import ImportOptions
+from probe.assets.pools.own import store_object
 
 
 def sphere():
     return trimesh.creation.icosphere(4, 0.03).apply_translation((0, 0, 0.03))
 
 
-def probe(*arguments, home, status=0):
+def probe(*arguments, home, status=0, columns=160):
     done = subprocess.run(
         [sys.executable, "-m", "probe", "assets", *map(str, arguments)],
         env={
             **os.environ,
             "PROBE_LIBRARY": str(home / "library"),
             "XDG_CACHE_HOME": str(home / "cache"),
-            "COLUMNS": "160",
+            "COLUMNS": str(columns),
         },
         capture_output=True,
         text=True,
@@ -63,6 +68,16 @@ def test_objects_are_added_checked_and_split_with_near_duplicates_together(tmp_p
     told = probe("split", "--pool", "own", "--out", split, "--workers", 1, home=tmp_path, status=1)
     assert "near-duplicate" in told
     assert split.read_text() == planted
+
+
+def test_no_name_in_the_list_is_cut_where_it_goes_to_a_file(tmp_path):
+    write_glb(tmp_path / "x.glb", textured(box()))
+    (source,) = find_sources(tmp_path / "x.glb", ImportOptions("gltf"))
+    mesh, entry = normalised(source, ImportOptions("gltf"))
+    words = {"id": f"own_{'long_' * 8}tin", "name": "turquoise tea tin", "mass": 0.003}
+    store_object(tmp_path / "library", entry.model_copy(update=words), glb_bytes(mesh))
+    told = probe("list", "--pool", "own", home=tmp_path, columns=80)
+    assert all(str(word) in told for word in words.values())
 
 
 @pytest.mark.slow

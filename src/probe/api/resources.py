@@ -39,5 +39,5 @@ def everything() -> Library:
 
 
 def tables_for(pool: Pool) -> tuple[str, ...]:
-    """Tables for scenes of a pool; those of procedural objects need nothing from outside."""
-    return table_ids(None if pool == "procedural" else assets_folder())
+    """Tables for scenes of a pool; a pool with procedural objects needs none from outside."""
+    return table_ids(None if pool in ("procedural", "own+procedural") else assets_folder())

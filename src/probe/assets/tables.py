@@ -99,7 +99,9 @@ def load_table(id: str, assets: Path | None, cache: Cache | None = None) -> Tabl
         return _painted(id, cache)
     known = table_ids(assets)
     if assets is None or id not in known:
-        raise UnknownName("table", id, list(known))
+        folder = "the folder that PROBE_ASSETS names" if assets is None else str(assets)
+        remedy = f"A photographed one has to be among the textures of {folder}."
+        raise UnknownName("table", id, list(known), remedy)
     return _photographed(id, assets / "textures")
 
 

@@ -20,6 +20,8 @@ from probe.render.portraits import AROUND, GROUND, portrait
 from probe.render.renderer import Renderer
 
 _SIDE_PX = 400
+_WIDTH = 140
+"""Signs; so wide is the list where it goes to a file or another program."""
 
 app = tyro.extras.SubcommandApp()
 app.command(name="add")(add_objects)
@@ -38,13 +40,13 @@ def list_objects(pool: Pool = "procedural") -> None:
     Args:
         pool: Which objects; scans need PROBE_ASSETS.
     """
-    names = ("name", "category", "colours", "kg", "size in cm")
-    table = ScreenTable(Column("id", no_wrap=True), *names)
+    words = (Column(it, overflow="fold") for it in ("id", "name", "category", "colours"))
+    table = ScreenTable(*words, "kg", Column("size in cm", no_wrap=True))
     for spec in library(pool).specs:
         size = " x ".join(f"{100 * edge:.1f}" for edge in spec.size)
         colours = ", ".join(spec.colours)
-        table.add(spec.id, spec.name, spec.category, colours, f"{spec.mass:.2f}", size)
-    table.show()
+        table.add(spec.id, spec.name, spec.category, colours, f"{spec.mass:.3f}", size)
+    table.show(narrowest=_WIDTH)
 
 
 @app.command

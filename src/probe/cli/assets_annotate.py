@@ -99,7 +99,8 @@ def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
     else:
         _carry_over(notes)
     own = not notes or any(note.id.startswith("own_") for note in notes)
-    notes = with_twins(with_own(out, notes) if own else notes)
+    crowd = library("procedural").specs if own else ()
+    notes = with_twins(with_own(out, notes) if own else notes, [spec.name for spec in crowd])
     write_table(table, notes)
     write_review(out / PAGE, notes)
     if own and draw_own(out):

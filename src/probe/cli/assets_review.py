@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -61,20 +61,24 @@ def with_own(out: Path, notes: Sequence[Note]) -> tuple[Note, ...]:
     return tuple(note for note in notes if not note.id.startswith("own_")) + tuple(fresh)
 
 
-def with_twins(notes: Sequence[Note]) -> tuple[Note, ...]:
-    """The notes with a remark on those whose name another object has, too."""
+def with_twins(notes: Sequence[Note], others: Iterable[str] = ()) -> tuple[Note, ...]:
+    """The notes with remarks on those whose name another object has, or another's name ends with.
+
+    Args:
+        notes: The notes.
+        others: Names of what may lie beside them on a table.
+    """
+    names = sorted({*others, *(note.name for note in notes)})
     first: dict[str, str] = {}
-    twins = {
-        note.id: first[note.name]
-        for note in notes
-        if first.setdefault(note.name, note.id) != note.id
-    }
-    return tuple(
-        note.model_copy(update={"remarks": (*note.remarks, f"has the name of {twins[note.id]}")})
-        if note.id in twins
-        else note
-        for note in notes
-    )
+    told: list[Note] = []
+    for note in notes:
+        remarks = list(note.remarks)
+        if first.setdefault(note.name, note.id) != note.id:
+            remarks.append(f"has the name of {first[note.name]}")
+        if longer := next((name for name in names if name.endswith(f" {note.name}")), None):
+            remarks.append(f"might be taken for a '{longer}': say more, its colour perhaps")
+        told.append(note.model_copy(update={"remarks": tuple(remarks)}))
+    return tuple(told)
 
 
 def kept_views(out: Path, name: str, size: Vector3, renderer: Renderer) -> list[Array]:

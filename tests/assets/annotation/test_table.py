@@ -75,6 +75,16 @@ def test_a_person_s_word_is_marked_and_outlives_the_model_s(tmp_path, notes):
     assert again.name == "crimson mug" and again.origins["name"] == "human"
 
 
+def test_a_sentence_made_of_the_name_follows_it_and_one_that_was_written_stays(tmp_path, notes):
+    drafted = notes[1].model_copy(update={"name": "suger", "description": "A suger."})
+    write_table(tmp_path / "t.csv", [notes[0], drafted])
+    for number in (0, 1):
+        edit(tmp_path / "t.csv", number, "name", "orange gum jar")
+    written, made = corrected(tmp_path / "t.csv", [notes[0], drafted])
+    assert written.description == WORDS.description
+    assert (made.description, made.origins["description"]) == ("An orange gum jar.", "human")
+
+
 @pytest.mark.parametrize(
     ("column", "value", "words"),
     [

@@ -75,7 +75,7 @@ def test_what_stands_askew_is_laid_down(tmp_path):
 
 def test_what_the_data_set_says_is_kept_and_the_rest_is_marked_as_a_guess(tmp_path):
     entry = _only(gso_folder(tmp_path / "Small_Box"), ImportOptions("gso"))[1]
-    assert (entry.name, entry.category, entry.mass) == ("small box", "action figures", 0.25)
+    assert (entry.name, entry.category, entry.mass) == ("small box", "action figure", 0.25)
     assert entry.licence == "CC-BY-4.0"
     assert entry.source == "Google Scanned Objects, Small_Box"
     assert entry.provenance["mass"] == "source"

@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict
 
 from probe.assets.annotation.words import Described
 from probe.assets.importers.upright import other_axis
+from probe.assets.importers.wording import described
 from probe.assets.pools.entry import LibraryEntry
 from probe.assets.spec import ObjectSpec
 from probe.files import read_document, write_text
@@ -106,7 +107,12 @@ def brought_up_to_date(note: Note, entry: LibraryEntry) -> Note:
 
 
 def changed_by_hand(note: Note, changes: Mapping[str, object]) -> Note:
-    """A note with fields that a person changed."""
+    """A note with fields that a person changed.
+
+    A sentence that was made of the old name is made of the new one.
+    """
+    if "name" in changes and note.description == described(note.name):
+        changes = {"description": described(str(changes["name"])), **changes}
     origins = {**note.origins, **dict.fromkeys(changes, "human")}
     words = {"problem": ""} if set(changes) & set(FIELDS) else {}
     settled = {"other_up": None} if "up" in changes else {}

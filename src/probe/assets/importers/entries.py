@@ -11,7 +11,15 @@ from probe.assets.importers.density import category_in
 from probe.assets.importers.options import ImportOptions
 from probe.assets.importers.source import NO_LICENCE, Source, SourceFacts, Symmetries
 from probe.assets.importers.upright import Reading, up_doubt
-from probe.assets.importers.wording import LONGEST_NAME, all_words, draft_name, id_words, shortened
+from probe.assets.importers.wording import (
+    LONGEST_NAME,
+    all_words,
+    colour_first,
+    described,
+    draft_name,
+    id_words,
+    shortened,
+)
 from probe.assets.mesh.hollow import is_hollow
 from probe.assets.mesh.mesh import TexturedMesh
 from probe.assets.mesh.sampling import colours_at, spots
@@ -31,6 +39,11 @@ def words_of(facts: SourceFacts) -> str:
     """The draft of a short name for people; if it is cut, what the thing is stays in."""
     if facts.words:
         return facts.words
+    return colour_first(_short(facts), lambda words: category_in(words) is not None)
+
+
+def _short(facts: SourceFacts) -> str:
+    """The name as it stands in the files, in words, and short."""
     name, words = draft_name(facts.name), all_words(facts.name).split()
     noun = category_in(" ".join(words))
     if noun is None or category_in(name) == noun:
@@ -43,8 +56,18 @@ def words_of(facts: SourceFacts) -> str:
 def category_of(facts: SourceFacts) -> str:
     """What the data set says, or the noun in the name; without numbers."""
     name = words_of(facts)
-    letters = re.sub(r"[^a-z' -]+", " ", (facts.category or category_in(name) or name).lower())
+    said = _of_one(facts.category) if facts.category else category_in(name) or name
+    letters = re.sub(r"[^a-z' -]+", " ", said.lower())
     return shortened(" ".join(letters.split()), " ") or "object"
+
+
+def _of_one(category: str) -> str:
+    """A category in the singular, if the table knows its noun: data sets say "Action Figures"."""
+    noun = category_in(category)
+    for ending in ("s", "es"):
+        if noun and category.lower().endswith(f"{noun}{ending}"):
+            return category[: -len(ending)]
+    return category
 
 
 def remarks_on(entry: LibraryEntry) -> tuple[str, ...]:
@@ -84,7 +107,7 @@ def entry_of(
         name=name,
         category=category_of(facts),
         colours=said_colours(colours_at(mesh, *spots(mesh.vertices, mesh.faces, COLOUR_SPOTS))),
-        description=f"{'An' if name[0] in 'aeiou' else 'A'} {name}.",
+        description=described(name),
         mass=round(mass, 4),
         friction=FRICTION,
         size=(x, y, z),

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Callable
 from pathlib import Path
+from typing import get_args
+
+from probe.assets.colour.names import Colour
+
+_COLOURS = {*get_args(Colour), "grey", "turquoise"}
+_BINDING = {"and", "in", "of", "or", "with"}
+_MANY = re.compile(r"[^su]s$")
+"""What ends so is several things, or a pair ("cups", "scissors"), and takes no article."""
 
 LONGEST_NAME = 40
 """Letters of a draft name; what a person may put in its place is no longer either."""
@@ -23,6 +32,7 @@ COLLECTIONS = re.compile(
 """Folders that hold many objects; they name none of them."""
 
 _NUMBER = re.compile(r"(?:v?\d+[a-z]?|\d+k|lod\d+)$")
+_PADDED = re.compile(r"0\d")
 _CODE = re.compile(r"(?=\w*\d)(?=\w*[A-Za-z])\w{9,}$")
 _BOUNDARY = re.compile(r"(?<=[a-z])(?=[A-Z])")
 _YCB_NUMBER = re.compile(r"^\d{3}(?:[-_][a-z])?[-_ ]+(?=[A-Za-z])")
@@ -92,12 +102,39 @@ def variant_of(stem: str) -> str:
 def draft_name(raw: str) -> str:
     """A name as a person would say it: "003_apple" is "apple", "RedMug_2" "red mug"."""
     words = _words(raw)
+    words = [word for word in words if not _PADDED.fullmatch(word)] or words
     while len(words) > 1 and words[-1].isdigit() and len(words[-1]) < 3:
         words.pop()
     if len(" ".join(words)) > LONGEST_NAME:
         words = [word for word in words if not _is_mixed(word)] or words
     name = shortened(" ".join(words), " ")
     return name if len(name) > 1 and not name.isdigit() else f"object {name}".strip()
+
+
+def colour_first(name: str, is_noun: Callable[[str], bool]) -> str:
+    """A name whose colours don't stand at its end: "hammer black" is "black hammer".
+
+    Args:
+        name: The name.
+        is_noun: Whether words say what a thing is; if those before the colours don't, the last
+            word may be no colour ("mandarin orange").
+    """
+    words = name.split()
+    end = len(words)
+    while end and words[end - 1] in _COLOURS:
+        end -= 1
+    head, colours = words[:end], words[end:]
+    if not head or not colours or head[-1] in _BINDING or not is_noun(" ".join(head)):
+        return name
+    told = " ".join([" and ".join(colours), *head])
+    return told if len(told) <= LONGEST_NAME else " ".join([*colours, *head])
+
+
+def described(name: str) -> str:
+    """A sentence on an object of which nothing but the name is known: "A red mug."."""
+    if _MANY.search(name):
+        return f"{name[:1].upper()}{name[1:]}."
+    return f"{'An' if name[:1] in 'aeiou' else 'A'} {name}."
 
 
 def all_words(raw: str) -> str:
