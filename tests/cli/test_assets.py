@@ -57,7 +57,7 @@ def test_objects_are_added_checked_and_split_with_near_duplicates_together(tmp_p
     again = probe("add", "gltf", things, "--licence", "MIT", "--workers", 1, home=tmp_path)
     assert "0 added, 3 skipped, 1 refused" in again
     assert "own_tray" in probe("list", "--pool", "own", home=tmp_path)
-    assert "4 objects: 3 OK, 1 refused" in probe("check", things, home=tmp_path)
+    assert "4 objects: 3 OK, 1 refused" in probe("check", things, home=tmp_path, status=1)
     split = tmp_path / "split.json"
     probe("split", "--pool", "own", "--out", split, "--workers", 1, home=tmp_path)
     parts = json.loads(split.read_text())["parts"]

@@ -43,6 +43,18 @@ def typed(*words: str | Path, **more: str) -> str:
     return ended.stdout
 
 
+def refused(*words: str | Path) -> str:
+    """What a command prints that must end with status 1."""
+    ended = subprocess.run(
+        [sys.executable, "-m", "probe", *map(str, words)],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+    )
+    assert ended.returncode == 1, ended.stdout + ended.stderr
+    return ended.stdout
+
+
 def probe(*words: str | Path) -> str:
     return typed(sys.executable, "-m", "probe", *words)
 
@@ -94,7 +106,7 @@ def test_other_arms_show_what_they_should(tmp_path, arm, pictures):
     assert [pictures_in(body) for body in asked(server)] == [pictures]
     (record,) = read_records(tmp_path / "out" / RECORDS)
     assert record.arm == arm
-    said = probe("audit", tmp_path / "out", "--replay", "all")
+    said = refused("audit", tmp_path / "out", "--replay", "all")
     assert f"1 can't be replayed: a model answered in words (arm {arm})" in said
 
 
@@ -154,7 +166,7 @@ def test_a_pointer_is_asked_at_the_endpoint_too(tmp_path):
     assert (models[0], models[-1]) == ("mine", "mine") and "eyes" in models
     # The server counts 100 tokens for each request, a dollar each; only the pointer has a price.
     assert record.seat and record.seat.cost == 100 * models.count("eyes")
-    said = probe("audit", tmp_path / "out", "--replay", "all")
+    said = refused("audit", tmp_path / "out", "--replay", "all")
     assert "1 can't be replayed: perception asked a model (pointer openai-api/" in said
 
 
