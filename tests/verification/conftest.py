@@ -1,17 +1,5 @@
 """One render worker and one library for all tests of a module."""
 
-import pytest
+from one_renderer import library, renderer
 
-from probe.assets.library import Library, open_library
-from probe.render.renderer import Renderer
-
-
-@pytest.fixture(scope="module")
-def renderer():
-    with Renderer() as it:
-        yield it
-
-
-@pytest.fixture(scope="module")
-def library(cache) -> Library:
-    return open_library("procedural", None, cache)
+__all__ = ["library", "renderer"]

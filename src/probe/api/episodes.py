@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from types import TracebackType
 
 from probe.api.scenes import running
 from probe.assets.library import Library
 from probe.episodes.episode import Episode
-from probe.episodes.noise import NOISES, Noise, NoiseName
+from probe.episodes.noise import Noise, NoiseName, noise_of
 from probe.episodes.play import open_episode as _open_episode
 from probe.episodes.play import play as _play
+from probe.episodes.play import replay_afresh
 from probe.episodes.play import score as _score
-from probe.episodes.play import set_table
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import differences
-from probe.episodes.replay import replay as _replay
 from probe.episodes.turns import Agent, Call, Question
 from probe.perception.choice import Perceiver, ideal
 from probe.render.photograph import load_scene
@@ -32,13 +32,13 @@ class OpenEpisode:
     """
 
     def __init__(
-        self, task: Task, episode: Episode, library: Library, renderer: Renderer, *, ours: bool
+        self, task: Task, episode: Episode, library: Library, renderer: Renderer, started: ExitStack
     ) -> None:
         self.task = task
         self._episode = episode
         self._library = library
         self._renderer = renderer
-        self._ours = ours
+        self._started = started
 
     @property
     def question(self) -> Question:
@@ -73,8 +73,7 @@ class OpenEpisode:
 
     def close(self) -> None:
         """End the renderer, if it was started for this episode."""
-        if self._ours:
-            self._renderer.close()
+        self._started.close()
 
     def __enter__(self) -> OpenEpisode:
         return self
@@ -111,8 +110,8 @@ def open_episode(
         NoGraphicsDriver: The machine has no Vulkan driver.
         UnknownName: The library lacks an object of the task.
     """
-    drawing = renderer or Renderer()
-    try:
+    with ExitStack() as started:
+        drawing = started.enter_context(running(renderer))
         table = library.table(task.scene.table)
         episode = _open_episode(
             task,
@@ -121,14 +120,10 @@ def open_episode(
             table,
             drawing,
             run=run,
-            noise=_noise(noise),
+            noise=noise_of(noise),
             perceiver=perceiver,
         )
-    except BaseException:
-        if renderer is None:
-            drawing.close()
-        raise
-    return OpenEpisode(task, episode, library, drawing, ours=renderer is None)
+        return OpenEpisode(task, episode, library, drawing, started.pop_all())
 
 
 def play(
@@ -165,7 +160,7 @@ def play(
     with running(renderer) as drawing:
         table = library.table(task.scene.table)
         return _play(
-            task, agent, called, library, table, drawing, run, _noise(noise), pictures=pictures
+            task, agent, called, library, table, drawing, run, noise_of(noise), pictures=pictures
         )
 
 
@@ -204,20 +199,5 @@ def replay(
         same byte for byte, times apart.
     """
     with running(renderer) as drawing:
-        tools, station = set_table(
-            task,
-            library,
-            library.table(task.scene.table),
-            drawing,
-            pictures=False,
-            noise=record.noise,
-            conditions=record.conditions,
-            sight=record.sight,
-            run=record.run,
-        )
-        again = _replay(record, tools, station)
+        again = replay_afresh(task, record, library, drawing)
     return again, differences(record, again)
-
-
-def _noise(noise: Noise | NoiseName) -> Noise:
-    return NOISES[noise] if isinstance(noise, str) else noise

@@ -9,14 +9,14 @@ from pathlib import Path
 from probe.api.agents import AgentName, make_agent
 from probe.api.progress import Track, silent
 from probe.api.resources import cache_folder, everything
-from probe.assets.library import open_all
+from probe.assets.library import Library, open_all
 from probe.episodes.files import read_records as _read_records
 from probe.episodes.folder import RECORDS
-from probe.episodes.noise import NOISES, Noise, NoiseName
+from probe.episodes.noise import Noise, NoiseName, noise_of
 from probe.episodes.record import EpisodeRecord
 from probe.runs.plan import RunOrder
 from probe.runs.run import begun, work
-from probe.runs.work import WorkerSetup
+from probe.runs.work import AgentOf, WorkerSetup
 from probe.tasks.suite import Suite, check_objects
 
 
@@ -51,10 +51,8 @@ def run(
     """
     folder, things = Path(out), everything()
     check_objects(suite, things)
-    level = NOISES[noise] if isinstance(noise, str) else noise
-    order = RunOrder(agent, runs, level)
-    library = partial(open_all, things.assets, things.cache, things.own)
-    setup = WorkerSetup(order, library, make_agent, cache_folder() / "light")
+    order = RunOrder(agent, runs, noise_of(noise))
+    setup = worker_setup(order, make_agent, things)
     with (
         begun(folder, suite, order) as start,
         closing(work(folder, start.jobs, setup, workers)) as results,
@@ -62,6 +60,12 @@ def run(
         for _ in track(results, f"{agent} at work"):
             pass
     return read_records(folder)
+
+
+def worker_setup(order: RunOrder, agent_of: AgentOf, things: Library) -> WorkerSetup:
+    """What workers are told that run an order with the objects of a library."""
+    library = partial(open_all, things.assets, things.cache, things.own)
+    return WorkerSetup(order, library, agent_of, cache_folder() / "light")
 
 
 def read_records(path: str | Path) -> list[EpisodeRecord]:

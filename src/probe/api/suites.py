@@ -8,9 +8,8 @@ from pathlib import Path
 from probe.api.progress import Track, silent
 from probe.api.resources import Pool, opener, tables_for
 from probe.assets.library import Library
-from probe.generation.build import BuildResources, assemble, fill, places_of
-from probe.generation.build_folder import BuildFolder, BuildSettings
-from probe.generation.salt_file import salt_of
+from probe.generation.build import BuildResources, assemble, begin, fill, places_of
+from probe.generation.build_folder import BuildFolder
 from probe.render.renderer import Renderer
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import check_new_name, find_suite
@@ -74,9 +73,7 @@ def build_suite(
     check_new_name(path.stem, path)
     folder, library = BuildFolder(path.with_suffix(".parts")), open_library(pool)
     places = places_of(counts, first)
-    salt = salt_of(folder, public=public)
-    commitment = salt.commitment if salt else None
-    folder.claim(BuildSettings(pool=pool, unchecked=not certified, commitment=commitment))
+    salt = begin(folder, pool, public=public, unchecked=not certified)
     with Renderer() as renderer:
         resources = BuildResources(library, tables_for(pool), renderer, not certified, salt)
         for place in track(places, "Building"):

@@ -10,9 +10,9 @@ from pathlib import Path
 
 from probe.assets.library import Library
 from probe.audit.audit_file import ReplayVerdict
-from probe.episodes.play import set_table
+from probe.episodes.play import replay_afresh
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.replay import differences, replay
+from probe.episodes.replay import differences
 from probe.render.renderer import Renderer
 from probe.runs.vary import vary
 from probe.tasks.suite import Suite, check_objects, part
@@ -90,17 +90,6 @@ def _difference(claim: Claim, things: Library, renderer: Renderer) -> str:
         (made,) = vary((claim.base,), record.conditions, things, renderer)
         if made.task != task:
             return "its table isn't what its conditions make of the packaged task"
-    tools, station = set_table(
-        task,
-        things,
-        things.table(task.scene.table),
-        renderer,
-        pictures=False,
-        noise=record.noise,
-        conditions=record.conditions,
-        sight=record.sight,
-        run=record.run,
-    )
-    found = differences(record, replay(record, tools, station))
+    found = differences(record, replay_afresh(task, record, things, renderer))
     more = f", and {len(found) - _SHOWN} more" if len(found) > _SHOWN else ""
     return ", ".join(found[:_SHOWN]) + more

@@ -18,12 +18,14 @@ _SHOWN = 10
 
 def tell_checks(out: Path, suite: Suite, audit: Audit) -> None:
     """What the checks found; they would have raised what doesn't agree."""
+    identity = identity_of(suite)
     say(
-        f"{out}: {len(audit.claims)} results on {_kind_of(out, suite)}. All agree with themselves, "
-        f"their tasks and the folder's notes; {_missing(*audit.missing)}."
+        f"{out}: {len(audit.claims)} results on {identity.title}{_under(out, suite)}. "
+        "All agree with themselves, their tasks and the folder's notes; "
+        f"{_missing(*audit.missing)}."
     )
-    if remark := identity_of(suite).remark:
-        say(f"{out}: {remark}.")
+    if identity.remark:
+        say(f"{out}: {identity.remark}.")
     if audit.foreign:
         say(f"{out}: {AUDIT} was not made here: its verdicts don't count.")
 
@@ -34,12 +36,11 @@ def _missing(missing: int, total: int) -> str:
     return f"{missing} of {total} episodes {'is' if missing == 1 else 'are'} missing"
 
 
-def _kind_of(out: Path, suite: Suite) -> str:
-    identity, variation = identity_of(suite), read_variation(out)
-    under = f", under {variation.conditions}" if variation else ""
-    if suite.name in packaged_suites():
-        under = under or ", as packaged"
-    return f"{identity.title}{under}"
+def _under(out: Path, suite: Suite) -> str:
+    """In what a folder's tasks are or aren't those of the package."""
+    if variation := read_variation(out):
+        return f", under {variation.conditions}"
+    return ", as packaged" if suite.name in packaged_suites() else ""
 
 
 def tell_verdicts(audit: Audit) -> None:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from contextlib import closing
-from functools import partial
 from pathlib import Path
 
-from probe.api.resources import cache_folder
-from probe.assets.library import Library, open_all
+from probe.api.runs import worker_setup
+from probe.assets.library import Library
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.screen import bar, say, say_above
 from probe.cli.variation import varied
@@ -16,7 +15,7 @@ from probe.errors import Unfinished
 from probe.runs.plan import RunOrder
 from probe.runs.run import RunStart, begun, work
 from probe.runs.vary import changes_scenes
-from probe.runs.work import AgentOf, WorkerSetup
+from probe.runs.work import AgentOf
 from probe.tasks.suite import Suite, check_objects
 
 AGAIN = "The same command tries them again."
@@ -44,12 +43,11 @@ def run_order(
     check_objects(suite, things)
     if changes_scenes(order.conditions):
         suite = varied(suite, order.conditions, things, out)
-    library = partial(open_all, things.assets, things.cache, things.own)
-    place = WorkerSetup(order, library, agent_of, cache_folder() / "light")
+    setup = worker_setup(order, agent_of, things)
     faults = 0
     with begun(out, suite, order) as beginning:
         _tell(beginning, out)
-        with bar() as progress, closing(work(out, beginning.jobs, place, workers)) as results:
+        with bar() as progress, closing(work(out, beginning.jobs, setup, workers)) as results:
             doing = f"{order.agent} at work"
             total = len(beginning.jobs) + beginning.done
             line = progress.add_task(doing, total=total, completed=beginning.done)

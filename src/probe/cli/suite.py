@@ -24,15 +24,15 @@ from probe.generation.build import (
     BuildResources,
     assemble,
     assemble_unsolved,
+    begin,
     fill,
     places_of,
     why_none,
 )
-from probe.generation.build_folder import BuildFolder, BuildSettings, CandidateLog, TaskSlot
+from probe.generation.build_folder import BuildFolder, CandidateLog, TaskSlot
 from probe.generation.feasibility import possibilities
 from probe.generation.plan import ATTEMPTS
 from probe.generation.salt import Salt
-from probe.generation.salt_file import salt_of
 from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
 from probe.tasks.suite_file import check_new_name, find_suite
@@ -88,9 +88,7 @@ def build(
     if not places:
         raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
     part = parse_shard(shard)
-    salt = salt_of(parts, public=public)
-    commitment = salt.commitment if salt else None
-    parts.claim(BuildSettings(pool=pool, unchecked=unchecked, commitment=commitment))
+    salt = begin(parts, pool, public=public, unchecked=unchecked)
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt)
     with Renderer() as renderer:

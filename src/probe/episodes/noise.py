@@ -42,6 +42,11 @@ NOISES: dict[NoiseName, Noise] = {"none": Noise(), "paper": Noise(grasp=0.0135)}
 NO_NOISE = NOISES["none"]
 
 
+def noise_of(noise: Noise | NoiseName) -> Noise:
+    """A noise, given as it is or by its name."""
+    return NOISES[noise] if isinstance(noise, str) else noise
+
+
 class NoisySkills:
     """Skills, carried out by a hand that errs.
 

@@ -13,6 +13,7 @@ from probe.episodes.grading import grade_episode, question_of
 from probe.episodes.ideal_grasp import IdealGrasp
 from probe.episodes.noise import NO_NOISE, Noise, NoisySkills
 from probe.episodes.record import EpisodeRecord
+from probe.episodes.replay import replay
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Agent
 from probe.perception.choice import Perceiver, dialled, ideal
@@ -169,6 +170,31 @@ def open_episode(
     )
     question = question_of(task, tools.first_picture())
     return Episode(task.id, question, tools, station, agent_name=agent_name, run=run, noise=noise)
+
+
+def replay_afresh(
+    task: Task, record: EpisodeRecord, library: Library, renderer: Renderer
+) -> EpisodeRecord:
+    """Set a record's table as it stood at the start and do its calls again, without pictures.
+
+    Args:
+        task: What the record is about.
+        record: Of an agent without a model that points.
+        library: Has the task's objects.
+        renderer: Draws what the station sees; what was loaded in it is replaced.
+    """
+    tools, station = set_table(
+        task,
+        library,
+        library.table(task.scene.table),
+        renderer,
+        pictures=False,
+        noise=record.noise,
+        conditions=record.conditions,
+        sight=record.sight,
+        run=record.run,
+    )
+    return replay(record, tools, station)
 
 
 def score(task: Task, record: EpisodeRecord, renderer: Renderer) -> Score:

@@ -16,6 +16,7 @@ from probe.generation.build_folder import (
     RESTLESS,
     UNSOLVED,
     BuildFolder,
+    BuildSettings,
     CandidateLog,
     TaskSlot,
 )
@@ -25,6 +26,7 @@ from probe.generation.plan import ATTEMPTS
 from probe.generation.restored_stage import RestoredStage
 from probe.generation.result import Rejection, TaskCandidate
 from probe.generation.salt import Salt
+from probe.generation.salt_file import salt_of
 from probe.generation.solve import SolveAttempt, noted, trials
 from probe.render.renderer import Renderer
 from probe.tasks.suite import freeze
@@ -48,6 +50,21 @@ class BuildResources:
     renderer: Renderer
     unchecked: bool = False
     salt: Salt | None = None
+
+
+def begin(folder: BuildFolder, pool: str, *, public: bool, unchecked: bool) -> Salt | None:
+    """Begin a build in a folder, or take it up: its salt, and the settings it was begun with.
+
+    Returns:
+        The salt; None of a public suite.
+
+    Raises:
+        BadData: The folder was begun otherwise, or its salt is missing or another one.
+    """
+    salt = salt_of(folder, public=public)
+    commitment = salt.commitment if salt else None
+    folder.claim(BuildSettings(pool=pool, unchecked=unchecked, commitment=commitment))
+    return salt
 
 
 def places_of(counts: Mapping[QuestionKind, int], first: int) -> list[TaskSlot]:
