@@ -50,8 +50,10 @@ def seventh(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Generator[Path]:
         del sys.modules[name]
 
 
-def test_there_are_six_in_alphabetical_order():
-    assert question_types() == ("beneath", "compare", "count", "find", "reduce", "size")
+def test_types_come_in_alphabetical_order():
+    six = ("beneath", "compare", "count", "find", "reduce", "size")
+    assert tuple(name for name in question_types() if name in six) == six
+    assert list(question_types()) == sorted(question_types())
 
 
 def test_beneath_holds_nothing_but_its_parts():

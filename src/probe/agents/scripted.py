@@ -8,7 +8,7 @@ import numpy as np
 
 from probe.agents.moves import Plan, Way
 from probe.agents.phrases import Say, silent
-from probe.agents.type_plan import Assignment, plan_for
+from probe.agents.type_plan import ScriptedQuestion, plan_for
 from probe.episodes.turns import Call, Question, Turn
 
 
@@ -62,7 +62,7 @@ class Scripted:
             return None
 
     def _planned(self, question: Question) -> Plan[None]:
-        assignment = Assignment(
+        asked = ScriptedQuestion(
             question, self._subject, self._form, self._first, self._rng, self._bold, self._say
         )
-        return plan_for(self._kind).begin(assignment)
+        return plan_for(self._kind).begin(asked)

@@ -15,7 +15,7 @@ from probe.tasks.registry import part_of
 
 
 @dataclass(frozen=True, eq=False)
-class Assignment:
+class ScriptedQuestion:
     """One question for a scripted agent, and how it is to go about it.
 
     Attributes:
@@ -81,7 +81,7 @@ class TypePlan:
         at_sight: Answers where the first look shows the evidence, else None.
     """
 
-    begin: Callable[[Assignment], Plan[None]]
+    begin: Callable[[ScriptedQuestion], Plan[None]]
     at_sight: Callable[[FirstLookQuestion, Say], FirstLookAnswer | None] = hidden_at_first
 
 

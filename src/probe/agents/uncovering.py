@@ -9,7 +9,7 @@ from probe.agents.clearing import Search
 from probe.agents.moves import Plan, answer, none_of_them
 from probe.agents.phrases import Reason
 from probe.agents.reading import Box, Graph, same
-from probe.agents.type_plan import Assignment
+from probe.agents.type_plan import ScriptedQuestion
 from probe.episodes.turns import Question
 
 _MARGIN_PX = 40
@@ -25,26 +25,26 @@ class FoundAnswer:
     slots: Mapping[str, str]
 
 
-def conclude(assignment: Assignment, found: FoundAnswer | None, search: Search) -> Plan[None]:
+def conclude(asked: ScriptedQuestion, found: FoundAnswer | None, search: Search) -> Plan[None]:
     """Answer; without evidence by chance if bold, else not at all."""
-    if found is None and assignment.bold:
-        options = assignment.question.options
+    if found is None and asked.bold:
+        options = asked.question.options
         found = FoundAnswer(options[int(search.rng.integers(len(options)))][0], "guess", {})
     if found is not None:
         words = search.say(found.occasion, {"letter": found.letter, **found.slots})
         yield from answer(found.letter, words=words)
 
 
-def uncover(assignment: Assignment, names: Sequence[str], why: Reason) -> Plan[None]:
+def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[None]:
     """Clear away all that is named, then what lies there still, and name what comes to light.
 
     Args:
-        assignment: The question.
+        asked: The question.
         names: What is to be cleared away.
         why: The reason.
     """
-    question = assignment.question
-    search = Search(lambda seen: False, assignment.first, assignment.rng, say=assignment.say)
+    question = asked.question
+    search = Search(lambda seen: False, asked.first, asked.rng, say=asked.say)
     yield from search.begin()
     known = {seen.name for seen in search.graph.named}
     place = _around([seen.box for name in names for seen in search.graph.called(name)])
@@ -64,7 +64,7 @@ def uncover(assignment: Assignment, names: Sequence[str], why: Reason) -> Plan[N
             yield from search.clear(highest, why)
         elif not (yield from _clear_around(search, place, known)):
             break
-    yield from conclude(assignment, found, search)
+    yield from conclude(asked, found, search)
 
 
 def _around(boxes: Sequence[Box]) -> Box | None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from probe.generation.salt import Salt
 from probe.generation.task_generator import generator_of
-from probe.generation.task_plan import CROSSED, LETTER, TaskPlan, Turn
+from probe.generation.task_plan import CROSSED, LETTER, PlannedProperty, TaskPlan
 from probe.scene.seeds import generator
 from probe.tasks.task import QUESTION_TYPES, QuestionType
 from probe.tasks.type_rules import rules_of
@@ -34,7 +34,7 @@ def plan_of(question_type: QuestionType, episode: int, salt: Salt | None = None)
     """
     texts = wordings(question_type)
 
-    def place_of(turn: Turn[Any]) -> int:
+    def place_of(turn: PlannedProperty[Any]) -> int:
         block, place = divmod(episode, len(turn.values))
         if salt is None:
             rng = generator(block, "plan", question_type, turn.purpose)
@@ -44,7 +44,7 @@ def plan_of(question_type: QuestionType, episode: int, salt: Salt | None = None)
 
     lettered, *others = _turns(question_type)
     letter = lettered.values[place_of(lettered)]
-    wording = place_of(Turn("wording", texts))
+    wording = place_of(PlannedProperty("wording", texts))
     return TaskPlan(
         letter=letter[0],
         wording=wording,
@@ -59,7 +59,7 @@ def block_of(question_type: QuestionType, seed: int) -> int:
     return seed // ATTEMPTS // math.lcm(len(wordings(question_type)), *lengths)
 
 
-def _turns(question_type: QuestionType) -> tuple[Turn[Any], ...]:
+def _turns(question_type: QuestionType) -> tuple[PlannedProperty[Any], ...]:
     """What a type is planned by, wordings apart; first what begins with the letter."""
     first = CROSSED if rules_of(question_type).paired else LETTER
     return (first, *generator_of(question_type).turns)

@@ -10,7 +10,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.generation.result import TaskCandidate
-from probe.generation.task_plan import TaskPlan, Turn
+from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.render.renderer import Renderer
 from probe.tasks.registry import part_of
 
@@ -34,7 +34,7 @@ class TaskGenerator:
     generate: Generate
     select: Select
     needs: str
-    turns: tuple[Turn[Any], ...] = ()
+    turns: tuple[PlannedProperty[Any], ...] = ()
 
 
 def generator_of(question_type: str) -> TaskGenerator:

@@ -22,7 +22,7 @@ class TaskPlan:
         wording: Which of the type's wordings asks.
         form: That wording's.
         places: Of each property that the type is planned by, by its purpose, which of its values it
-            takes; see Turn.of().
+            takes; see PlannedProperty.of().
     """
 
     letter: Letter
@@ -32,7 +32,7 @@ class TaskPlan:
 
 
 @dataclass(frozen=True)
-class Turn(Generic[_T]):
+class PlannedProperty(Generic[_T]):
     """A property that takes each of its values equally often in every block of episodes.
 
     Attributes:
@@ -52,11 +52,11 @@ class Turn(Generic[_T]):
         return replace(plan, places={**plan.places, self.purpose: self.values.index(value)})
 
 
-LETTER = Turn[Letter]("letter", LETTERS)
+LETTER = PlannedProperty[Letter]("letter", LETTERS)
 """The right letter, of types with five options."""
 
-CROSSED = Turn("crossed", tuple(product(PAIR, (True, False), (True, False))))
+CROSSED = PlannedProperty("crossed", tuple(product(PAIR, (True, False), (True, False))))
 """Of types about two marked things: the right letter and two cues of what shows."""
 
-MORE_CUES = Turn("cues", tuple(product((True, False), repeat=2)))
+MORE_CUES = PlannedProperty("cues", tuple(product((True, False), repeat=2)))
 """Of types about two marked things: two more cues."""

@@ -10,7 +10,7 @@ from probe.agents.marks import Both, guess_mark, marked_at_sight, uncover_both
 from probe.agents.moves import Plan, answer
 from probe.agents.phrases import Say
 from probe.agents.reading import Seen
-from probe.agents.type_plan import Assignment, FirstLookAnswer, FirstLookQuestion, TypePlan
+from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
 
 _MIDDLE = 50
 """L* of what isn't known."""
@@ -23,24 +23,24 @@ _LIGHTNESS = {
 }  # fmt: skip
 
 
-def _begin(assignment: Assignment) -> Plan[None]:
+def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Uncover both marked things and go by the colours that their descriptions name first."""
-    form, bold, say = assignment.form, assignment.bold, assignment.say
-    search = Search(lambda seen: False, assignment.first, assignment.rng, say=say)
+    form, bold, say = asked.form, asked.bold, asked.say
+    search = Search(lambda seen: False, asked.first, asked.rng, say=say)
     yield from search.begin()
-    like = search.graph.called(assignment.subject) if form == "like" else ()
-    wanted = _wanted_colour(form, assignment.subject, like)
+    like = search.graph.called(asked.subject) if form == "like" else ()
+    wanted = _wanted_colour(form, asked.subject, like)
     both: Both = (None, None)
     letter: str | None = None
     if wanted or form == "darker":
-        both = yield from uncover_both(assignment.question, search, bold=bold)
+        both = yield from uncover_both(asked.question, search, bold=bold)
         letter = _fitting(form, wanted, both) if bold or all(both) else None
     if letter and all(both):
         yield from answer(letter, words=_reason(form, letter, both, say))
     elif letter:
         yield from answer(letter, words=say("guess", {"letter": letter}))
     elif bold:
-        yield from guess_mark(assignment.rng, say)
+        yield from guess_mark(asked.rng, say)
 
 
 def _wanted_colour(form: str, subject: str, like: Sequence[Seen]) -> list[str]:

@@ -26,7 +26,7 @@ from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.stage import Poses, Stage
 from probe.generation.task_generator import TaskGenerator
-from probe.generation.task_plan import TaskPlan, Turn
+from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.generation.twins import build_nest, right_above
 from probe.generation.visibility_rules import is_clear, is_hidden
@@ -43,7 +43,7 @@ NESTS = 2
 """Things hidden beneath others in every scene; those that aren't counted are there as decoys, so
 that a suspicious cover tells nothing."""
 
-INSTANCES = Turn("count", tuple(product(range(4), range(3))))
+INSTANCES = PlannedProperty("count", tuple(product(range(4), range(3))))
 """How many instances are clear, and how many hidden."""
 
 _FEWEST, _MOST = 12, 15

@@ -8,19 +8,19 @@ from probe.agents.clearing import Search
 from probe.agents.moves import Plan, none_of_them
 from probe.agents.phrases import Say
 from probe.agents.reading import Seen, same
-from probe.agents.type_plan import Assignment, FirstLookAnswer, FirstLookQuestion, TypePlan
+from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
 from probe.agents.uncovering import FoundAnswer, conclude
 from probe.episodes.turns import Question
 
 
-def _begin(assignment: Assignment) -> Plan[None]:
+def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Clear away all else that could hide one, keep those that count, and take the most seen."""
-    name = assignment.subject
+    name = asked.subject
 
     def counts(seen: Seen) -> bool:
         return same(seen.name or "", name)
 
-    search = Search(counts, assignment.first, assignment.rng, say=assignment.say)
+    search = Search(counts, asked.first, asked.rng, say=asked.say)
     yield from search.begin()
     most, now, gone = 0, len(search.graph.called(name)), 0
     while True:
@@ -32,9 +32,9 @@ def _begin(assignment: Assignment) -> Plan[None]:
         if search.removed_last:
             # What lay on the thing or in it went along.
             gone += max(0, before - now)
-    if search.complete or assignment.bold:
-        found = _counted(assignment.question, most, sure=search.complete)
-        yield from conclude(assignment, found, search)
+    if search.complete or asked.bold:
+        found = _counted(asked.question, most, sure=search.complete)
+        yield from conclude(asked, found, search)
 
 
 def _counted(question: Question, most: int, *, sure: bool) -> FoundAnswer | None:

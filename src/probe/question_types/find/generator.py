@@ -16,7 +16,7 @@ from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.stage import Layer, Poses, Stage
 from probe.generation.task_generator import TaskGenerator
-from probe.generation.task_plan import TaskPlan, Turn
+from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.generation.twins import Twin, check_hidden, draw_post, draw_twins, right_above
 from probe.generation.visibility_rules import PARTLY, is_partly_visible
@@ -32,7 +32,7 @@ LARGEST_HIDDEN, LARGEST_PARTLY = 0.11, 0.16
 """Longest side of what is to be found, metres."""
 
 _KEEP_OFF_HIDDEN, _KEEP_OFF_PARTLY = 0.8, 1.0
-PARTLY_SEEN = Turn("partly", (False, False, True))
+PARTLY_SEEN = PlannedProperty("partly", (False, False, True))
 """Whether the target is partly visible rather than hidden."""
 
 _NEST_TRIES = 8

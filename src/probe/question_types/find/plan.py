@@ -6,19 +6,19 @@ from probe.agents.clearing import Search
 from probe.agents.moves import Plan, answer, none_of_them
 from probe.agents.phrases import Say
 from probe.agents.reading import Graph, Seen, same
-from probe.agents.type_plan import Assignment, FirstLookAnswer, FirstLookQuestion, TypePlan
+from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
 from probe.episodes.turns import Question
 
 
-def _begin(assignment: Assignment) -> Plan[None]:
+def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Clear things away until one of the options shows, and point at it."""
-    question, say = assignment.question, assignment.say
+    question, say = asked.question, asked.say
     options = [text for _, text in question.options]
 
     def offered(seen: Seen) -> bool:
         return any(same(seen.name or "", option) for option in options)
 
-    search = Search(offered, assignment.first, assignment.rng, say=say)
+    search = Search(offered, asked.first, asked.rng, say=say)
     yield from search.begin()
     while not (shown := _shown_options(question, search.graph)) and not search.complete:
         if not (yield from search.clear_one()):
@@ -27,7 +27,7 @@ def _begin(assignment: Assignment) -> Plan[None]:
         letter, seen = shown[0]
         words = say("find", {"thing": seen.name or "", "letter": letter})
         yield from answer(letter, seen.point, words)
-    elif (search.complete or assignment.bold) and (none := none_of_them(question)):
+    elif (search.complete or asked.bold) and (none := none_of_them(question)):
         words = say("find none" if search.complete else "guess", {"letter": none})
         yield from answer(none, words=words)
 

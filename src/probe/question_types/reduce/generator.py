@@ -19,7 +19,7 @@ from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.stage import Layer, Stage
 from probe.generation.task_generator import TaskGenerator
-from probe.generation.task_plan import TaskPlan, Turn
+from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.generation.twins import Lay, Twin, check_hidden, draw_post, draw_twins, right_above
 from probe.generation.visibility_rules import (
@@ -41,7 +41,7 @@ LARGEST, LARGEST_BENEATH_MORE = 0.09, 0.05
 MOST_REVEALED = PARTLY[1]
 """Visible share that the hidden thing may reach when only one of several is gone."""
 
-REMOVALS = Turn("removals", (1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 5))
+REMOVALS = PlannedProperty("removals", (1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 5))
 """How many things are to be removed."""
 
 _HIDING = 2

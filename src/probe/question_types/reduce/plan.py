@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from probe.agents.moves import Plan
 from probe.agents.phrases import Reason
-from probe.agents.type_plan import Assignment, TypePlan
+from probe.agents.type_plan import ScriptedQuestion, TypePlan
 from probe.agents.uncovering import uncover
 
 
-def _begin(assignment: Assignment) -> Plan[None]:
-    return uncover(assignment, assignment.subject.split(", "), Reason("named"))
+def _begin(asked: ScriptedQuestion) -> Plan[None]:
+    return uncover(asked, asked.subject.split(", "), Reason("named"))
 
 
 PLAN = TypePlan(_begin)

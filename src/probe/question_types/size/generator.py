@@ -30,7 +30,7 @@ from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.size_cues import WINDOWS, SizeCues, VisiblePatch, are_within, leads_of
 from probe.generation.sizes import extent_of
 from probe.generation.task_generator import TaskGenerator
-from probe.generation.task_plan import CROSSED, MORE_CUES, TaskPlan, Turn
+from probe.generation.task_plan import CROSSED, MORE_CUES, PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -39,7 +39,7 @@ from probe.tasks.task import PAIR
 from probe.tasks.truth import Extent, which_size
 from probe.types import Array
 
-LIGHTER = Turn("lighter", (True, False))
+LIGHTER = PlannedProperty("lighter", (True, False))
 """Whether the larger thing is the lighter one."""
 
 _PAIRS = 400

@@ -9,21 +9,21 @@ from probe.agents.marks import guess_mark, marked_at_sight, uncover_both
 from probe.agents.moves import Plan, answer
 from probe.agents.phrases import Say
 from probe.agents.reading import Seen
-from probe.agents.type_plan import Assignment, FirstLookAnswer, FirstLookQuestion, TypePlan
+from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
 
 
-def _begin(assignment: Assignment) -> Plan[None]:
+def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Uncover both marked things and go by the boxes that they then have."""
-    form, say = assignment.form, assignment.say
-    search = Search(lambda seen: False, assignment.first, assignment.rng, say=say)
+    form, say = asked.form, asked.say
+    search = Search(lambda seen: False, asked.first, asked.rng, say=say)
     yield from search.begin()
-    one, other = yield from uncover_both(assignment.question, search, bold=assignment.bold)
+    one, other = yield from uncover_both(asked.question, search, bold=asked.bold)
     if one is not None and other is not None:
         letter = _larger(form, one, other)
         slots = {"one": one.name or "", "two": other.name or "", "letter": letter}
         yield from answer(letter, words=say(f"size {form}", slots))
-    elif assignment.bold:
-        yield from guess_mark(assignment.rng, say)
+    elif asked.bold:
+        yield from guess_mark(asked.rng, say)
 
 
 def _larger(form: str, one: Seen, other: Seen) -> str:
