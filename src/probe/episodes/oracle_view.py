@@ -17,7 +17,6 @@ from probe.perception.oracle import SEEN_SHARE
 from probe.render.lighting import light_of
 from probe.render.photograph import labels_of, load_scene, photograph
 from probe.render.renderer import Renderer
-from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
 from probe.scene.viewpoint import Viewpoint
 from probe.tasks.marks import drawn
@@ -77,7 +76,7 @@ def vanishing(task: Task, renderer: Renderer, camera: Camera | None = None) -> s
         return {task.cover}
     if task.named:
         return set(task.named)
-    outlines = renderer.outlines(task.scene.objects, camera or top_camera())
+    outlines = renderer.outlines(task.scene.objects, camera or task.scene.setup.camera())
     see = partial(labels_of, renderer, camera=camera)
     if task.marks:
         return _over(task.scene, set(task.targets), set(task.targets), outlines, see)

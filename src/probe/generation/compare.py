@@ -45,7 +45,7 @@ def generate_compare(
     """
     rng = generator(seed, "compare")
     asked, cast = select_compare(library, plan, rng)
-    made = build_set(cast, seed, library, renderer, tables, rng)
+    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup)
     twins = asked.twins[0].id, asked.twins[1].id
     more_of_a = plan.cues[1] == (plan.letter == PAIR[0])
     nests = draw_unpainted(made, twins, library, asked.facing, more_of_a, rng)

@@ -46,9 +46,9 @@ def generate_find(
     rng = generator(seed, "find")
     cast = select_find(library, plan, rng)
     post = draw_post(cast.covers, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
-    stage = Stage(cast.specs, library, [post])
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
+    stage = Stage(cast.specs, library, [post], plan.setup)
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
     if plan.partly:
         scene, twins = _partly_scene(cast, stage, post, view, frame, rng), ()
     else:

@@ -10,6 +10,7 @@ from typing import TypeVar
 
 from probe.generation.salt import Salt
 from probe.scene.seeds import generator
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, Letter, QuestionType
 from probe.tasks.type_rules import Form, rules_of
 from probe.tasks.wordings import wordings
@@ -56,6 +57,7 @@ class TaskPlan:
             shows of it is longer, and whether more of its outline adjoins things.
         longer_cover: Size: whether the longer cover lies on the larger thing.
         lighter: Size: whether the larger thing is the lighter one.
+        setup: The table it is for.
     """
 
     letter: Letter
@@ -68,6 +70,7 @@ class TaskPlan:
     cues: tuple[bool, bool, bool]
     longer_cover: bool
     lighter: bool
+    setup: Setup = UR5_TABLE
 
 
 def plan(question_type: QuestionType, seed: int) -> TaskPlan:
@@ -75,7 +78,9 @@ def plan(question_type: QuestionType, seed: int) -> TaskPlan:
     return plan_of(question_type, seed // ATTEMPTS)
 
 
-def plan_of(question_type: QuestionType, episode: int, salt: Salt | None = None) -> TaskPlan:
+def plan_of(
+    question_type: QuestionType, episode: int, salt: Salt | None = None, setup: Setup = UR5_TABLE
+) -> TaskPlan:
     """The plan of an episode, by its number.
 
     Each property runs through all its values in every block of consecutive episodes, in an order
@@ -107,6 +112,7 @@ def plan_of(question_type: QuestionType, episode: int, salt: Salt | None = None)
         cues=(first, second, third),
         longer_cover=longer_cover,
         lighter=turn("lighter", _LIGHTER),
+        setup=setup,
     )
 
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from probe.assets.library import Library
 from probe.errors import UnknownName
-from probe.scene.layout import top_camera
 from probe.tasks.options import CANDIDATES
 from probe.tasks.task import PAIR, QuestionType, Task
 
@@ -86,7 +85,7 @@ def _marks(task: Task, *, paired: bool) -> Iterator[str]:
     letters = [mark.letter for mark in task.marks]
     if letters != (list(PAIR) if paired else []):
         yield f"its marks are {letters or 'none'}"
-    camera = top_camera()
+    camera = task.scene.setup.camera()
     for mark in task.marks:
         u, v = mark.point
         if not (0 <= u < camera.width_px and 0 <= v < camera.height_px):
