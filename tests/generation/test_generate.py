@@ -23,8 +23,8 @@ from probe.question_types.find.generator import PARTLY_SEEN
 from probe.question_types.reduce.generator import REMOVALS
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
-from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
+from probe.scene.setup import UR5_TABLE
 from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionType, Task
 
 TABLES = ("oak_planks",)
@@ -170,7 +170,7 @@ def test_reduce(library: Library, renderer: Renderer):
 
 def check_marks(task: Task, measured: dict[int, tuple[float, int]], renderer: Renderer) -> None:
     """The two are partly hidden, and the marks lie well inside of what shows of them."""
-    labels = renderer.draw(task.scene.objects, top_camera(), rgb=False).labels
+    labels = renderer.draw(task.scene.objects, UR5_TABLE.camera(), rgb=False).labels
     assert labels is not None
     assert [mark.letter for mark in task.marks] == ["A", "B"]
     assert [option.text for option in task.options] == ["Object A", "Object B"]
@@ -206,7 +206,7 @@ def test_size(library: Library, renderer: Renderer, episode):
 
 def check_leads(task: Task, numbers: list[int], cues: tuple[bool, ...], renderer: Renderer):
     """By pixels, box and what adjoins, the larger thing leads or lags as planned, slightly."""
-    labels = renderer.draw(task.scene.objects, top_camera(), rgb=False).labels
+    labels = renderer.draw(task.scene.objects, UR5_TABLE.camera(), rgb=False).labels
     assert labels is not None
     corners = [np.argwhere(labels == number) for number in numbers]
     areas = [len(found) for found in corners]

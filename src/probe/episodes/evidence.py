@@ -11,7 +11,6 @@ import numpy as np
 from probe.perception.oracle import SEEN_SHARE
 from probe.render.photograph import labels_of
 from probe.render.renderer import Renderer
-from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
 from probe.tasks.task import Task
 from probe.types import Array, Camera
@@ -31,7 +30,7 @@ class TableSight:
     @cached_property
     def outlines(self) -> dict[int, Array]:
         """Where each object would show if it stood alone, bool, shape (h, w), by instance."""
-        return self.renderer.outlines(self.scene.objects, self.camera or top_camera())
+        return self.renderer.outlines(self.scene.objects, self.camera or self.scene.setup.camera())
 
     def labels(self, gone: Collection[int] = ()) -> Array:
         """Instance numbers of the picture without some instances, shape (h, w)."""

@@ -9,6 +9,7 @@ from probe.generation.salt import Salt
 from probe.generation.task_generator import generator_of
 from probe.generation.task_plan import CROSSED, LETTER, PlannedProperty, TaskPlan
 from probe.scene.seeds import generator
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.tasks.task import QUESTION_TYPES, QuestionType
 from probe.tasks.type_rules import rules_of
 from probe.tasks.wordings import wordings
@@ -25,7 +26,9 @@ def plan(question_type: QuestionType, seed: int) -> TaskPlan:
     return plan_of(question_type, seed // ATTEMPTS)
 
 
-def plan_of(question_type: QuestionType, episode: int, salt: Salt | None = None) -> TaskPlan:
+def plan_of(
+    question_type: QuestionType, episode: int, salt: Salt | None = None, setup: Setup = UR5_TABLE
+) -> TaskPlan:
     """The plan of an episode, by its number.
 
     Each property runs through all its values in every block of consecutive episodes, in an order
@@ -50,6 +53,7 @@ def plan_of(question_type: QuestionType, episode: int, salt: Salt | None = None)
         wording=wording,
         form=texts[wording].form,
         places={turn.purpose: place_of(turn) for turn in (lettered, *others)},
+        setup=setup,
     )
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 from typing import Generic, TypeVar
 
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.tasks.task import LETTERS, PAIR, Letter
 from probe.tasks.type_rules import Form
 
@@ -23,12 +24,14 @@ class TaskPlan:
         form: That wording's.
         places: Of each property that the type is planned by, by its purpose, which of its values it
             takes; see PlannedProperty.of().
+        setup: The table it is for.
     """
 
     letter: Letter
     wording: int
     form: Form
     places: Mapping[str, int]
+    setup: Setup = UR5_TABLE
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from probe.assets.library import Library
 from probe.errors import UnknownName
-from probe.scene.layout import top_camera
 from probe.tasks.task import PAIR, Task
 from probe.tasks.type_rules import rules_of
 from probe.verification.type_verifier import verifier_of
@@ -46,7 +45,7 @@ def _marks(task: Task, *, paired: bool) -> Iterator[str]:
     letters = [mark.letter for mark in task.marks]
     if letters != (list(PAIR) if paired else []):
         yield f"its marks are {letters or 'none'}"
-    camera = top_camera()
+    camera = task.scene.setup.camera()
     for mark in task.marks:
         u, v = mark.point
         if not (0 <= u < camera.width_px and 0 <= v < camera.height_px):

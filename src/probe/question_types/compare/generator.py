@@ -49,7 +49,7 @@ def generate_compare(
     rng = generator(seed, "compare")
     _, tells, more = CROSSED.of(plan)
     asked, cast = select_compare(library, plan, rng)
-    made = build_set(cast, seed, library, renderer, tables, rng)
+    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup)
     twins = asked.twins[0].id, asked.twins[1].id
     more_of_a = more == (plan.letter == PAIR[0])
     nests = draw_unpainted(made, twins, library, asked.facing, more_of_a, rng)

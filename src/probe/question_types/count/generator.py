@@ -80,11 +80,11 @@ def generate_count(
     visible, hidden_ones = INSTANCES.of(plan)
     cast = select_count(library, plan, rng)
     posts = _draw_posts(cast.covers, rng)
-    stage = Stage(cast.specs, library, posts)
+    stage = Stage(cast.specs, library, posts, plan.setup)
     table = tables[int(rng.integers(len(tables)))]
-    frame = SceneFrame.of(cast.specs, seed, table, rng)
+    frame = SceneFrame.of(cast.specs, seed, table, rng, plan.setup)
     scene = frame.scene(_settle(cast, stage, posts, rng))
-    view = SceneView(renderer, library, frame.ids.values())
+    view = SceneView(renderer, library, frame.ids.values(), plan.setup)
     hidden = [frame.number_of[number] for number in range(1, NESTS + 1)]
     _check(cast, scene, view, hidden)
     truth = how_many(scene, cast.counted.id)

@@ -50,9 +50,9 @@ def generate_find(
     rng = generator(seed, "find")
     cast, partly = select_find(library, plan, rng), PARTLY_SEEN.of(plan)
     post = draw_post(cast.covers, _KEEP_OFF_PARTLY if partly else _KEEP_OFF_HIDDEN, rng)
-    stage = Stage(cast.specs, library, [post])
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
+    stage = Stage(cast.specs, library, [post], plan.setup)
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
     if partly:
         scene, twins = _partly_scene(cast, stage, post, view, frame, rng), ()
     else:

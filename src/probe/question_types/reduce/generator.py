@@ -66,9 +66,9 @@ def generate_reduce(
     cast = select_reduce(library, plan, rng)
     many = REMOVALS.of(plan) >= _MANY
     post = draw_post(cast.covers, _KEEP_OFF_MANY if many else _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, [post])
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
+    stage = Stage(cast.specs, library, [post], plan.setup)
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
     judge = _Judge(cast, GhostRemoval(stage, view, frame))
     lay = _fanned(cast) if REMOVALS.of(plan) > 1 else right_above(cast.covering[0], cast.covers[0])
     hiding = min(_HIDING, REMOVALS.of(plan))

@@ -59,7 +59,7 @@ def generate_size(
     rng = generator(seed, "size")
     cast = select_size(library, plan, rng)
     a, b = (extent_of(library, spec.id) for spec in cast.marked)
-    made = build_set(cast, seed, library, renderer, tables, rng)
+    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup)
     view = made.view
     scene = settle_around(made, _nests(made, plan, rng), rng)
     labels, (first, second) = view.labels(scene), made.marked
