@@ -18,7 +18,14 @@ from probe.generation.stage import Layer, Poses, Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.twins import Twin, check_hidden, draw_post, draw_twins, right_above
+from probe.generation.twins import (
+    Twin,
+    build_nest,
+    check_hidden,
+    draw_post,
+    draw_twins,
+    right_above,
+)
 from probe.generation.visibility_rules import PARTLY, is_partly_visible
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
@@ -97,7 +104,11 @@ def _hidden_scene(
         check_hidden(seen)
 
     lay = right_above(cast.covering[0], cast.covers[0])
-    twins = draw_twins(cast, stage, post, lay, check, frame, rng)
+
+    def nest(target: int) -> Poses:
+        return build_nest(stage, target, lay, post, rng)
+
+    twins = draw_twins(cast, stage, nest, check, frame, rng)
     return twins[cast.draw_true(rng)].scene, tuple(twin.scene for twin in twins)
 
 

@@ -17,11 +17,19 @@ from probe.generation.object_selection import ObjectSelection, draw_cast, needs_
 from probe.generation.removal import GhostRemoval, RemovalView
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
-from probe.generation.stage import Layer, Stage
+from probe.generation.stage import Layer, Poses, Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.twins import Lay, Twin, check_hidden, draw_post, draw_twins, right_above
+from probe.generation.twins import (
+    Lay,
+    Twin,
+    build_nest,
+    check_hidden,
+    draw_post,
+    draw_twins,
+    right_above,
+)
 from probe.generation.visibility_rules import (
     CLEAR_SHARE,
     HIDDEN_SHARE,
@@ -72,7 +80,11 @@ def generate_reduce(
     judge = _Judge(cast, GhostRemoval(stage, view, frame))
     lay = _fanned(cast) if REMOVALS.of(plan) > 1 else right_above(cast.covering[0], cast.covers[0])
     hiding = min(_HIDING, REMOVALS.of(plan))
-    twins = draw_twins(cast, stage, post, lay, judge.check, frame, rng, hiding)
+
+    def nest(target: int) -> Poses:
+        return build_nest(stage, target, lay, post, rng, hiding)
+
+    twins = draw_twins(cast, stage, nest, judge.check, frame, rng)
     true = cast.draw_true(rng)
     scene = twins[true].scene
     ids = [spec.id for spec in cast.candidates]
