@@ -51,7 +51,7 @@ def oracle_view(
     task: Task, library: Library, renderer: Renderer, sight: Viewpoint | None = None
 ) -> OracleView:
     """Draw a task's evidence, as always or in another sight; replaces what was loaded before."""
-    sight = sight or Viewpoint()
+    sight = sight or task.viewpoint
     load_scene(renderer, task.scene, library, library.table(task.scene.table))
     light = light_of(sight.lighting, library.assets)
     first = photograph(renderer, task.scene, camera=sight.camera, light=light)
@@ -76,7 +76,8 @@ def vanishing(task: Task, renderer: Renderer, camera: Camera | None = None) -> s
         return {task.cover}
     if task.named:
         return set(task.named)
-    outlines = renderer.outlines(task.scene.objects, camera or task.scene.setup.camera())
+    camera = camera or task.viewpoint.camera
+    outlines = renderer.outlines(task.scene.objects, camera)
     see = partial(labels_of, renderer, camera=camera)
     if task.marks:
         return _over(task.scene, set(task.targets), set(task.targets), outlines, see)
