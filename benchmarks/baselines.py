@@ -25,7 +25,7 @@ from probe.scores.scorecard import Figure, Scorecard
 from probe.scores.summary import summarise
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
-from probe.tasks.task import KINDS
+from probe.tasks.task import QUESTION_TYPES
 
 RULES: tuple[AgentName, ...] = (
     "random",
@@ -111,16 +111,16 @@ def card_of(suite: Suite, entry: Entry, folder: Path, workers: int) -> Scorecard
 
 def head() -> Iterator[str]:
     """The table's first lines."""
-    titles = ["agent", "suite", "noise", "n", "macro (95 %)", *KINDS, "Find, letter alone"]
+    titles = ["agent", "suite", "noise", "n", "macro (95 %)", *QUESTION_TYPES, "Find, letter alone"]
     yield f"| {' | '.join(titles)} |"
     yield "|" + "---|" * len(titles)
 
 
 def row(entry: Entry, card: Scorecard) -> str:
     """An entrant's line."""
-    kinds = {figure.name: figure for figure in (*card.kinds, *card.parts)}
-    shown = [share(kinds.get(kind)) for kind in KINDS]
-    alone = share(next((f for name, f in kinds.items() if "letter" in name), None))
+    question_types = {figure.name: figure for figure in (*card.question_types, *card.parts)}
+    shown = [share(question_types.get(question_type)) for question_type in QUESTION_TYPES]
+    alone = share(next((f for name, f in question_types.items() if "letter" in name), None))
     cells = [entry.agent, entry.suite, entry.noise, str(card.macro.tasks), macro(card.macro)]
     return f"| {' | '.join([*cells, *shown, alone])} |"
 

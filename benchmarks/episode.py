@@ -73,7 +73,7 @@ def episode(task: Task, things: Library, renderer: Renderer) -> tuple[float, Met
     here, there = time.process_time(), worker_seconds(renderer)
     tools, station = set_table(task, things, table, renderer, pictures=False)
     metered = Metered(tools, renderer)
-    agent = Scripted(task.kind, task.subject, generator(task.seed, "run", "benchmark"))
+    agent = Scripted(task.question_type, task.subject, generator(task.seed, "run", "benchmark"))
     run_episode(
         task.id,
         question_of(task),

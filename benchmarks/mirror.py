@@ -29,7 +29,9 @@ def main(
         suite: Name, or a file that `probe suite build` wrote.
         out: File for them.
     """
-    mirrored = tuple(mirror(task) for task in find_suite(suite).tasks if task.kind == "compare")
+    mirrored = tuple(
+        mirror(task) for task in find_suite(suite).tasks if task.question_type == "compare"
+    )
     write_suite(out, freeze("mirror", mirrored, everything()))
     print(f"{len(mirrored)} tasks are in {out}.")
 

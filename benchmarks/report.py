@@ -65,7 +65,7 @@ def copies(run: Path, out: Path, count: int) -> Path:
     """A run folder of this many episodes. Find is left out: grading it takes drawing."""
     suite = read_suite(run / SUITE)
     tasks = {task.id: task for task in suite.tasks}
-    records = [it for it in read_records(run / RECORDS) if tasks[it.task].kind != "find"]
+    records = [it for it in read_records(run / RECORDS) if tasks[it.task].question_type != "find"]
     made: list[tuple[Task, EpisodeRecord]] = []
     for number in range(count):
         record = records[number % len(records)]
@@ -87,7 +87,7 @@ def copy(task: Task, record: EpisodeRecord, number: int) -> tuple[Task, EpisodeR
     def reseeded(table: TableState) -> TableState:
         return replace(table, scene=replace(table.scene, seed=number))
 
-    name = f"{task.kind}-{number:08x}"
+    name = f"{task.question_type}-{number:08x}"
     steps = tuple(replace(step, after=reseeded(step.after)) for step in record.steps)
     again = replace(
         record, task=name, agent="copy", run=0, start=reseeded(record.start), steps=steps

@@ -17,12 +17,12 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
-from probe.scores.arms import arm_effect
 from probe.scores.intervals import Interval, bootstrap, student
 from probe.scores.pairs import no_difference_p
 from probe.scores.power import PowerAssumptions, detectable_gap, expected_error
 from probe.scores.published import RUNS, printed_table, recount
-from probe.scores.simulated import draw_chances, draw_units, two_arms
+from probe.scores.setting_effect import setting_effect
+from probe.scores.simulated import draw_chances, draw_units, two_settings
 from probe.scores.units import Unit, strata_of
 from probe.types import Array
 
@@ -49,20 +49,20 @@ out = Console(width=120)
 
 @dataclass(frozen=True)
 class Scenario:
-    """How two arms of eight agents depend on tasks; see two_arms."""
+    """How two settings of eight agents depend on tasks; see two_settings."""
 
     name: str
     task: float
     agent: float
-    arm: float
+    setting: float
 
 
 SCENARIOS = (
-    Scenario("a task is as easy in both arms", 0.4, 0.6, 0.0),
+    Scenario("a task is as easy in both settings", 0.4, 0.6, 0.0),
     Scenario("mostly so", 0.4, 0.3, 0.0),
-    Scenario("each agent in each arm has its own easy tasks", 0.0, 0.0, 0.0),
-    Scenario("agents share what is easy, arms don't: a quarter", 0.0, 0.0, 0.25),
-    Scenario("agents share what is easy, arms don't: a half", 0.0, 0.0, 0.5),
+    Scenario("each agent in each setting has its own easy tasks", 0.0, 0.0, 0.0),
+    Scenario("agents share what is easy, settings don't: a quarter", 0.0, 0.0, 0.25),
+    Scenario("agents share what is easy, settings don't: a half", 0.0, 0.0, 0.5),
     Scenario("a bit of each", 0.3, 0.2, 0.2),
 )
 
@@ -78,7 +78,7 @@ def coverage(sims: int, rng: np.random.Generator) -> None:
             truth = float(np.mean(list(profile.values())))
             row = (name, str(icc), str(runs))
             table.add_row(*row, "macro", str(sum(SUITE.values())), *_held(suites, truth))
-            counts = [[unit for unit in suite if unit.kind == "count"] for suite in suites]
+            counts = [[unit for unit in suite if unit.question_type == "count"] for suite in suites]
             table.add_row(*row, "count", str(SUITE["count"]), *_held(counts, profile["count"]))
     out.print(table)
 
@@ -86,7 +86,7 @@ def coverage(sims: int, rng: np.random.Generator) -> None:
 def _one(
     rng: np.random.Generator, profile: Mapping[str, float], icc: float, runs: int
 ) -> list[Unit]:
-    means = {kind: [value] for kind, value in profile.items()}
+    means = {question_type: [value] for question_type, value in profile.items()}
     return draw_units(rng, SUITE, means, icc, np.eye(1), runs)[0]
 
 
@@ -101,9 +101,9 @@ def _held(suites: Sequence[Sequence[Unit]], truth: float) -> tuple[str, str]:
 
 
 def false_alarms(sims: int, rng: np.random.Generator) -> None:
-    """How often arms that don't differ on average are told apart at 5 %."""
+    """How often settings that don't differ on average are told apart at 5 %."""
     columns = "what makes a task easy", "ICC", "plain CMH", "swapped tasks"
-    table = _table("False alarms of the test of arms: 8 agents, 2 arms, 3 runs", *columns)
+    table = _table("False alarms of the test of settings: 8 agents, 2 settings, 3 runs", *columns)
     for scenario in SCENARIOS:
         for icc in (0.3, 0.6):
             plain, swapped = _alarms(scenario, icc, sims, rng)
@@ -114,13 +114,13 @@ def false_alarms(sims: int, rng: np.random.Generator) -> None:
 def _alarms(
     scenario: Scenario, icc: float, sims: int, rng: np.random.Generator
 ) -> tuple[float, float]:
-    alike = two_arms(8, task=scenario.task, agent=scenario.agent, arm=scenario.arm)
-    means = {kind: [value] * len(alike) for kind, value in MIDDLING.items()}
+    alike = two_settings(8, task=scenario.task, agent=scenario.agent, setting=scenario.setting)
+    means = {question_type: [value] * len(alike) for question_type, value in MIDDLING.items()}
     alarms = np.zeros(2)
     for _ in range(sims):
         entrants = draw_units(rng, SUITE, means, icc, alike, RUNS)
         both = {f"agent {k}": (entrants[k], entrants[8 + k]) for k in range(8)}
-        found = arm_effect(both, rng, draws=DRAWS)
+        found = setting_effect(both, rng, draws=DRAWS)
         alarms += (found.plain_p <= LEVEL, found.p <= LEVEL)
     return alarms[0] / sims, alarms[1] / sims
 
@@ -144,7 +144,11 @@ def gaps(sims: int, rng: np.random.Generator) -> None:
 
 def _accuracy(sizes: Mapping[str, int]) -> float:
     """The accuracy whose variance is the mean of that of these types."""
-    spread = float(np.mean([MIDDLING[kind] * (1 - MIDDLING[kind]) for kind in sizes]))
+    spread = float(
+        np.mean(
+            [MIDDLING[question_type] * (1 - MIDDLING[question_type]) for question_type in sizes]
+        )
+    )
     return 0.5 + math.sqrt(0.25 - spread)
 
 
@@ -162,12 +166,17 @@ def _power(
     rng: np.random.Generator,
 ) -> float:
     """Share of suites in which the sign-flip test finds this difference at 5 %."""
-    means = {kind: (MIDDLING[kind] + gap / 2, MIDDLING[kind] - gap / 2) for kind in sizes}
+    means = {
+        question_type: (MIDDLING[question_type] + gap / 2, MIDDLING[question_type] - gap / 2)
+        for question_type in sizes
+    }
     alike = _joined(outlook)
     found = 0
     for _ in range(sims):
         one, other = map(strata_of, draw_units(rng, sizes, means, outlook.icc, alike, outlook.runs))
-        differences = {kind: one[kind] - other[kind] for kind in sizes}
+        differences = {
+            question_type: one[question_type] - other[question_type] for question_type in sizes
+        }
         found += no_difference_p(differences, rng, DRAWS) <= LEVEL
     return found / sims
 
@@ -209,14 +218,14 @@ def paper() -> None:
             gain = [f"{row.gain:.1f}", f"{it.gain:.1f}", f"{it.macro_gain:.1f}"]
             gain[0] += "" if it.gain_follows else " (!)"
         averages = f"{row.average:.1f}{mark}", f"{it.macro:.2f}", f"{it.pooled:.2f}"
-        table.add_row(row.model, row.arm, *averages, *gain, " ".join(it.unreachable))
+        table.add_row(row.model, row.setting, *averages, *gain, " ".join(it.unreachable))
     out.print(table)
     out.print("(!): rounding can't give it. Cells: no share of three runs of that many tasks.")
     cells = len(SUITE) * len(printed_table().rows)
     single = sum(len(it.single) for it in recount(printed_table()))
     out.print(f"{single} of {cells} cells are shares of single runs, as one in three would be.")
     for runs in (1, RUNS):
-        p = arm_effect(_as_counts(runs), np.random.default_rng(0), draws=1).plain_p
+        p = setting_effect(_as_counts(runs), np.random.default_rng(0), draws=1).plain_p
         out.print(f"CMH of the table's cells with {runs} run(s) of each task: p = {p:.2g}")
 
 
@@ -224,12 +233,12 @@ def _as_counts(runs: int) -> dict[str, tuple[list[Unit], list[Unit]]]:
     """The table as episodes: a type is one task here, since its own are unknown."""
     models: dict[str, dict[str, list[Unit]]] = {}
     for row in printed_table().rows:
-        for kind, percent in row.percent.items():
-            n = runs * SUITE[kind]
+        for question_type, percent in row.percent.items():
+            n = runs * SUITE[question_type]
             right = round(percent * n / 100)
-            unit = Unit(kind, kind, (1.0,) * right + (0.0,) * (n - right))
-            models.setdefault(row.model, {}).setdefault(row.arm, []).append(unit)
-    return {model: (arms["agentic"], arms["direct"]) for model, arms in models.items()}
+            unit = Unit(question_type, question_type, (1.0,) * right + (0.0,) * (n - right))
+            models.setdefault(row.model, {}).setdefault(row.setting, []).append(unit)
+    return {model: (settings["agentic"], settings["direct"]) for model, settings in models.items()}
 
 
 def _table(title: str, *columns: str) -> Table:

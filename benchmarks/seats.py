@@ -42,7 +42,7 @@ from probe.runs.episode_worker import EpisodeWorkerSetup  # noqa: E402
 from probe.tasks.suite import Suite, selection, spaced  # noqa: E402
 from probe.tasks.suite_file import find_suite  # noqa: E402
 from probe.tasks.task import Task  # noqa: E402
-from probe.transcripts.prompts import Arm  # noqa: E402
+from probe.transcripts.prompts import Setting  # noqa: E402
 
 PATIENCE = 60
 """Seconds for one attempt at a reply."""
@@ -135,11 +135,11 @@ def letter_of_hash(suite: Suite) -> Script:
     return script
 
 
-def plan_of(arm: Arm, suite: Suite, out: Path, epochs: int, workers: int) -> ModelRunPlan:
+def plan_of(setting: Setting, suite: Suite, out: Path, epochs: int, workers: int) -> ModelRunPlan:
     library = opener()
     cache = cache_folder() / "light"
     return ModelRunPlan(
-        arm, suite, suite.tasks, out, library, cache, epochs, workers=workers, called="scripted"
+        setting, suite, suite.tasks, out, library, cache, epochs, workers=workers, called="scripted"
     )
 
 
@@ -154,7 +154,7 @@ def troubled(plan: ModelRunPlan, script: Script) -> None:
     faults = [fault for it in records if it.seat for fault in it.seat.faults]
     missing = sum(it.end == "fault" for it in records)
     seconds = time.monotonic() - start
-    print(f"{plan.arm}: {whole} episodes, {server.requests} requests, {seconds:.0f} s")
+    print(f"{plan.setting}: {whole} episodes, {server.requests} requests, {seconds:.0f} s")
     print(f"  went wrong: {dict(trouble.counts)}; noted in records: {dict(noted(faults))}")
     print(f"  with trouble: {len(records)} records, {missing} missing, {metrics_of(log)}")
     check(log.status == "success", "it finishes")
@@ -204,7 +204,7 @@ def is_noted(caused: Mapping[str, int], noted: Mapping[str, int]) -> bool:
     """
     server = ("time-out", "429", "500", "picture refused")
     return (
-        noted["server"] == sum(caused[kind] for kind in server)
+        noted["server"] == sum(caused[question_type] for question_type in server)
         and noted["empty"] == caused["empty reply"]
         and noted["malformed"] == caused["malformed call"]
         and noted["table"] <= caused["table killed"]

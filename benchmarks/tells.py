@@ -135,10 +135,10 @@ def main() -> None:
     things = library("procedural")
     right, asked = Counter[str](), Counter[str]()
     for task in find_suite("v1").tasks:
-        if task.kind not in ("size", "reduce"):
+        if task.question_type not in ("size", "reduce"):
             continue
         table = Table(task, things)
-        size = task.kind == "size"
+        size = task.question_type == "size"
         told = size_letters(task, table) if size else reduce_letters(task, table, things)
         for rule, letter in told.items():
             asked[rule] += 1

@@ -34,7 +34,7 @@ def table(lines: list[CandidateLog]) -> Iterator[str]:
         kept = f"{it.kept} ({it.kept / it.candidates:.0%})"
         solved = f"{it.solved} of {it.tried}" if it.tried else ""
         each = f"{it.seconds / max(1, it.kept):.0f}"
-        yield f"| {it.kind} | {it.candidates} | {kept} | {each} | {solved} | {rejected} |"
+        yield f"| {it.question_type} | {it.candidates} | {kept} | {each} | {solved} | {rejected} |"
 
 
 if __name__ == "__main__":

@@ -65,7 +65,7 @@ evaluate() {
     done
     kill -0 "$server" || exit 1
     for arm in $ARMS; do
-        $probe run "$SUITE" --model "$1" --endpoint "http://127.0.0.1:$PORT/v1" --arm "$arm" \
+        $probe run "$SUITE" --model "$1" --endpoint "http://127.0.0.1:$PORT/v1" --setting "$arm" \
             --points 0-1000 --epochs 1 --workers "$WORKERS" --out "$OUT/runs/$1-$arm"
     done
     kill "$server"

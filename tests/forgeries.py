@@ -21,7 +21,7 @@ from run_folders import DEMO
 
 Forgery = Callable[[EpisodeRecord], EpisodeRecord]
 
-TASK = next(task for task in DEMO.tasks if task.kind == "find")
+TASK = next(task for task in DEMO.tasks if task.question_type == "find")
 LOOK = Call.of("perceive_scene")
 GRASP = Call.of("grasp_and_remove", {"object_id": "object_1"})
 

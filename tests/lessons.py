@@ -15,7 +15,7 @@ from probe.episodes.turns import Call
 from probe.scene.scene import PlacedObject, Scene
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import write_suite
-from probe.tasks.task import Letter, QuestionKind, Task
+from probe.tasks.task import Letter, QuestionType, Task
 from probe.toolshed.result import Answer, Status
 from probe.train.choose.candidates import EpisodeCandidate
 from probe.train.collect.batches import Batch, EpisodeGrade
@@ -24,26 +24,27 @@ from run_folders import DEMO
 from task_examples import FIND
 
 FIRST_SEED = 2_000_000_000
-BY_KIND = {task.kind: task for task in DEMO.tasks}
+BY_KIND = {task.question_type: task for task in DEMO.tasks}
 
 
-def training_task(number: int, kind: QuestionKind = "find", answer: Letter = "B") -> Task:
+def training_task(number: int, question_type: QuestionType = "find", answer: Letter = "B") -> Task:
     """A task with a training seed, on a table of things that stand nowhere else."""
     seed = FIRST_SEED + 1000 * number
-    model = FIND if kind == "find" else BY_KIND[kind]
-    if kind in ("compare", "size"):
+    model = FIND if question_type == "find" else BY_KIND[question_type]
+    if question_type in ("compare", "size"):
         answer = "A" if answer == "A" else "B"
     placed = tuple(
-        replace(it, object_id=f"thing_{kind}_{number}_{it.instance}") for it in model.scene.objects
+        replace(it, object_id=f"thing_{question_type}_{number}_{it.instance}")
+        for it in model.scene.objects
     )
     scene = Scene(seed, model.scene.table, placed)
-    return replace(model, id=f"{kind}-{number:08x}", seed=seed, answer=answer, scene=scene)
+    return replace(model, id=f"{question_type}-{number:08x}", seed=seed, answer=answer, scene=scene)
 
 
 def lesson(
     task: Task,
     *,
-    arm: str = "agentic",
+    setting: str = "agentic",
     right: bool = True,
     statuses: Sequence[tuple[str, Status]] = (("mug", "done"),),
     run: int = 0,
@@ -60,11 +61,11 @@ def lesson(
         steps.append(Step(grasp, status, "Done: so it is.", (10, 10), table))
     steps.append(Step(Call.of("answer_question", {"choice": letter}), "done", "Ok.", None, table))
     replies = tuple(ModelReply(1) for _ in steps)
-    if arm == "direct":
+    if setting == "direct":
         steps, replies = [], (ModelReply(0, f"I see it.\nANSWER: {letter}"),)
     record = EpisodeRecord(
         task.id, "teacher", run, question_of(task), table, tuple(steps), Answer(letter), "answered",
-        seat=Participation(arm, replies=replies, cost=0.25),
+        seat=Participation(setting, replies=replies, cost=0.25),
     )  # fmt: skip
     return EpisodeCandidate(task, record, right)
 
@@ -79,9 +80,9 @@ def reminded(it: EpisodeCandidate) -> EpisodeCandidate:
 def grade_of(it: EpisodeCandidate) -> EpisodeGrade:
     return EpisodeGrade(
         task=it.task.id,
-        kind=it.task.kind,
+        question_type=it.task.question_type,
         seed=it.task.seed,
-        arm=it.record.arm,
+        setting=it.record.setting,
         run=it.record.run,
         correct=it.correct,
         outcome="right" if it.correct else "wrong",
@@ -102,12 +103,12 @@ def write_batch(out: Path, lessons: Sequence[EpisodeCandidate], name: str = "0of
     write_suite(
         batch.folder / SUITE, suite_of(list({it.task.id: it.task for it in lessons}.values()))
     )
-    for arm in ("direct", "agentic"):
-        mine = [it for it in lessons if it.record.arm == arm]
+    for setting in ("direct", "agentic"):
+        mine = [it for it in lessons if it.record.setting == setting]
         if mine:
             tasks = list({it.task.id: it.task for it in mine}.values())
-            write_suite(batch.arm(arm) / SUITE, suite_of(tasks))
-            write_records(batch.arm(arm) / RECORDS, [it.record for it in mine])
+            write_suite(batch.setting(setting) / SUITE, suite_of(tasks))
+            write_records(batch.setting(setting) / RECORDS, [it.record for it in mine])
     batch.keep([grade_of(it) for it in lessons])
     return batch
 

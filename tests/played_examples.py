@@ -17,13 +17,15 @@ from run_folders import DEMO
 TASKS = {task.id: task for task in DEMO.tasks}
 
 
-def played(record: EpisodeRecord, *, arm: str = "agentic", counts: bool = True) -> ReportEpisode:
+def played(
+    record: EpisodeRecord, *, setting: str = "agentic", counts: bool = True
+) -> ReportEpisode:
     """A record, graded by its letter alone."""
     task = TASKS[record.task]
     said = record.answer.choice if record.answer else None
     right = said == task.answer
     score = Score(right, right, "right" if right else "wrong" if said else "unanswered")
-    row = row_of(task, record, score, suite=DEMO.name, arm=arm)
+    row = row_of(task, record, score, suite=DEMO.name, setting=setting)
     pictures = tuple(f"pictures/{number}.jpg" for number in range(len(record.steps) + 1))
     return ReportEpisode(task, record, row, counts, pictures)
 

@@ -53,9 +53,13 @@ def episode(
     )
     if fault:
         return record
-    said = {"choice": letter, "point": [10, 20]} if task.kind == "find" else {"choice": letter}
+    said = (
+        {"choice": letter, "point": [10, 20]}
+        if task.question_type == "find"
+        else {"choice": letter}
+    )
     last = Step(Call.of("answer_question", said), "done", "Recorded.", None, start)
-    answer = Answer(letter, (10.0, 20.0) if task.kind == "find" else None)
+    answer = Answer(letter, (10.0, 20.0) if task.question_type == "find" else None)
     return replace(
         record, steps=(*steps, last), answer=answer, seconds=Seconds((1.0,) * 4, (2.0,) * 4)
     )

@@ -15,10 +15,10 @@ def row(task: str, right: object = True, **changes: object) -> Row:
     values: dict[str, object] = {
         "suite": "s",
         "task": task,
-        "kind": task.split("-")[0],
+        "question_type": task.split("-")[0],
         "options": 5,
         "agent": "anna",
-        "arm": "agentic",
+        "setting": "agentic",
         "run": 0,
         "answer": "B" if correct else "C",
         "right": RIGHT_LETTER,
@@ -47,9 +47,9 @@ def unit(task: str, *runs: float) -> Unit:
     return Unit(task, task.split("-")[0], runs)
 
 
-def units(kind: str, *means: float) -> list[Unit]:
+def units(question_type: str, *means: float) -> list[Unit]:
     """Tasks of one type, each run once."""
-    return [unit(f"{kind}-{i}", mean) for i, mean in enumerate(means)]
+    return [unit(f"{question_type}-{i}", mean) for i, mean in enumerate(means)]
 
 
 def roster(*tasks: str, stratum: str = "", options: int = 5) -> dict[str, Listed]:

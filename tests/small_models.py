@@ -27,11 +27,11 @@ SHAPE = Shape(
 def small_dataset(folder: Path, tasks: int = 4) -> Path:
     """Some episodes of Find and Count with tools, and one without."""
     lessons = [
-        lesson(training_task(n, kind), statuses=(GRASPED,) * (1 + n % 2))
+        lesson(training_task(n, question_type), statuses=(GRASPED,) * (1 + n % 2))
         for n in range(1, tasks + 1)
-        for kind in ("find", "count")
+        for question_type in ("find", "count")
     ]
-    lessons.append(lesson(training_task(50), arm="direct"))
+    lessons.append(lesson(training_task(50), setting="direct"))
     recipe = Recipe(slack=3, direct_share=1.0)
     found = select(lessons, evaluation_of([]), recipe)
     objects = {it.object_id: (1.0, 2.0) for each in lessons for it in each.task.scene.objects}

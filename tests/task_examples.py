@@ -21,7 +21,7 @@ SCENE = Scene(
 
 FIND = Task(
     id="find-0123abcd",
-    kind="find",
+    question_type="find",
     form="plain",
     seed=7,
     subject="",

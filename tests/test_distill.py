@@ -17,7 +17,7 @@ from probe.tasks.suite_file import demo_suite, write_suite
 
 ROOT = Path(__file__).resolve().parents[1]
 SMALL = {
-    "ARMS": "direct",
+    "SETTINGS": "direct",
     "COUNTS": "--counts.count 1 --counts.find 0 --counts.size 0 --counts.reduce 0 "
     "--counts.compare 0",
     "SELECT": "--slack 9 --no-near",
@@ -50,7 +50,7 @@ def who_answered(folder: Path) -> set[str]:
 @pytest.mark.filterwarnings("default")
 def test_the_recipe(tmp_path):
     demo = demo_suite()
-    one = next(task for task in demo.tasks if task.kind == "count")
+    one = next(task for task in demo.tasks if task.question_type == "count")
     write_suite(tmp_path / "one.json", part(demo, one))
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))

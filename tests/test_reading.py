@@ -19,7 +19,7 @@ from probe.assets.environments.hdr_file import read_panorama
 from probe.assets.tables import load_table
 from probe.bench.prices import read_prices
 from probe.episodes.files import read_records
-from probe.episodes.folder import ARM, arm_of_folder
+from probe.episodes.folder import SETTING, setting_of_folder
 from probe.episodes.ordered import ORDERED, read_ordered
 from probe.episodes.remarks import REMARKS, read_remarks
 from probe.errors import BadData
@@ -63,7 +63,7 @@ def test_only_regular_files_are_read(tmp_path, reader, made, words):
     [
         (ORDERED, read_ordered),
         (VARIATION, read_variation),
-        (ARM, arm_of_folder),
+        (SETTING, setting_of_folder),
         (REMARKS, read_remarks),
     ],
 )

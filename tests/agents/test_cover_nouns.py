@@ -4,7 +4,7 @@ from probe.agents.cover_nouns import hider
 
 
 @pytest.mark.parametrize(
-    ("name", "kind"),
+    ("name", "question_type"),
     [
         ("dark blue soup mug", "hollow"),
         ("blue and white striped open box", "hollow"),
@@ -16,5 +16,5 @@ from probe.agents.cover_nouns import hider
         ("", None),
     ],
 )
-def test_a_name_says_what_a_thing_can_hide(name, kind):
-    assert hider(name) == kind
+def test_a_name_says_what_a_thing_can_hide(name, question_type):
+    assert hider(name) == question_type

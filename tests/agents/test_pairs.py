@@ -25,8 +25,8 @@ OVER_SHORT = Block(4, (560, 620, 689, 779), 0.08, (40, 120, 50))
 TABLE = [LONG, SHORT, OVER_LONG, OVER_SHORT]
 
 
-def scripted(kind, form, subject="", first: Way = "grasp"):
-    return Scripted(kind, subject, np.random.default_rng(5), first, form=form)
+def scripted(question_type, form, subject="", first: Way = "grasp"):
+    return Scripted(question_type, subject, np.random.default_rng(5), first, form=form)
 
 
 @pytest.mark.parametrize(("form", "letter"), [("longer", "A"), ("larger", "A"), ("smaller", "B")])

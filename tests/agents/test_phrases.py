@@ -53,9 +53,9 @@ def rng(seed=5):
     return np.random.default_rng(seed)
 
 
-def played(play, kind, say, skills=None):
-    subject, form, options, blocks, text = CASES[kind]
-    agent = Scripted(kind, subject, rng(), form=form, say=say)
+def played(play, question_type, say, skills=None):
+    subject, form, options, blocks, text = CASES[question_type]
+    agent = Scripted(question_type, subject, rng(), form=form, say=say)
     return play(agent, options, SPECS, blocks, skills or Obedient(), text)
 
 
@@ -64,29 +64,29 @@ def unspoken(record):
     return replace(record, steps=steps).untimed()
 
 
-@pytest.mark.parametrize("kind", CASES)
-def test_words_change_nothing_that_is_done(play, kind):
-    spoken = played(play, kind, PhraseBook(rng()))
-    mute = played(play, kind, silent)
+@pytest.mark.parametrize("question_type", CASES)
+def test_words_change_nothing_that_is_done(play, question_type):
+    spoken = played(play, question_type, PhraseBook(rng()))
+    mute = played(play, question_type, silent)
     assert unspoken(spoken) == mute.untimed()
     assert spoken.answer is not None
     assert all(step.call.words for step in spoken.steps)
     assert not any(step.call.words for step in mute.steps)
 
 
-@pytest.mark.parametrize("kind", CASES)
-def test_names_that_it_says_were_told_before(play, kind):
-    record = played(play, kind, PhraseBook(rng()))
-    told = CASES[kind][0] + "\n"
+@pytest.mark.parametrize("question_type", CASES)
+def test_names_that_it_says_were_told_before(play, question_type):
+    record = played(play, question_type, PhraseBook(rng()))
+    told = CASES[question_type][0] + "\n"
     for step in record.steps:
         for name in (it.name for it in SPECS.values()):
             assert name not in step.call.words or name in told
         told += step.text
 
 
-@pytest.mark.parametrize("kind", CASES)
-def test_the_answer_it_explains_is_the_one_it_gives(play, kind):
-    record = played(play, kind, PhraseBook(rng()))
+@pytest.mark.parametrize("question_type", CASES)
+def test_the_answer_it_explains_is_the_one_it_gives(play, question_type):
+    record = played(play, question_type, PhraseBook(rng()))
     letter = record.answer.choice
     if letter != "E":
         assert re.search(rf"\b{letter}\b", record.steps[-1].call.words)
@@ -119,20 +119,22 @@ def test_each_phrase_can_be_said():
         PhraseBook(rng())("never", {})
 
 
-def glance(kind, subject, form, options, blocks, text="?"):
+def glance(question_type, subject, form, options, blocks, text="?"):
     from probe.episodes.turns import Question
 
     frame = paint(blocks)
     graph = read_graph(scene_text(Oracle(SPECS).detect(frame), frame))
     question = Question(text, tuple(zip("ABCDE", options, strict=False)))
-    return at_a_glance(kind, FirstLookQuestion(question, subject, form, graph), PhraseBook(rng()))
+    return at_a_glance(
+        question_type, FirstLookQuestion(question, subject, form, graph), PhraseBook(rng())
+    )
 
 
-@pytest.mark.parametrize("kind", ["beneath", "reduce", "find", "count", "size"])
-def test_at_first_sight_it_is_silent_where_the_evidence_is_hidden(kind):
-    subject, form, options, blocks, text = CASES[kind]
+@pytest.mark.parametrize("question_type", ["beneath", "reduce", "find", "count", "size"])
+def test_at_first_sight_it_is_silent_where_the_evidence_is_hidden(question_type):
+    subject, form, options, blocks, text = CASES[question_type]
     lying_on = [replace(block, share=0.1) if block.height < 0.03 else block for block in blocks]
-    assert glance(kind, subject, form, options, lying_on, text) is None
+    assert glance(question_type, subject, form, options, lying_on, text) is None
 
 
 def test_one_of_two_that_can_be_named_tells_the_colour():

@@ -102,8 +102,8 @@ def test_the_same_generator_gives_the_same_episode(play):
     assert once() == once()
 
 
-@pytest.mark.parametrize("kind", ["find", "count"])
-def test_with_its_budget_spent_it_abstains_unless_it_is_bold(play, kind):
+@pytest.mark.parametrize("question_type", ["find", "count"])
+def test_with_its_budget_spent_it_abstains_unless_it_is_bold(play, question_type):
     blocks = [
         Block(
             20 + n,
@@ -114,9 +114,9 @@ def test_with_its_budget_spent_it_abstains_unless_it_is_bold(play, kind):
     specs = {
         20 + n: spec(f"{letter * 3} board", "brown") for n, letter in enumerate("bcdfghjklmnp")
     }
-    options = [*("1", "2", "3", "4"), NONE] if kind == "count" else OPTIONS
-    strict = play(Scripted(kind, "red die", rng()), options, specs, blocks)
-    bold = play(Scripted(kind, "red die", rng(), bold=True), options, specs, blocks)
+    options = [*("1", "2", "3", "4"), NONE] if question_type == "count" else OPTIONS
+    strict = play(Scripted(question_type, "red die", rng()), options, specs, blocks)
+    bold = play(Scripted(question_type, "red die", rng(), bold=True), options, specs, blocks)
     assert strict.manipulations == bold.manipulations == 10
     assert strict.answer is None
     assert bold.answer and bold.answer.choice == "E"

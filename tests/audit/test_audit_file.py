@@ -125,7 +125,7 @@ def test_what_needs_a_model_again_cannot_be_replayed_and_is_counted(tmp_path):
     assert [claim.record for claim in audit.lacking(None)] == [RECORD]
     assert [audit.verdicts[line].reason for line in lines(out)[1:3]] == [
         "perception asked a model (pointer self)",
-        "a model answered in words (arm direct)",
+        "a model answered in words (setting direct)",
     ]
 
 

@@ -13,8 +13,8 @@ from probe.audit.signing import NoSshKeygen, sign, verify
 from probe.errors import BadData
 
 
-def new_key(path: Path, kind: str = "ed25519") -> Path:
-    command = ["ssh-keygen", "-q", "-t", kind, "-N", "", "-C", "anna", "-f", str(path)]
+def new_key(path: Path, question_type: str = "ed25519") -> Path:
+    command = ["ssh-keygen", "-q", "-t", question_type, "-N", "", "-C", "anna", "-f", str(path)]
     subprocess.run(command, check=True)
     return path
 

@@ -79,7 +79,7 @@ class PaintedKeeper(EpisodeWorker):
         return Episode(job.task.id, question, tools, witness, agent_name=name, run=job.run)
 
     def _stills(self, job: Job):
-        count = {"blind": 0, "direct": 1, "oracle-view": 2}[self._arm]
+        count = {"blind": 0, "direct": 1, "oracle-view": 2}[self._setting]
         picture = paint(BLOCKS).rgb
         assert picture is not None
         return [picture] * count
@@ -111,8 +111,8 @@ def demo(count: int = 6) -> Suite:
     return Suite("small", tasks, {id: mark for id, mark in whole.objects.items() if id in ids})
 
 
-def plan(out: Path, arm: Any, suite: Suite, **more: Any) -> ModelRunPlan:
+def plan(out: Path, setting: Any, suite: Suite, **more: Any) -> ModelRunPlan:
     """One run of each task, at two tables."""
     settings: dict[str, Any] = {"epochs": 1, "workers": 2, "cache": out / "deaths"} | more
     library = partial(open_library, "procedural", None, out / "cache")
-    return ModelRunPlan(arm, suite, suite.tasks, out, library, **settings)
+    return ModelRunPlan(setting, suite, suite.tasks, out, library, **settings)

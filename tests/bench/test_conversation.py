@@ -22,7 +22,8 @@ from probe.transcripts.prompts import reminder
 from run_folders import episode
 
 FIND, COUNT = (
-    next(task for task in demo_suite().tasks if task.kind == kind) for kind in ("find", "count")
+    next(task for task in demo_suite().tasks if task.question_type == question_type)
+    for question_type in ("find", "count")
 )
 WORDS, POINT = reminder("direct"), reminder("direct", answered=True)
 

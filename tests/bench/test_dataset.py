@@ -59,7 +59,7 @@ def test_pictures_are_the_files_that_direct_mode_sends(tmp_path, monkeypatch):
     library = partial(open_library, "procedural", None, tmp_path / "cache")
     with Renderer() as renderer:
         keeper = EpisodeWorker(
-            EpisodeWorkerSetup(RunOrder("m", arm="direct"), library), library(), renderer
+            EpisodeWorkerSetup(RunOrder("m", setting="direct"), library), library(), renderer
         )
         for row, task in zip(found, suite.tasks, strict=True):
             shown = keeper.do(StartEpisode(Job(task, 0)))

@@ -29,14 +29,14 @@ from run_folders import episode
 SUITE = demo_suite()
 SEATS = ModelRunOptions(
     library=partial(open_all, None, Path("nowhere")),
-    model="gpt-5.4", arm="agentic", epochs=3, points=None, pointer="oracle", endpoint=None,
+    model="gpt-5.4", setting="agentic", epochs=3, points=None, pointer="oracle", endpoint=None,
     prices=None, noise=NO_NOISE, conditions=AS_FROZEN, shard=Shard(), workers=4,
 )  # fmt: skip
 PRICES = "gpt-5.4:\n  tokens_in: 2\n  tokens_out: 10\n"
 
 
-def in_the_seat(task: Task, model: str = "gpt-5.4", arm: str = "agentic", **more: Any):
-    return replace(episode(task, agent=model, **more), seat=Participation(arm))
+def in_the_seat(task: Task, model: str = "gpt-5.4", setting: str = "agentic", **more: Any):
+    return replace(episode(task, agent=model, **more), seat=Participation(setting))
 
 
 def test_a_reply_in_words_costs_its_pictures_once():
@@ -72,7 +72,7 @@ def test_a_dry_run_leaves_out_what_was_done(tmp_path, capsys):
     first, second = SUITE.tasks[:2]
     records = [
         in_the_seat(first, run=0), in_the_seat(first, run=2), in_the_seat(second, fault="gone"),
-        in_the_seat(second, model="another"), in_the_seat(second, arm="direct"),
+        in_the_seat(second, model="another"), in_the_seat(second, setting="direct"),
     ]  # fmt: skip
     write_records(tmp_path / RECORDS, records)
     would_ask(SUITE, SEATS, tmp_path)

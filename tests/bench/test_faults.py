@@ -46,7 +46,7 @@ class Misfortunes:
 
     def move(self, task, turn: int) -> Reply:
         # Find's right letter would have to be looked at, and painted tables can't be drawn.
-        last = answer(wrong_letter(task) if task.kind == "find" else task.answer)
+        last = answer(wrong_letter(task) if task.question_type == "find" else task.answer)
         if task is BROKEN:
             broken = [("find_object", '{"description": '), ("juggle", "{}"), last]
             return Reply(calls=(broken[turn],))
@@ -82,7 +82,7 @@ def test_no_number_while_something_is_missing(played):
     roster = roster_of_tasks(SUITE.tasks)
     worth = Score(False, False, "wrong")
     rows = [
-        row_of(task, records[task.id], worth, suite="small", arm="agentic")
+        row_of(task, records[task.id], worth, suite="small", setting="agentic")
         for task in SUITE.tasks
         if records[task.id].answer is None
     ]

@@ -57,7 +57,7 @@ def test_the_model_itself_points(tmp_path):
     with serving(both) as server:
         run_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup)
     record = kept(tmp_path)[TASK.id]
-    assert record.arm == "agentic, pointer self"
+    assert record.setting == "agentic, pointer self"
     check(record)
     asked = [body for body in server.bodies if not body.get("tools")]
     assert len(asked) == 1, "the same question about the same picture is asked once"
@@ -73,7 +73,7 @@ def test_another_model_points(tmp_path):
             real(tmp_path, "role"), server.url, EpisodeWorkerSetup, model_roles={"pointer": role}
         )
     record = kept(tmp_path)[TASK.id]
-    assert record.arm == "agentic, pointer openai-api/other/eyes"
+    assert record.setting == "agentic, pointer openai-api/other/eyes"
     check(record)
     assert (len(server.bodies), len(other.bodies)) == (3, 1)
 

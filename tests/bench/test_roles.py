@@ -17,7 +17,7 @@ SUITE = demo(1)
 
 
 @pytest.mark.parametrize(
-    ("arm", "pointer", "given", "said"),
+    ("setting", "pointer", "given", "said"),
     [
         ("agentic", "oracle", True, "Say -T pointer=role, too"),
         ("agentic", "self", True, "the pointer is self"),
@@ -25,8 +25,8 @@ SUITE = demo(1)
         ("direct", "oracle", True, "without tools"),
     ],
 )
-def test_a_role_that_doesnt_fit_stops_the_run(tmp_path, arm, pointer, given, said):
-    asked = replace(plan(tmp_path, arm, SUITE), pointer=pointer)
+def test_a_role_that_doesnt_fit_stops_the_run(tmp_path, setting, pointer, given, said):
+    asked = replace(plan(tmp_path, setting, SUITE), pointer=pointer)
     roles = {"pointer": get_model("mockllm/eyes")} if given else {}
     with serving(lambda number, body: Reply("Hello.")) as server:
         log = run_in(asked, server.url, model_roles=roles)

@@ -100,7 +100,7 @@ def test_answers_in_words(tmp_path):
         log = run_in(plan(tmp_path, "direct", SUITE), server.url)
     record = kept(tmp_path)[TASK.id]
     assert record.answer and record.answer.choice == TASK.answer
-    assert record.arm == "direct" and record.steps == ()
+    assert record.setting == "direct" and record.steps == ()
     assert [reply.words for reply in seat_of(record).replies] == said
     assert values_of(log) == {TASK.id: "C"}
     sent: Any = server.bodies[0]["messages"]

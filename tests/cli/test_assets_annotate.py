@@ -53,11 +53,11 @@ def test_nothing_is_lost_and_the_rest_is_asked_again(assets, cache, tmp_path):
     assert f"{COUNT - len(failed)} described, {len(failed)} without" in first.stdout
     content = served.bodies[0]["messages"][0]["content"]  # type: ignore[index]
     assert [part["type"] for part in content] == ["image_url"] * 6 + ["text"]
-    with serving(lambda number, body: Reply(json.dumps(GOOD))) as kind:
-        assert annotate(kind.url).returncode == 0
-        assert len(kind.bodies) == len(failed)
-        assert annotate(kind.url).returncode == 0
-        assert len(kind.bodies) == len(failed)
+    with serving(lambda number, body: Reply(json.dumps(GOOD))) as question_type:
+        assert annotate(question_type.url).returncode == 0
+        assert len(question_type.bodies) == len(failed)
+        assert annotate(question_type.url).returncode == 0
+        assert len(question_type.bodies) == len(failed)
     assert all(note.done for note in read_notes(tmp_path))
     corrects(tmp_path, cache)
 

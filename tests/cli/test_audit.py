@@ -81,7 +81,7 @@ def test_an_audit_that_came_with_the_folder_is_set_aside(tmp_path, capsys):
     del text["sum"], text["seal"]
     for theirs in ((out / AUDIT).read_bytes(), json.dumps(text).encode()):
         (out / AUDIT).write_bytes(theirs)
-        rescore(out, arm="agentic")
+        rescore(out, setting="agentic")
         assert f"{out}: not audited here (audit.json was made elsewhere)." in told(capsys)
         page = Page(write_run_report([out]).read_text())
         assert "not audited here (audit.json was made elsewhere)" in page.section("scores")
@@ -125,7 +125,7 @@ def test_the_seed_of_a_draw_is_told(tmp_path, capsys, monkeypatch):
 
 
 def test_a_part_of_a_packaged_suite_is_told_as_such(tmp_path, capsys):
-    some = [task for task in DEMO.tasks if task.kind != "find"][:2]
+    some = [task for task in DEMO.tasks if task.question_type != "find"][:2]
     suite = selection(DEMO, tuple(some), "demo")
     out = write_run(tmp_path, [episode(task) for task in some], suite)
     remark = "2 of the 6 tasks of demo: not a score on demo"
@@ -147,7 +147,7 @@ def test_a_part_of_a_packaged_suite_is_told_as_such(tmp_path, capsys):
 
 def altered(name: str) -> Suite:
     """The demo's tasks with two answers of one type exchanged, under another name."""
-    plain = [task for task in DEMO.tasks if task.kind == "count"]
+    plain = [task for task in DEMO.tasks if task.question_type == "count"]
     other = replace(plain[0], answer="B" if plain[0].answer == "A" else "A")
     return selection(DEMO, (other, plain[1]), name)
 
@@ -212,7 +212,7 @@ def test_a_folder_is_signed_and_verified(tmp_path, capsys):
 
 
 def test_scores_and_reports_say_how_far_they_are_audited(tmp_path, capsys):
-    plain = [task for task in DEMO.tasks if task.kind != "find"]
+    plain = [task for task in DEMO.tasks if task.question_type != "find"]
     out = write_run(tmp_path / "run", [episode(task) for task in plain])
     rescore(out)
     assert f"{out}: not audited." in " ".join(capsys.readouterr().out.split())
@@ -241,7 +241,9 @@ def played(cache) -> EpisodeRecord:
     """A real episode in which something is lifted by a hand that errs."""
     task = DEMO.tasks[0]
     library = open_library("procedural", None, cache)
-    agent = Scripted(task.kind, task.subject, generator(task.seed, "audit"), form=task.form)
+    agent = Scripted(
+        task.question_type, task.subject, generator(task.seed, "audit"), form=task.form
+    )
     with Renderer() as renderer:
         top = load_table(task.scene.table, None)
         return play(task, agent, "anna", library, top, renderer, noise=NOISES["paper"])

@@ -31,13 +31,15 @@ COMMANDS = {
     "collect": ("collect", "--split", "BAD", "--out", "new", "--counts.count", "1"),
     "serve": ("serve", "--suite", "BAD", "--out", "new"),
 }
-KINDS = ("missing", "empty", "cut", "noise", "deep", "folder", "pipe", "/dev/zero")
+QUESTION_TYPES = ("missing", "empty", "cut", "noise", "deep", "folder", "pipe", "/dev/zero")
 
 
 @pytest.fixture(scope="module")
 def place(tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp("bad")
-    write_run(folder / "good", [episode(task) for task in DEMO.tasks if task.kind != "find"])
+    write_run(
+        folder / "good", [episode(task) for task in DEMO.tasks if task.question_type != "find"]
+    )
     (folder / "empty").touch()
     (folder / "cut").write_bytes((folder / "good" / "suite.json").read_bytes()[:5000])
     (folder / "noise").write_bytes(bytes(range(256)) * 10)
@@ -51,8 +53,8 @@ def place(tmp_path_factory) -> Path:
 def test_what_is_no_such_file_is_refused(place, command):
     told = os.environ | {"PROBE_LIBRARY": str(place / "library")}
     told.pop("PROBE_ASSETS", None)
-    for kind in KINDS:
-        bad = kind if kind.startswith("/") else str(place / kind)
+    for question_type in QUESTION_TYPES:
+        bad = question_type if question_type.startswith("/") else str(place / question_type)
         words = [bad if word == "BAD" else word for word in COMMANDS[command]]
         ended = subprocess.run(
             [sys.executable, "-m", "probe", *words],
@@ -60,7 +62,7 @@ def test_what_is_no_such_file_is_refused(place, command):
             stdin=subprocess.DEVNULL,
         )  # fmt: skip
         said = ended.stdout + ended.stderr
-        assert "Traceback" not in said, (kind, said)
+        assert "Traceback" not in said, (question_type, said)
         # An OBJ that can't be used is a line of the table, among those that can.
-        assert ended.returncode == 1 or command == "obj", (kind, said)
-        assert not (place / "new").exists(), kind
+        assert ended.returncode == 1 or command == "obj", (question_type, said)
+        assert not (place / "new").exists(), question_type

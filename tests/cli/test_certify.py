@@ -4,14 +4,14 @@ import pytest
 
 from probe.cli.suite_certify import certify
 from probe.episodes.files import write_records
-from probe.episodes.folder import RECORDS, claim_arm, start_folder
+from probe.episodes.folder import RECORDS, claim_setting, start_folder
 from probe.episodes.remarks import Remark, add_remark
 from probe.errors import BadData
 from probe.tasks.suite import selection
 from probe.tasks.suite_file import read_suite
 from run_folders import DEMO, episode
 
-SUITE = selection(DEMO, tuple(task for task in DEMO.tasks if task.kind != "find"), "some")
+SUITE = selection(DEMO, tuple(task for task in DEMO.tasks if task.question_type != "find"), "some")
 GOOD, BAD, DOUBTED, NEW = SUITE.tasks
 
 
@@ -20,7 +20,7 @@ def folder(tmp_path):
     """Two people: one task both got right, one neither did, one that one calls ambiguous."""
     out = tmp_path / "people"
     start_folder(out, SUITE)
-    claim_arm(out, "human")
+    claim_setting(out, "human")
     records = [
         episode(GOOD, agent="ada", fault="a dead renderer"),
         episode(GOOD, agent="ada"),

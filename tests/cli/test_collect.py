@@ -51,7 +51,7 @@ def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, mis
 
     with serving(script) as server:
         ended = collect(
-            *(tmp_path, "--endpoint", server.url, "--arms", "direct", "--workers", "1"),
+            *(tmp_path, "--endpoint", server.url, "--settings", "direct", "--workers", "1"),
             *("--most-episodes", "1"),
         )
     assert ended.returncode == missing, ended.stdout + ended.stderr

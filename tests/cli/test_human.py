@@ -8,7 +8,7 @@ import pytest
 
 from probe.cli.human import taken_up
 from probe.episodes.files import append_record, read_records
-from probe.episodes.folder import RECORDS, arm_of_folder
+from probe.episodes.folder import RECORDS, setting_of_folder
 from probe.episodes.noise import NO_NOISE, NOISES
 from probe.episodes.remarks import REMARKS, Remark, add_remark, read_remarks
 from probe.errors import BadData
@@ -35,7 +35,7 @@ def test_what_was_cut_off_is_set_aside(killed, capsys):
     with taken_up(killed, DEMO, NO_NOISE):
         assert read_records(killed / RECORDS) == [RECORD]
         assert read_remarks(killed) == [REMARK]
-    assert arm_of_folder(killed) == "human"
+    assert setting_of_folder(killed) == "human"
     said = capsys.readouterr().out
     for name in (RECORDS, REMARKS):
         assert (killed / f"{name}.cut").read_bytes() == HALF + b"\n"

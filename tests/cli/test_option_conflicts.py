@@ -17,7 +17,7 @@ from probe.perception.dials import Dials
     [
         ({"dry_run": True}, "--dry-run: does nothing without --model"),
         ({"endpoint": "http://localhost/v1"}, "--endpoint: does nothing without"),
-        ({"arm": "agentic"}, "--arm: does nothing without"),
+        ({"setting": "agentic"}, "--setting: does nothing without"),
         ({"epochs": 3}, "--epochs: does nothing without"),
         ({"pointer": "oracle"}, "--pointer: does nothing without"),
         ({"model": "m", "agent": "scripted"}, "--agent: does nothing with --model"),
@@ -28,7 +28,10 @@ from probe.perception.dials import Dials
         ),
         ({"runs": 0}, "--runs: 0 is out of range. Say 1 to 1,000"),
         ({"workers": 0}, "--workers: 0 is out of range. Say 1 to 256"),
-        ({"model": "m", "pointer": "self", "arm": "direct"}, "does nothing with --arm direct"),
+        (
+            {"model": "m", "pointer": "self", "setting": "direct"},
+            "does nothing with --setting direct",
+        ),
         (
             {"model": "m", "pointer": "self", "conditions": Conditions(ideal="perception")},
             "--pointer: does nothing with --dials or --ideal",

@@ -70,7 +70,7 @@ def test_tasks_that_dont_follow_from_the_salt_fail(private, tmp_path, capsys):
     (out / f"{TASK.id}.json").write_text(
         json.dumps(
             {
-                "task": TASK.id, "kind": TASK.kind, "digest": digest_of(TASK),
+                "task": TASK.id, "kind": TASK.question_type, "digest": digest_of(TASK),
                 "problems": {"text": []}, "solved": True,
             }
         )

@@ -19,7 +19,7 @@ from probe.tasks.suite_file import write_suite
 from run_folders import DEMO, episode, write_run
 
 TABLES = ("rows.csv", "rows.jsonl", "scores.json")
-PLAIN = [task for task in DEMO.tasks if task.kind != "find"]
+PLAIN = [task for task in DEMO.tasks if task.question_type != "find"]
 """Tasks that are graded without a look at the table."""
 
 

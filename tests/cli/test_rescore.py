@@ -59,7 +59,7 @@ def test_rows_and_scores_are_written_beside_the_records(folder, capsys):
     rescore(folder)
     rows = read_csv(folder / ROWS_CSV)
     assert read_json_lines(folder / ROWS_JSON) == rows
-    assert [(row.agent, row.arm, row.correct, row.missing) for row in rows] == [
+    assert [(row.agent, row.setting, row.correct, row.missing) for row in rows] == [
         ("anna", "agentic", True, False),
         ("anna", "agentic", False, True),
         ("scripted", "scripted", True, False),
@@ -80,8 +80,8 @@ def test_a_difference_that_cannot_be_is_not_promised():
 
 
 def test_an_arm_may_be_named(folder):
-    rescore(folder, arm="oracle-view")
-    assert {row.arm for row in read_csv(folder / ROWS_CSV)} == {"oracle-view"}
+    rescore(folder, setting="oracle-view")
+    assert {row.setting for row in read_csv(folder / ROWS_CSV)} == {"oracle-view"}
 
 
 def test_a_folder_without_a_suite_is_refused(tmp_path):

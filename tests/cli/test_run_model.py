@@ -20,7 +20,10 @@ from probe.tasks.task import Task
 
 pytestmark = pytest.mark.slow
 DEMO = demo_suite()
-COUNT, FIND = (next(task for task in DEMO.tasks if task.kind == kind) for kind in ("count", "find"))
+COUNT, FIND = (
+    next(task for task in DEMO.tasks if task.question_type == question_type)
+    for question_type in ("count", "find")
+)
 PATIENCE = 240.0
 CALL = ("answer_question", '{"choice": "A"}')
 
@@ -79,7 +82,7 @@ def test_shards_are_run_merged_and_reported(tmp_path):
     with serving(says_a) as server:
         for number in range(2):
             probe(
-                *("run", suite, "--model", "mine", "--endpoint", server.url, "--arm", "direct"),
+                *("run", suite, "--model", "mine", "--endpoint", server.url, "--setting", "direct"),
                 *("--epochs", "1", "--workers", "1", "--shard", f"{number}/2"),
                 *("--out", tmp_path / str(number)),
             )
@@ -89,25 +92,25 @@ def test_shards_are_run_merged_and_reported(tmp_path):
     probe("merge", tmp_path / "0", tmp_path / "1", "--out", whole)
     probe("report", whole)
     rows = {row.task: row for row in read_csv(whole / "rows.csv")}
-    assert {(row.agent, row.arm) for row in rows.values()} == {("mine", "direct")}
+    assert {(row.agent, row.setting) for row in rows.values()} == {("mine", "direct")}
     # Find needs a point as well, which nobody gave.
     assert (rows[COUNT.id].correct, rows[FIND.id].correct) == (COUNT.answer == "A", False)
     assert "mine" in (whole / "index.html").read_text()
 
 
-@pytest.mark.parametrize(("arm", "pictures"), [("blind", 0), ("oracle-view", 2)])
-def test_other_arms_show_what_they_should(tmp_path, arm, pictures):
+@pytest.mark.parametrize(("setting", "pictures"), [("blind", 0), ("oracle-view", 2)])
+def test_other_settings_show_what_they_should(tmp_path, setting, pictures):
     suite = suite_file(tmp_path, (COUNT,))
     with serving(says_a) as server:
         probe(
-            *("run", suite, "--model", "mine", "--endpoint", server.url, "--arm", arm),
+            *("run", suite, "--model", "mine", "--endpoint", server.url, "--setting", setting),
             *("--epochs", "1", "--workers", "1", "--out", tmp_path / "out"),
         )
     assert [pictures_in(body) for body in asked(server)] == [pictures]
     (record,) = read_records(tmp_path / "out" / RECORDS)
-    assert record.arm == arm
+    assert record.setting == setting
     said = refused("audit", tmp_path / "out", "--replay", "all")
-    assert f"1 can't be replayed: a model answered in words (arm {arm})" in said
+    assert f"1 can't be replayed: a model answered in words (setting {setting})" in said
 
 
 def test_a_model_sits_at_a_changed_table(tmp_path):
@@ -140,7 +143,7 @@ def test_the_harness_finds_our_tasks_by_name(tmp_path):
             LOCAL_API_KEY="none",
         )
     (record,) = read_records(tmp_path / "out" / RECORDS)
-    assert (record.arm, record.answer and record.answer.choice) == ("direct", "A")
+    assert (record.setting, record.answer and record.answer.choice) == ("direct", "A")
 
 
 def test_a_pointer_is_asked_at_the_endpoint_too(tmp_path):
@@ -161,7 +164,7 @@ def test_a_pointer_is_asked_at_the_endpoint_too(tmp_path):
             *("--epochs", "1", "--workers", "1", "--prices", prices, "--out", tmp_path / "out"),
         )
     (record,) = read_records(tmp_path / "out" / RECORDS)
-    assert record.arm == "agentic, pointer openai-api/endpoint/eyes"
+    assert record.setting == "agentic, pointer openai-api/endpoint/eyes"
     models = [str(body["model"]) for body in asked(server)]
     assert (models[0], models[-1]) == ("mine", "mine") and "eyes" in models
     # The server counts 100 tokens for each request, a dollar each; only the pointer has a price.
@@ -194,7 +197,7 @@ def test_what_is_missing_is_counted_and_a_failure(tmp_path):
     with serving(dies) as server:
         ended = subprocess.run(
             [sys.executable, "-m", "probe", "run", str(suite), "--model", "mine", "--endpoint",
-             server.url, "--arm", "blind", "--epochs", "1", "--out", str(tmp_path / "out")],
+             server.url, "--setting", "blind", "--epochs", "1", "--out", str(tmp_path / "out")],
             capture_output=True, text=True, timeout=PATIENCE,
         )  # fmt: skip
     assert ended.returncode == 1

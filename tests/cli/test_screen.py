@@ -30,7 +30,7 @@ SUITE = Suite(
             options=tuple(Option(it.letter, f"{it.text} {HOSTILE}") for it in task.options),
         )
         for task in DEMO.tasks
-        if task.kind != "find"
+        if task.question_type != "find"
     ),
     DEMO.objects,
 )

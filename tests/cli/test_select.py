@@ -65,7 +65,7 @@ def test_a_collection_of_nothing_but_evaluation_is_refused(tmp_path):
 
 
 def test_answers_without_tools_alone_need_a_share_of_all(tmp_path):
-    lessons = [lesson(task, arm="direct") for task in GOOD]
+    lessons = [lesson(task, setting="direct") for task in GOOD]
     write_batch(begin_collection(tmp_path / "c1"), lessons)
     with pytest.raises(BadData, match="holds no episode to learn from. Say --direct-share 1"):
         select((tmp_path / "c1",), tmp_path / "s1", near=False)

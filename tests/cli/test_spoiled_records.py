@@ -15,7 +15,7 @@ from probe.checksum import with_sum, without_sum
 from probe.episodes.folder import RECORDS
 from run_folders import DEMO, episode, write_run
 
-FIND = next(task for task in DEMO.tasks if task.kind == "find")
+FIND = next(task for task in DEMO.tasks if task.question_type == "find")
 
 
 def refused(monkeypatch: pytest.MonkeyPatch, *words: object) -> str:

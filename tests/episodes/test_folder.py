@@ -6,9 +6,9 @@ import pytest
 from probe.episodes.files import read_records
 from probe.episodes.folder import (
     add_run,
-    arm_of_folder,
-    claim_arm,
+    claim_setting,
     in_order,
+    setting_of_folder,
     standing,
     start_folder,
 )
@@ -69,16 +69,16 @@ def test_a_folder_that_cannot_be_made_is_named():
 
 def test_a_folder_that_claims_an_arm_keeps_it(tmp_path, play):
     start_folder(tmp_path, demo_suite())
-    assert arm_of_folder(tmp_path) is None
-    claim_arm(tmp_path, "human")
+    assert setting_of_folder(tmp_path) is None
+    claim_setting(tmp_path, "human")
     add_run(tmp_path, play())
-    claim_arm(tmp_path, "human")
-    assert arm_of_folder(tmp_path) == "human"
-    with pytest.raises(BadData, match="of the arm human. Choose another folder"):
-        claim_arm(tmp_path, "agentic")
+    claim_setting(tmp_path, "human")
+    assert setting_of_folder(tmp_path) == "human"
+    with pytest.raises(BadData, match="of the setting human. Choose another folder"):
+        claim_setting(tmp_path, "agentic")
 
 
 def test_a_folder_with_records_of_others_can_claim_no_arm(tmp_path, play):
     add_run(tmp_path, play())
     with pytest.raises(BadData, match="others have records there"):
-        claim_arm(tmp_path, "human")
+        claim_setting(tmp_path, "human")

@@ -10,7 +10,7 @@ from probe.tasks.task import Certificate, Option, Task
 def task_of(record, **changes):
     task = Task(
         id="t-1",
-        kind="count",
+        question_type="count",
         form="plain",
         seed=1,
         subject="ball",
@@ -38,7 +38,7 @@ def test_the_letter_is_graded_from_the_record_alone(play):
 
 def test_find_looks_at_the_point(play):
     record = play()
-    task = task_of(record, kind="find")
+    task = task_of(record, question_type="find")
     labels = np.zeros((1024, 1024), np.int32)
     labels[480:500, 630:650] = 9
     assert grade_episode(task, record, labels).outcome == "right"

@@ -33,12 +33,12 @@ SCENE = replace(
 )
 MARKS = (Mark("A", SLAB, (300, 680)), Mark("B", LID, (650, 300)))
 TASKS = {
-    "beneath": replace(FIND, kind="beneath", targets=(LID,), cover=TOP),
-    "reduce": replace(FIND, kind="reduce", targets=(CUBE,), named=(TOP, LID)),
+    "beneath": replace(FIND, question_type="beneath", targets=(LID,), cover=TOP),
+    "reduce": replace(FIND, question_type="reduce", targets=(CUBE,), named=(TOP, LID)),
     "find": replace(FIND, targets=(CUBE,)),
-    "count": replace(FIND, kind="count", targets=(CARD,)),
-    "size": replace(FIND, kind="size", targets=(SLAB, LID), marks=MARKS),
-    "compare": replace(FIND, kind="compare", targets=(SLAB, LID), marks=MARKS),
+    "count": replace(FIND, question_type="count", targets=(CARD,)),
+    "size": replace(FIND, question_type="size", targets=(SLAB, LID), marks=MARKS),
+    "compare": replace(FIND, question_type="compare", targets=(SLAB, LID), marks=MARKS),
 }
 REMOVED = {
     "beneath": (TOP,),
@@ -59,11 +59,11 @@ def renderer():
 
 
 @pytest.mark.parametrize("answer", ["B", "E"])
-@pytest.mark.parametrize("kind", TASKS)
-def test_the_evidence_is_clear_and_nothing_has_moved(renderer, kind, answer):
-    task = replace(TASKS[kind], scene=SCENE, answer=answer)
+@pytest.mark.parametrize("question_type", TASKS)
+def test_the_evidence_is_clear_and_nothing_has_moved(renderer, question_type, answer):
+    task = replace(TASKS[question_type], scene=SCENE, answer=answer)
     view = oracle_view(task, LIBRARY, renderer)
-    assert len(view.frames) == 2 and view.removed == REMOVED[kind]
+    assert len(view.frames) == 2 and view.removed == REMOVED[question_type]
     shown = measure(renderer, SCENE.without(*view.removed))
     assert min(shown[number].fraction for number in task.targets) >= 0.5
     first, revealed = (frame.labels for frame in view.frames)

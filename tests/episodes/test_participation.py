@@ -21,21 +21,21 @@ RECORD = replace(episode(TASK), seat=SEAT)
 
 def test_it_is_read_as_it_was_written():
     assert record_of(line_of(RECORD)) == RECORD
-    assert RECORD.arm == "direct"
+    assert RECORD.setting == "direct"
 
 
 def test_records_of_before_have_none():
     document = json.loads(line_of(episode(TASK)))
     del document["seat"], document["sum"]
     old = record_of(json.dumps(document).encode())
-    assert old.seat is None and old.arm == ""
+    assert old.seat is None and old.setting == ""
 
 
-def test_arms_of_a_model_are_apart():
-    agentic = replace(RECORD, seat=replace(SEAT, arm="agentic"))
+def test_settings_of_a_model_are_apart():
+    agentic = replace(RECORD, seat=replace(SEAT, setting="agentic"))
     assert standing([RECORD, agentic]) == [RECORD, agentic]
 
 
 def test_rows_tell_tokens_and_cost():
-    row = row_of(TASK, RECORD, Score(True, True, "right"), suite="demo", arm=RECORD.arm)
-    assert (row.arm, row.tokens_in, row.tokens_out, row.cost) == ("direct", 100, 20, 0.25)
+    row = row_of(TASK, RECORD, Score(True, True, "right"), suite="demo", setting=RECORD.setting)
+    assert (row.setting, row.tokens_in, row.tokens_out, row.cost) == ("direct", 100, 20, 0.25)

@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 @pytest.fixture(scope="module")
 def tools_of(cache):
     with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
-        task = next(t for t in read_suite(path).tasks if t.kind == "beneath")
+        task = next(t for t in read_suite(path).tasks if t.question_type == "beneath")
     things = open_library("procedural", None, cache)
     table = load_table(task.scene.table, None)
     with Renderer() as renderer:

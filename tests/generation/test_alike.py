@@ -20,8 +20,10 @@ def spec(name: str, category: str, colour: str, side: float) -> ObjectSpec:
 
 
 POOL = [
-    spec(f"{colour} {kind}", kind, colour, 0.03 + 0.002 * place)
-    for place, kind in enumerate(["ball", "block", "egg", "cork", "soap", "plum", "bead", "ring"])
+    spec(f"{colour} {question_type}", question_type, colour, 0.03 + 0.002 * place)
+    for place, question_type in enumerate(
+        ["ball", "block", "egg", "cork", "soap", "plum", "bead", "ring"]
+    )
     for colour in ("red", "blue", "green")
 ]
 

@@ -15,7 +15,7 @@ from probe.generation.plan import plan, plan_of
 from probe.generation.salt import Salt
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import packaged_suite
-from probe.tasks.task import KINDS, LETTERS, PAIR, Task
+from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, Task
 from probe.verification.salt import salt_problems
 from task_examples import FIND
 
@@ -25,16 +25,16 @@ V1 = packaged_suite("v1")
 
 def test_public_tries_are_what_they_were():
     for task in V1.tasks:
-        attempt = Attempt.of_seed(task.kind, task.seed)
+        attempt = Attempt.of_seed(task.question_type, task.seed)
         assert (attempt.id, attempt.seed, attempt.bears) == (task.id, task.seed, task.seed)
-        assert attempt.plan == plan(task.kind, task.seed)
+        assert attempt.plan == plan(task.question_type, task.seed)
         assert attempt.plan.letter == task.answer
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_salted_plans_balance_as_public_ones_do(kind):
-    plans = [plan_of(kind, episode, ONE) for episode in range(120)]
-    paired = kind in ("compare", "size")
+@pytest.mark.parametrize("question_type", QUESTION_TYPES)
+def test_salted_plans_balance_as_public_ones_do(question_type):
+    plans = [plan_of(question_type, episode, ONE) for episode in range(120)]
+    paired = question_type in ("compare", "size")
     letters = dict.fromkeys(PAIR, 60) if paired else dict.fromkeys(LETTERS, 24)
     assert Counter(p.letter for p in plans) == letters
     assert Counter(p.wording for p in plans) == dict.fromkeys(range(20), 6)
@@ -50,7 +50,11 @@ def test_salted_plans_balance_as_public_ones_do(kind):
 def test_all_that_is_planned_depends_on_the_salt():
     for number in range(4):
         public, one, other = (
-            [plan_of(kind, episode, salt) for kind in KINDS for episode in range(60)]
+            [
+                plan_of(question_type, episode, salt)
+                for question_type in QUESTION_TYPES
+                for episode in range(60)
+            ]
             for salt in (None, ONE, OTHER)
         )
         what = ("letter", "wording", "cues", "visible")[number]
@@ -64,7 +68,9 @@ def test_names_are_wide_and_differ_by_salt_and_purpose():
     assert re.fullmatch(r"count-[0-9a-f]{16}", one.id)
     numbers = {one.seed, one.bears, other.seed, other.bears}
     assert len(numbers) == 4 and all(number > 2**64 for number in numbers)
-    tries = [Attempt(TaskSlot(k, e), n, ONE) for k in KINDS for e in range(40) for n in range(5)]
+    tries = [
+        Attempt(TaskSlot(k, e), n, ONE) for k in QUESTION_TYPES for e in range(40) for n in range(5)
+    ]
     for names in (
         {it.id for it in tries},
         {it.seed for it in tries},
@@ -101,7 +107,7 @@ def test_the_salt_leads_back_to_every_try_and_another_to_none():
         (TASKS[::-1], "order of their ids"),
         ([replace(TASKS[0], scene=FIND.scene), *TASKS[1:]], "bears another seed"),
         ([replace(TASKS[0], seed=TASKS[1].seed), *TASKS[1:]], "doesn't come from"),
-        ([replace(TASKS[0], kind="reduce"), *TASKS[1:]], "doesn't come from"),
+        ([replace(TASKS[0], question_type="reduce"), *TASKS[1:]], "doesn't come from"),
         (
             [replace(TASKS[0], answer="A" if TASKS[0].answer != "A" else "B"), *TASKS[1:]],
             "were planned",

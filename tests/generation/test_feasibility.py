@@ -16,7 +16,7 @@ from probe.generation.find import select_find
 from probe.generation.object_selection import LEAST_LEADING
 from probe.generation.plan import plan
 from probe.generation.size import draw_pairs
-from probe.tasks.task import KINDS
+from probe.tasks.task import QUESTION_TYPES
 
 SOME = (
     "proc_lime",
@@ -45,7 +45,12 @@ def mixed(library: Library) -> Library:
 
 def test_a_library_of_one_thing_allows_nothing_and_says_why(library: Library):
     lone = replace(library, specs=(library["proc_red_mug"],))
-    found = {it.kind: it for it in possibilities([TaskSlot(kind, 0) for kind in KINDS], lone)}
+    found = {
+        it.question_type: it
+        for it in possibilities(
+            [TaskSlot(question_type, 0) for question_type in QUESTION_TYPES], lone
+        )
+    }
     assert all(it.hopeless == it.places for it in found.values())
     assert "right size" in found["beneath"].missing[0]
     assert "paint" in found["compare"].missing[0]
@@ -55,7 +60,9 @@ def test_a_library_of_one_thing_allows_nothing_and_says_why(library: Library):
 
 @pytest.mark.slow
 def test_all_of_the_library_allows_every_type(library: Library):
-    places = [TaskSlot(kind, 0) for kind in KINDS if kind != "compare"]
+    places = [
+        TaskSlot(question_type, 0) for question_type in QUESTION_TYPES if question_type != "compare"
+    ]
     assert [it.hopeless for it in possibilities(places, library)] == [()] * len(places)
 
 

@@ -21,11 +21,11 @@ from probe.generation.salt import PRIVATE_FROM, Salt
 from probe.generation.task_writer import task_id
 from probe.tasks.suite import Suite, freeze
 from probe.tasks.suite_file import packaged_suite, read_suite, write_suite
-from probe.tasks.task import KINDS, LETTERS, PAIR, Letter, Option, QuestionKind, Task
+from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, Letter, Option, QuestionType, Task
 from task_examples import FIND
 
 SALT = Salt(bytes.fromhex("5b7e0c51d6a94f3e8f20c7b1a6d3940e17c85fa2be603d99e4714c082ab5f6d3"))
-COUNTS: dict[QuestionKind, int] = {
+COUNTS: dict[QuestionType, int] = {
     "beneath": 170, "compare": 160, "count": 170, "find": 170, "reduce": 170, "size": 160,
 }  # fmt: skip
 BASES = (1000, 1500, 0, 2_000_000)
@@ -39,7 +39,7 @@ LEVEL = 0.001
 class Seen:
     """What somebody sees of a task before it is answered: never a scene, a seed or a letter."""
 
-    kind: QuestionKind
+    question_type: QuestionType
     id: str
     position: int
     """Among those of its type."""
@@ -51,26 +51,28 @@ Attack = Callable[[Sequence[Seen]], list[Letter | None]]
 def seen(tasks: Sequence[Task]) -> list[Seen]:
     found = list[Seen]()
     for task in tasks:
-        position = sum(it.kind == task.kind for it in found)
-        found.append(Seen(task.kind, task.id, position))
+        position = sum(it.question_type == task.question_type for it in found)
+        found.append(Seen(task.question_type, task.id, position))
     return found
 
 
 def by_position(base: int) -> Attack:
     """The plan of the episode at a task's place."""
-    return lambda suite: [plan(it.kind, (base + it.position) * ATTEMPTS).letter for it in suite]
+    return lambda suite: [
+        plan(it.question_type, (base + it.position) * ATTEMPTS).letter for it in suite
+    ]
 
 
 def by_id(suite: Sequence[Seen]) -> list[Letter | None]:
     """Seeds whose hash an id is, found by trying; a few hundred thousand are enough for v1."""
     letters = dict[str, Letter]()
-    for kind in KINDS:
+    for question_type in QUESTION_TYPES:
         for base in BASES:
             for episode in range(base, base + 250):
-                letter = plan_of(kind, episode).letter
+                letter = plan_of(question_type, episode).letter
                 for number in range(40):
-                    letters.setdefault(task_id(kind, episode * ATTEMPTS + number), letter)
-    short = [it.id[: len(it.kind) + 9] for it in suite]
+                    letters.setdefault(task_id(question_type, episode * ATTEMPTS + number), letter)
+    short = [it.id[: len(it.question_type) + 9] for it in suite]
     return [letters.get(id) for id in short]
 
 
@@ -90,18 +92,22 @@ def by_salt(guess: Salt) -> Attack:
 
 def by_digits(suite: Sequence[Seen]) -> list[Letter | None]:
     """The id's last digit."""
-    offered: list[tuple[Letter, ...]] = [PAIR if it.kind in PAIRED else LETTERS for it in suite]
+    offered: list[tuple[Letter, ...]] = [
+        PAIR if it.question_type in PAIRED else LETTERS for it in suite
+    ]
     return [
         letters[int(it.id[-1], 16) % len(letters)]
         for it, letters in zip(suite, offered, strict=True)
     ]
 
 
-def limit(kinds: Sequence[QuestionKind]) -> int:
+def limit(question_types: Sequence[QuestionType]) -> int:
     """Most right answers that chance brings, but for LEVEL of all cases."""
-    pairs = sum(kind in PAIRED for kind in kinds)
+    pairs = sum(question_type in PAIRED for question_type in question_types)
     two = stats.binom.pmf(np.arange(pairs + 1), pairs, 1 / 2)
-    five = stats.binom.pmf(np.arange(len(kinds) - pairs + 1), len(kinds) - pairs, 1 / 5)
+    five = stats.binom.pmf(
+        np.arange(len(question_types) - pairs + 1), len(question_types) - pairs, 1 / 5
+    )
     return int(np.searchsorted(np.cumsum(np.convolve(two, five)), 1 - LEVEL))
 
 
@@ -110,7 +116,7 @@ def hits(attack: Attack, tasks: Sequence[Task]) -> tuple[int, int]:
     guesses = attack(seen(tasks))
     made = [(task, letter) for task, letter in zip(tasks, guesses, strict=True) if letter]
     right = sum(task.answer == letter for task, letter in made)
-    return right, limit([task.kind for task, _ in made])
+    return right, limit([task.question_type for task, _ in made])
 
 
 @pytest.fixture(scope="module")
@@ -127,13 +133,13 @@ def private(library: Library, tmp_path_factory) -> Sequence[Task]:
     for place, number in zip(places, tries, strict=True):
         last = Attempt(place, int(number), SALT)
         seeds = [Attempt(place, each, SALT).bears for each in range(last.number)]
-        log = [CandidateLog(place.kind, seed, "nest", None, "", 1.0) for seed in seeds]
-        log.append(CandidateLog(place.kind, last.bears, KEPT, None, "", 1.0))
+        log = [CandidateLog(place.question_type, seed, "nest", None, "", 1.0) for seed in seeds]
+        log.append(CandidateLog(place.question_type, last.bears, KEPT, None, "", 1.0))
         parts.log_path(place).write_text("".join(f"{line}\n" for line in log))
-        letters: tuple[Letter, ...] = PAIR if place.kind in PAIRED else LETTERS
+        letters: tuple[Letter, ...] = PAIR if place.question_type in PAIRED else LETTERS
         task = replace(
             FIND,
-            kind=place.kind,
+            question_type=place.question_type,
             id=last.id,
             seed=last.bears,
             scene=replace(FIND.scene, seed=last.bears),
@@ -171,12 +177,16 @@ def test_the_same_attacks_foretell_every_letter_of_a_public_suite(name, first):
         assert right == len(tasks) > most
 
 
-def left_over(letters: Sequence[str], kinds: Sequence[QuestionKind]) -> tuple[int, int]:
+def left_over(letters: Sequence[str], question_types: Sequence[QuestionType]) -> tuple[int, int]:
     """Of five tasks in a row, somebody was told four letters, all different: is the fifth left?"""
     right = told = 0
     for start in range(0, len(letters) - 4):
         five = letters[start : start + 5]
-        if len({*kinds[start : start + 5]}) > 1 or kinds[start] in PAIRED or start % 5:
+        if (
+            len({*question_types[start : start + 5]}) > 1
+            or question_types[start] in PAIRED
+            or start % 5
+        ):
             continue
         if len({*five[:4]}) == 4:
             told += 1
@@ -185,13 +195,13 @@ def left_over(letters: Sequence[str], kinds: Sequence[QuestionKind]) -> tuple[in
 
 
 def test_blocks_of_the_plan_cant_be_counted_out(private):
-    five = [task for task in private if task.kind not in PAIRED]
-    right, told = left_over([t.answer for t in five], [t.kind for t in five])
+    five = [task for task in private if task.question_type not in PAIRED]
+    right, told = left_over([t.answer for t in five], [t.question_type for t in five])
     assert told > 10 and right <= float(stats.binom.ppf(1 - LEVEL, told, 1 / 5))
     # In the order of episodes it is, every time.
-    places = [place for place in places_of(COUNTS, 0) if place.kind not in PAIRED]
+    places = [place for place in places_of(COUNTS, 0) if place.question_type not in PAIRED]
     letters = [plan_of(*place, SALT).letter for place in places]
-    right, told = left_over(letters, [place.kind for place in places])
+    right, told = left_over(letters, [place.question_type for place in places])
     assert right == told == 4 * 170 // 5
 
 

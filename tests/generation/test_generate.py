@@ -21,7 +21,7 @@ from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
 from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
-from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionKind, Task
+from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionType, Task
 
 TABLES = ("oak_planks",)
 WORDS = {
@@ -35,10 +35,10 @@ WORDS = {
 pytestmark = pytest.mark.slow
 
 
-def first_kept(kind: QuestionKind, episode: int, library: Library, renderer: Renderer):
+def first_kept(question_type: QuestionType, episode: int, library: Library, renderer: Renderer):
     """The first attempt of an episode that is kept."""
     for seed in itertools.count(episode * ATTEMPTS):
-        result = generate(kind, seed, library, renderer, TABLES)
+        result = generate(question_type, seed, library, renderer, TABLES)
         if isinstance(result, TaskCandidate):
             return result
     raise AssertionError

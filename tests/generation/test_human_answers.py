@@ -5,8 +5,17 @@ import pytest
 from probe.generation.human_answers import HumanAnswer, agreements, alpha_of, efforts, verdicts
 
 
-def said(task, person, letter, *, correct=False, kind="find", turns=4, seconds: float | None = 10):
-    return HumanAnswer(task, kind, person, letter, correct, turns, 1, seconds)
+def said(
+    task,
+    person,
+    letter,
+    *,
+    correct=False,
+    question_type="find",
+    turns=4,
+    seconds: float | None = 10,
+):
+    return HumanAnswer(task, question_type, person, letter, correct, turns, 1, seconds)
 
 
 def test_tasks_that_people_fail_or_doubt_are_dropped():
@@ -60,7 +69,7 @@ def test_alpha_at_its_limits():
 def test_agreement_is_counted_by_type_and_over_all():
     people = [
         *(said("t1", who, letter) for who, letter in [("ada", "A"), ("bea", "A"), ("cy", "B")]),
-        *(said("t2", who, "E", kind="count") for who in ("ada", "bea")),
+        *(said("t2", who, "E", question_type="count") for who in ("ada", "bea")),
         said("t3", "ada", "C"),
     ]
     count, find, both = agreements(people)

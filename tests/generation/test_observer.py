@@ -44,11 +44,11 @@ def test_find_goes_by_the_colour_of_what_is_half_hidden():
     assert observe("find", "plain", "Which is there?", OPTIONS, FirstLook((THING,), (), {})) == "E"
 
 
-@pytest.mark.parametrize("kind", ["beneath", "reduce"])
-def test_only_what_touches_the_named_thing_matters(kind):
+@pytest.mark.parametrize("question_type", ["beneath", "reduce"])
+def test_only_what_touches_the_named_thing_matters(question_type):
     things = (named("tray"), replace(PATCH, lab=BLUE), replace(PATCH, lab=RED))
     look = FirstLook(things, (Relation(0, "covering", 2),), {})
-    assert observe(kind, "plain", "What is under the tray?", OPTIONS, look) == "B"
+    assert observe(question_type, "plain", "What is under the tray?", OPTIONS, look) == "B"
 
 
 def test_size_goes_by_area_or_box():

@@ -7,14 +7,14 @@ from itertools import product
 import pytest
 
 from probe.generation.plan import ATTEMPTS, PAIRED, TaskPlan, block_of, plan
-from probe.tasks.task import KINDS, LETTERS, PAIR
+from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("question_type", QUESTION_TYPES)
 @pytest.mark.parametrize("base", [0, 1000, 2_000_000])
-def test_properties_balance_over_120_episodes(kind, base):
-    plans = [plan(kind, (base * 120 + episode) * ATTEMPTS) for episode in range(120)]
-    letters = dict.fromkeys(PAIR, 60) if kind in PAIRED else dict.fromkeys(LETTERS, 24)
+def test_properties_balance_over_120_episodes(question_type, base):
+    plans = [plan(question_type, (base * 120 + episode) * ATTEMPTS) for episode in range(120)]
+    letters = dict.fromkeys(PAIR, 60) if question_type in PAIRED else dict.fromkeys(LETTERS, 24)
     assert Counter(p.letter for p in plans) == letters
     assert Counter(p.wording for p in plans) == dict.fromkeys(range(20), 6)
     assert Counter(p.removals for p in plans) == {1: 30, 2: 30, 3: 30, 4: 20, 5: 10}
@@ -24,9 +24,9 @@ def test_properties_balance_over_120_episodes(kind, base):
     assert Counter(p.partly for p in plans) == {False: 80, True: 40}
 
 
-@pytest.mark.parametrize("kind", PAIRED)
-def test_what_shows_tells_the_answer_in_half_of_the_pairs(kind):
-    plans = [plan(kind, episode * ATTEMPTS) for episode in range(80)]
+@pytest.mark.parametrize("question_type", PAIRED)
+def test_what_shows_tells_the_answer_in_half_of_the_pairs(question_type):
+    plans = [plan(question_type, episode * ATTEMPTS) for episode in range(80)]
     both = tuple(product((True, False), repeat=2))
     for letter in PAIR:
         mine = [p for p in plans if p.letter == letter]
@@ -35,29 +35,33 @@ def test_what_shows_tells_the_answer_in_half_of_the_pairs(kind):
     assert sum(p.lighter for p in plans) == 40
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("question_type", QUESTION_TYPES)
 @pytest.mark.parametrize("number", [3, 50_001])
-def test_a_block_is_even_in_all_that_its_type_is_planned_by(kind, number):
-    start = next(e for e in range(number * 20, number * 80) if block_of(kind, e * 1000) == number)
-    length = next(n for n in range(1, 121) if block_of(kind, (start + n) * 1000 + 999) != number)
-    plans = [plan(kind, (start + n) * ATTEMPTS) for n in range(length)]
+def test_a_block_is_even_in_all_that_its_type_is_planned_by(question_type, number):
+    start = next(
+        e for e in range(number * 20, number * 80) if block_of(question_type, e * 1000) == number
+    )
+    length = next(
+        n for n in range(1, 121) if block_of(question_type, (start + n) * 1000 + 999) != number
+    )
+    plans = [plan(question_type, (start + n) * ATTEMPTS) for n in range(length)]
 
     def even(what: Callable[[TaskPlan], object], shares: Mapping[object, float]) -> bool:
         return Counter(map(what, plans)) == {key: length * share for key, share in shares.items()}
 
     assert even(lambda p: p.wording, dict.fromkeys(range(20), 1 / 20))
-    if kind in PAIRED:
+    if question_type in PAIRED:
         cues = product(PAIR, *[(True, False)] * 2)
         assert even(lambda p: (p.letter, *p.cues[:2]), dict.fromkeys(cues, 1 / 8))
         return
     assert even(lambda p: p.letter, dict.fromkeys(LETTERS, 1 / 5))
-    if kind == "count":
+    if question_type == "count":
         assert even(
             lambda p: (p.visible, p.hidden), dict.fromkeys(product(range(4), range(3)), 1 / 12)
         )
-    if kind == "find":
+    if question_type == "find":
         assert even(lambda p: p.partly, {False: 2 / 3, True: 1 / 3})
-    if kind == "reduce":
+    if question_type == "reduce":
         assert even(lambda p: p.removals, {1: 1 / 4, 2: 1 / 4, 3: 1 / 4, 4: 1 / 6, 5: 1 / 12})
 
 
@@ -67,8 +71,8 @@ def test_all_attempts_of_an_episode_share_a_plan():
 
 def test_types_and_blocks_have_orders_of_their_own():
     letters = {
-        tuple(plan(kind, (5 * block + place) * ATTEMPTS).letter for place in range(5))
-        for kind in KINDS
+        tuple(plan(question_type, (5 * block + place) * ATTEMPTS).letter for place in range(5))
+        for question_type in QUESTION_TYPES
         for block in range(10)
     }
     assert len(letters) > 20

@@ -28,9 +28,12 @@ from probe.tasks.task import Task
 GOLDEN = Path(__file__).parent / "golden.json"
 
 CHOSEN = (
-    *(("v1", kind) for kind in ("beneath", "compare", "count", "find", "reduce", "size")),
-    *(("demo", kind) for kind in ("beneath", "count", "find")),
-    *(("v1-scans", kind) for kind in ("beneath", "find", "size")),
+    *(
+        ("v1", question_type)
+        for question_type in ("beneath", "compare", "count", "find", "reduce", "size")
+    ),
+    *(("demo", question_type) for question_type in ("beneath", "count", "find")),
+    *(("v1-scans", question_type) for question_type in ("beneath", "find", "size")),
 )
 """Suites and types; the last task of each is taken, which no other test plays."""
 
@@ -48,8 +51,8 @@ class Watched:
         return self._agent.act(question, history)
 
 
-def chosen(suite: str, kind: str) -> Task:
-    return [task for task in packaged_suite(suite).tasks if task.kind == kind][-1]
+def chosen(suite: str, question_type: str) -> Task:
+    return [task for task in packaged_suite(suite).tasks if task.question_type == question_type][-1]
 
 
 def digests(task: Task, library: Library, renderer: Renderer) -> dict[str, str]:
@@ -85,8 +88,8 @@ def main() -> None:
     library = everything()
     with Renderer() as renderer:
         found = {
-            f"{suite} {kind}": digests(chosen(suite, kind), library, renderer)
-            for suite, kind in CHOSEN
+            f"{suite} {question_type}": digests(chosen(suite, question_type), library, renderer)
+            for suite, question_type in CHOSEN
         }
     GOLDEN.write_text(json.dumps(found, indent=1) + "\n")
 

@@ -32,7 +32,7 @@ def things():
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A run that v0.1 kept: two agents of ours and a model in two arms, six tasks each."""
+    """A run that v0.1 kept: two agents of ours and a model in two settings, six tasks each."""
     out = tmp_path / "run"
     out.mkdir()
     (out / "records.jsonl").write_bytes(
@@ -44,12 +44,15 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("suite", "kind"), CHOSEN)
-def test_a_frozen_task_looks_and_plays_as_it_did(things, request, suite: str, kind: str):
+@pytest.mark.parametrize(("suite", "question_type"), CHOSEN)
+def test_a_frozen_task_looks_and_plays_as_it_did(things, request, suite: str, question_type: str):
     if suite == "v1-scans":
         request.getfixturevalue("assets")
     library, renderer = things
-    assert digests(chosen(suite, kind), library, renderer) == EXPECTED[f"{suite} {kind}"]
+    assert (
+        digests(chosen(suite, question_type), library, renderer)
+        == EXPECTED[f"{suite} {question_type}"]
+    )
 
 
 def test_records_are_read_as_they_were(folder: Path):

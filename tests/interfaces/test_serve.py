@@ -56,7 +56,7 @@ def surroundings(cache, monkeypatch):
 
 
 def scripted(task):
-    return Scripted(task.kind, task.subject, generator(task.seed, "run", "scripted", 0))
+    return Scripted(task.question_type, task.subject, generator(task.seed, "run", "scripted", 0))
 
 
 class ByMcp:

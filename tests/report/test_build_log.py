@@ -22,7 +22,7 @@ def test_candidates_are_counted_by_type_and_check():
 def test_a_log_is_read(tmp_path):
     path = tmp_path / "log.txt"
     path.write_text("\n".join(LINES) + "\n")
-    assert [it.kind for it in read_build_log(path)] == ["count", "size"]
+    assert [it.question_type for it in read_build_log(path)] == ["count", "size"]
 
 
 def test_what_is_no_log_is_refused_by_line(tmp_path):

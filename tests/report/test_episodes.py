@@ -14,11 +14,11 @@ def test_keys_stay_the_same_and_tell_all_apart():
     keys = keys_of([one, two, again])
     assert len(set(keys)) == 3
     assert keys_of([two, one])[::-1] == keys[:2]
-    direct = played(episode(FIRST), arm="direct")
+    direct = played(episode(FIRST), setting="direct")
     assert keys_of([direct])[0] not in keys
 
 
-def test_arms_named_after_agents_are_said_once():
+def test_settings_named_after_agents_are_said_once():
     assert name_of(Entrant("random", "random")) == "random"
     assert name_of(ANNA) == "anna (agentic)"
 
@@ -39,8 +39,8 @@ def test_the_index_places_tasks_entrants_and_what_never_was():
     episodes = [played(episode(FIRST)), played(episode(SECOND, right=False))]
     gaps = {
         ANNA: [
-            Gap(SECOND.id, SECOND.kind, 1, "never run"),
-            Gap(FIRST.id, FIRST.kind, 1, "RenderFailed: gone"),
+            Gap(SECOND.id, SECOND.question_type, 1, "never run"),
+            Gap(FIRST.id, FIRST.question_type, 1, "RenderFailed: gone"),
             Gap("elsewhere-1", "count", 0, "never run"),
         ]
     }

@@ -15,7 +15,7 @@ pytestmark = [
 
 BREAK = "document.title='broken'"
 EVIL = f'</script><script>{BREAK}</script><img src=x onerror="{BREAK}">'
-PLAIN = [task for task in DEMO.tasks if task.kind != "find"]
+PLAIN = [task for task in DEMO.tasks if task.question_type != "find"]
 LEFT, RIGHT, ESCAPE = ("ArrowLeft", 37), ("ArrowRight", 39), ("Escape", 27)
 AT = "document.querySelector('#stage input[type=range]').value"
 ASKED = "document.getElementById('replay-question').textContent"

@@ -17,7 +17,7 @@ def test_bars_are_shares_of_a_types_episodes():
     ]
     (panel,) = panels([scorecard(rows, roster_of(rows), seed=0)])
     count, size = panel.bars
-    assert (size.kind, size.episodes) == ("size", 4)
+    assert (size.question_type, size.episodes) == ("size", 4)
     assert [(s.name, s.count, s.x, s.width) for s in size.segments] == [
         ("used_right", 2, 0, pytest.approx(WIDTH / 2)),
         ("unused_wrong", 1, pytest.approx(WIDTH / 2), pytest.approx(WIDTH / 4)),
@@ -27,5 +27,5 @@ def test_bars_are_shares_of_a_types_episodes():
 
 
 def test_every_class_of_episodes_has_its_colour():
-    fields = set(Outcomes.__dataclass_fields__) - {"kind"}
+    fields = set(Outcomes.__dataclass_fields__) - {"question_type"}
     assert {name for name, _ in CLASSES} == fields

@@ -140,11 +140,11 @@ def test_pairs_have_a_verdict_and_ties_are_groups(tmp_path):
     assert "Tie groups anna (agentic) · bert (agentic)" in section
 
 
-def test_arms_of_an_agent_are_a_family_of_their_own(tmp_path):
+def test_settings_of_an_agent_are_a_family_of_their_own(tmp_path):
     episodes = [
-        played(episode(task, right=arm == "agentic"), arm=arm)
+        played(episode(task, right=setting == "agentic"), setting=setting)
         for task in DEMO.tasks
-        for arm in ("agentic", "direct")
+        for setting in ("agentic", "direct")
     ]
     section = Page(write_page(tmp_path, episodes)).section("differences")
     assert "Agentic against direct" in section
@@ -152,7 +152,7 @@ def test_arms_of_an_agent_are_a_family_of_their_own(tmp_path):
 
 
 def test_the_figure_has_numbers_and_words(tmp_path):
-    episodes = [played(episode(task, right=task.kind != "count")) for task in DEMO.tasks]
+    episodes = [played(episode(task, right=task.question_type != "count")) for task in DEMO.tasks]
     page = Page(write_page(tmp_path, episodes))
     (figure,) = [e for e in page.all("svg") if e.attributes.get("class") == "bars"]
     assert figure.attributes["aria-label"] == (

@@ -68,9 +68,9 @@ def test_a_picture_that_cannot_be_read_is_named(tmp_path):
 
 
 def test_grades_that_hang_on_no_view_need_no_drawing():
-    count = next(task for task in DEMO.tasks if task.kind == "count")
+    count = next(task for task in DEMO.tasks if task.question_type == "count")
     assert nowhere().score(count, episode(count)).correct
-    find = next(task for task in DEMO.tasks if task.kind == "find")
+    find = next(task for task in DEMO.tasks if task.question_type == "find")
     assert not nowhere().score(find, episode(find, right=False)).correct
 
 

@@ -12,7 +12,7 @@ def test_letters_visibilities_and_measures_are_counted():
     seen = Certificate({2: Visibility(90, 900)}, {"visible_share": 0.1}, ())
     other = replace(with_answer("E"), certificate=seen)
     (facts,) = suite_facts([FIND, other])
-    assert (facts.kind, facts.tasks) == ("find", 2)
+    assert (facts.question_type, facts.tasks) == ("find", 2)
     assert facts.letters == (0, 1, 0, 0, 1)
     assert facts.target_seen is not None
     # 10 of 900 pixels and 90 of 900.
@@ -23,8 +23,10 @@ def test_letters_visibilities_and_measures_are_counted():
 
 
 def test_letters_that_are_not_offered_and_targets_that_are_not_there_are_unknown():
-    pair = replace(FIND, kind="size", options=(Option("A", "x"), Option("B", "y")), targets=())
+    pair = replace(
+        FIND, question_type="size", options=(Option("A", "x"), Option("B", "y")), targets=()
+    )
     find, size = suite_facts([pair, FIND])
-    assert (find.kind, size.kind) == ("find", "size")
+    assert (find.question_type, size.question_type) == ("find", "size")
     assert size.letters == (0, 1, None, None, None)
     assert size.target_seen is None

@@ -46,4 +46,4 @@ def test_what_is_missing_is_parted_by_reason():
     assert (missing.entrant.agent, missing.rows) == ("anna", 4)
     assert [gap.task for gap in missing.failed] == ["size-1"]
     assert [gap.task for gap in missing.never] == ["size-2", "count-0"]
-    assert missing.kinds == (("count", 1), ("size", 2))
+    assert missing.question_types == (("count", 1), ("size", 2))

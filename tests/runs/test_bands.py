@@ -38,7 +38,7 @@ def test_marked_things_must_show_a_little():
     frozen = {1: Visibility(900, 10_000), 2: Visibility(2_000, 10_000)}
     task = replace(
         FIND,
-        kind="size",
+        question_type="size",
         targets=(1, 2),
         certificate=replace(FIND.certificate, visibility=frozen),
     )

@@ -4,7 +4,7 @@ import pytest
 
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records, write_records
-from probe.episodes.folder import ARM, RECORDS, SUITE, arm_of_folder
+from probe.episodes.folder import RECORDS, SETTING, SUITE, setting_of_folder
 from probe.episodes.grading import question_of
 from probe.episodes.noise import NOISES
 from probe.episodes.ordered import note_ordered, read_ordered
@@ -91,17 +91,17 @@ def test_people_stay_people_and_what_they_said_comes_along(folders, tmp_path):
     parts = folders([record(0)], [record(1, agent="b")])
     said = [Remark(DEMO.tasks[n].id, "a", ambiguous=True, note=f"note {n}") for n in range(2)]
     for part, remark in zip(parts, said, strict=True):
-        (part / ARM).write_text("human\n")
+        (part / SETTING).write_text("human\n")
         add_remark(part, remark)
     assert merge_folders(parts, tmp_path / "out") == 2
-    assert arm_of_folder(tmp_path / "out") == "human"
+    assert setting_of_folder(tmp_path / "out") == "human"
     assert read_remarks(tmp_path / "out") == said
 
 
 def test_people_and_agents_are_not_mixed(folders, tmp_path):
     parts = folders([record(0)], [record(1)])
-    (parts[1] / ARM).write_text("human\n")
-    with pytest.raises(BadData, match="1: is of the arm human, .*0 of agents"):
+    (parts[1] / SETTING).write_text("human\n")
+    with pytest.raises(BadData, match="1: is of the setting human, .*0 of agents"):
         merge_folders(parts, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 

@@ -30,7 +30,7 @@ SPOTS = [("red_box", 0.0, 0.0, 0.0), ("blue_box", 0.0, 0.0, 0.04), ("green_box",
 SCENE = replace(standing(LIBRARY, *SPOTS), table="oak_planks", seed=5)
 TASK = replace(
     demo_suite().tasks[0],
-    kind="size",
+    question_type="size",
     seed=5,
     question="Which is longer? The marks: A at (512, 512) and B at (777, 335).",
     scene=SCENE,

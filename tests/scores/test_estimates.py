@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from probe.scores.estimates import corrected, macro, macro_chance
-from probe.scores.roster import Listed, chance_by_kind, naive_by_kind, roster_of
+from probe.scores.roster import Listed, chance_by_type, naive_by_type, roster_of
 from score_rows import roster, row
 
 
@@ -18,7 +18,7 @@ def test_chance_of_the_paper_suite_is_thirty_percent():
         **roster("find-1", "count-1", "reduce-1", "beneath-1", "beneath-2"),
         **roster("compare-1", "size-1", options=2),
     }
-    chance = chance_by_kind(six)
+    chance = chance_by_type(six)
     assert chance == {
         "beneath": 0.2,
         "compare": 0.5,
@@ -35,17 +35,17 @@ def test_counting_what_shows_is_the_naive_ceiling_of_count():
         **roster("find-1", "count-1", "reduce-1", "beneath-1"),
         **roster("compare-1", "size-1", options=2),
     }
-    naive = naive_by_kind(six)
-    assert naive == chance_by_kind(six) | {"count": pytest.approx(1 / 3)}
+    naive = naive_by_type(six)
+    assert naive == chance_by_type(six) | {"count": pytest.approx(1 / 3)}
     # 0.2, 0.5, 1/3, 0.2, 0.2, 0.5 over six types.
     assert macro_chance(naive) == pytest.approx(1.6 / 6 + 1 / 18)
     # With two numbers to choose from a guess is better than that.
-    assert naive_by_kind(roster("count-1", options=2)) == {"count": 0.5}
+    assert naive_by_type(roster("count-1", options=2)) == {"count": 0.5}
 
 
 def test_chance_is_a_mean_over_tasks():
     mixed = {**roster("size-1", "size-2", options=2), **roster("size-3", options=5)}
-    assert chance_by_kind(mixed)["size"] == pytest.approx((0.5 + 0.5 + 0.2) / 3)
+    assert chance_by_type(mixed)["size"] == pytest.approx((0.5 + 0.5 + 0.2) / 3)
 
 
 @pytest.mark.parametrize(

@@ -21,9 +21,10 @@ SHROUT_FLEISS = [
 """Six targets, four ratings each: table 2 of Psychol. Bull. 86(2), 1979; ICC(1, 1) is .17."""
 
 
-def published(kind: str = "find"):
+def published(question_type: str = "find"):
     return [
-        Unit(f"{kind}-{i}", kind, tuple(map(float, runs))) for i, runs in enumerate(SHROUT_FLEISS)
+        Unit(f"{question_type}-{i}", question_type, tuple(map(float, runs)))
+        for i, runs in enumerate(SHROUT_FLEISS)
     ]
 
 
@@ -35,7 +36,9 @@ def test_the_published_example():
 
 
 def test_types_are_pooled_by_their_mean_squares_and_their_means_play_no_part():
-    shifted = [Unit(u.task, u.kind, tuple(r + 100 for r in u.runs)) for u in published("size")]
+    shifted = [
+        Unit(u.task, u.question_type, tuple(r + 100 for r in u.runs)) for u in published("size")
+    ]
     assert icc([*published(), *shifted]) == pytest.approx(icc(published()))
 
 

@@ -175,7 +175,10 @@ def test_intervals_hold_the_estimate_and_stay_within_limits(strata, seed):
 
 @given(STRATA)
 def test_right_and_wrong_are_mirror_images(strata):
-    here, there = student(strata), student({kind: 1 - v for kind, v in strata.items()})
+    here, there = (
+        student(strata),
+        student({question_type: 1 - v for question_type, v in strata.items()}),
+    )
     assert (here.low, here.high) == pytest.approx((1 - there.high, 1 - there.low))
 
 

@@ -43,8 +43,8 @@ def test_each_task_should_have_each_run():
 def test_each_task_should_have_each_run_that_was_ordered():
     rows = [row("find-1", ordered=2), row("find-2", ordered=2), row("size-1", ordered=2)]
     assert gaps_of(rows, ROSTER) == [
-        Gap(task, kind, 1, "never run")
-        for task, kind in (("find-1", "find"), ("find-2", "find"), ("size-1", "size"))
+        Gap(task, question_type, 1, "never run")
+        for task, question_type in (("find-1", "find"), ("find-2", "find"), ("size-1", "size"))
     ]
     assert headline(rows, ROSTER) == Headline(None, 0.5, 1.0, rows=6, missing=3)
 
@@ -78,7 +78,7 @@ def test_another_worth_is_bounded_alike():
         row("find-9"),
         row("find-1", options=2),
         row("find-1", stratum="partly"),
-        row("find-1", kind="size"),
+        row("find-1", question_type="size"),
     ],
 )
 def test_tasks_of_another_suite_are_refused(stranger):
@@ -94,7 +94,7 @@ def test_a_repetition_takes_the_place_of_a_failure():
     others = [
         row("find-1", run=1),
         row("find-2"),
-        row("find-1", arm="direct"),
+        row("find-1", setting="direct"),
         row("find-1", agent="b"),
     ]
     assert settled([again, *others]) == [again, *others]

@@ -26,7 +26,7 @@ def test_one_type_by_hand():
     (pair,) = family(results, [(ANNA, BOB)], seed=0)
     assert (pair.first, pair.second, pair.tasks, pair.left_out) == (ANNA, BOB, 4, 0)
     assert pair.difference == pytest.approx(0.5)
-    assert pair.kinds == {"find": 0.5}
+    assert pair.question_types == {"find": 0.5}
     # Two tasks differ, both the same way: 2 of 4 signs are as far from 0.
     assert pair.p == pair.adjusted == 0.5
     assert pair.tie
@@ -43,7 +43,7 @@ def test_types_weigh_alike():
     bob = [*units("find", 0), *units("size", 1, 0, 0, 1)]
     (pair,) = family({ANNA: anna, BOB: bob}, [(ANNA, BOB)], seed=0)
     assert pair.difference == pytest.approx((1 - 0.25) / 2)
-    assert pair.kinds == {"find": 1.0, "size": -0.25}
+    assert pair.question_types == {"find": 1.0, "size": -0.25}
     # Of the four signs of 1/2 and -1/8, those that agree are further from 0: all four count.
     assert pair.p == 1.0
     (pair,) = family(
@@ -83,7 +83,7 @@ def test_only_shared_tasks_count_and_the_rest_is_counted():
     bob = [unit("find-2", 0), unit("find-3", 0), unit("find-4", 1)]
     (pair,) = family({ANNA: anna, BOB: bob}, [(ANNA, BOB)], seed=0)
     assert (pair.tasks, pair.left_out, pair.difference) == (2, 3, 0.75)
-    assert list(pair.kinds) == ["find"]
+    assert list(pair.question_types) == ["find"]
 
 
 def test_nothing_shared_is_refused():

@@ -4,7 +4,7 @@ from probe.scores.published import PrintedRow, PrintedTable, is_share, printed_t
 
 
 def by_row():
-    return {(it.row.model, it.row.arm): it for it in recount(printed_table())}
+    return {(it.row.model, it.row.setting): it for it in recount(printed_table())}
 
 
 def test_the_table_is_the_papers():
@@ -12,7 +12,7 @@ def test_the_table_is_the_papers():
     assert sum(table.tasks.values()) == 150
     assert len(table.rows) == 16
     assert all(set(row.percent) == set(table.tasks) for row in table.rows)
-    assert {row.arm for row in table.rows} == {"direct", "agentic"}
+    assert {row.setting for row in table.rows} == {"direct", "agentic"}
 
 
 def test_averages_that_do_not_follow_are_named():
@@ -70,8 +70,10 @@ def test_shares(percent, of, possible):
 
 def printed(average: float, gain: float | None, a: float, b: float):
     rows = [
-        PrintedRow(model="m", arm="direct", percent={"a": 10.0, "b": 20.0}, average=15.0),
-        PrintedRow(model="m", arm="agentic", percent={"a": a, "b": b}, average=average, gain=gain),
+        PrintedRow(model="m", setting="direct", percent={"a": 10.0, "b": 20.0}, average=15.0),
+        PrintedRow(
+            model="m", setting="agentic", percent={"a": a, "b": b}, average=average, gain=gain
+        ),
     ]
     return recount(PrintedTable(tasks={"a": 10, "b": 30}, rows=tuple(rows)))[1]
 

@@ -6,12 +6,12 @@ from score_rows import faulty, roster, row
 PLAIN = [row("find-1"), row("find-2"), row("size-1"), row("size-2", False)]
 ROSTER = roster("find-1", "find-2", "size-1", "size-2")
 LABEL = "camera tilted"
-ARM = f"agentic, {LABEL}"
+SETTING = f"agentic, {LABEL}"
 
 
 def tilted(*rights: object):
     tasks = ("find-1", "find-2", "size-1", "size-2")
-    return [row(task, right, arm=ARM) for task, right in zip(tasks, rights, strict=True)]
+    return [row(task, right, setting=SETTING) for task, right in zip(tasks, rights, strict=True)]
 
 
 def test_an_agent_is_compared_with_itself():
@@ -26,7 +26,7 @@ def test_an_agent_is_compared_with_itself():
 def test_several_conditions_are_one_family():
     others = {
         LABEL: tilted(0, 0, 0, 0),
-        "table other": [row("find-1", 0, arm="agentic, table other")],
+        "table other": [row("find-1", 0, setting="agentic, table other")],
     }
     one, other = shifts(PLAIN, others, {}, ROSTER)
     assert (one.conditions, other.conditions) == (LABEL, "table other")
@@ -36,7 +36,7 @@ def test_several_conditions_are_one_family():
 
 def test_what_is_missing_is_counted():
     plain = [*PLAIN[:3], faulty("size-2")]
-    rows = [faulty("find-1", arm=ARM), *tilted(1, 1, 1, 1)[1:]]
+    rows = [faulty("find-1", setting=SETTING), *tilted(1, 1, 1, 1)[1:]]
     (shift,) = shifts(plain, {LABEL: rows}, {}, ROSTER)
     assert (shift.missing, shift.pair.tasks) == (2, 2)
 
@@ -48,7 +48,7 @@ def test_no_certified_difference_where_no_task_holds():
 
 
 def test_somebody_else_is_no_comparison():
-    rows = [row("find-1", agent="bob", arm=ARM)]
+    rows = [row("find-1", agent="bob", setting=SETTING)]
     match = "bob was run under 'camera tilted'.*Run the same agent on both"
     with pytest.raises(NoCounterpart, match=match):
         shifts(PLAIN, {LABEL: rows}, {}, ROSTER)

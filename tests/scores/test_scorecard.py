@@ -38,7 +38,7 @@ def test_figures_of_a_whole_run():
     assert card.macro.chance == pytest.approx(0.35)
     assert card.macro.corrected == pytest.approx((5 / 12 - 0.35) / 0.65)
     assert (card.macro.tasks, card.macro.runs, card.macro.wilson) == (5, 5, None)
-    find, size = card.kinds
+    find, size = card.question_types
     assert (find.name, size.name) == ("find", "size")
     assert find.headline == Headline(
         pytest.approx(1 / 3), pytest.approx(1 / 3), pytest.approx(1 / 3), 3, 0
@@ -49,14 +49,17 @@ def test_figures_of_a_whole_run():
     assert (hidden.name, hidden.headline.value, hidden.tasks) == ("find, hidden", 0.5, 2)
     assert (partly.name, partly.headline.value, partly.chance) == ("find, partly", 0, 0.2)
     assert (card.gaps, card.icc, card.execution) == ((), None, None)
-    assert [(it.kind, it.unused_right) for it in card.outcomes] == [("find", 0), ("size", 1)]
+    assert [(it.question_type, it.unused_right) for it in card.outcomes] == [
+        ("find", 0),
+        ("size", 1),
+    ]
     assert card.effort.episodes == 5
 
 
 def test_beyond_chance_is_reckoned_from_the_naive_ceiling():
     some = [row("count-1", True), row("count-2", False), row("beneath-1", True)]
     card = scorecard(some, roster("count-1", "count-2", "beneath-1"), seed=0)
-    beneath, count = card.kinds
+    beneath, count = card.question_types
     assert (count.headline.value, count.chance, count.naive) == (0.5, 0.2, pytest.approx(1 / 3))
     # (1/2 - 1/5) / (4/5), and (1/2 - 1/3) / (2/3).
     assert count.beyond_guessing == pytest.approx(3 / 8)
@@ -68,7 +71,7 @@ def test_beyond_chance_is_reckoned_from_the_naive_ceiling():
 
 
 def test_intervals_of_single_runs():
-    find = scorecard(rows(), ROSTER, seed=0).kinds[0]
+    find = scorecard(rows(), ROSTER, seed=0).question_types[0]
     low, high = proportion_confint(1, 3, method="wilson")
     assert (find.wilson.low, find.wilson.high) == pytest.approx((low, high))
     t = stats.t.interval(0.95, 2, 1 / 3, stats.sem([1, 0, 0]))
@@ -90,10 +93,10 @@ def test_execution_is_on_the_card():
 
 def test_wilson_is_kept_from_several_runs():
     card = scorecard([*rows(0), *rows(1)], ROSTER, seed=0)
-    assert all(it.wilson is None for it in (*card.kinds, *card.parts))
+    assert all(it.wilson is None for it in (*card.question_types, *card.parts))
     assert card.icc == pytest.approx(1)
     assert card.macro.runs == 10
-    assert card.kinds[0].headline.rows == 6
+    assert card.question_types[0].headline.rows == 6
 
 
 def test_the_detectable_difference_is_from_an_unrelated_equal():
@@ -109,10 +112,10 @@ def test_an_incomplete_run_shows_bounds_and_no_number():
     some = [*rows()[:-1], faulty("size-2", options=2)]
     card = scorecard(some, ROSTER, seed=0)
     assert card.macro.headline == Headline(None, pytest.approx(5 / 12), pytest.approx(2 / 3), 5, 1)
-    refused = (card.macro, card.kinds[1])
+    refused = (card.macro, card.question_types[1])
     for it in refused:
         assert it.corrected is it.beyond_guessing is it.student is it.bootstrap is it.wilson is None
-    assert card.kinds[0].headline.value == pytest.approx(1 / 3)  # Find lacks nothing
+    assert card.question_types[0].headline.value == pytest.approx(1 / 3)  # Find lacks nothing
     assert card.detectable is None
     assert card.gaps == (Gap("size-2", "size", 0, "RenderFailed: gone"),)
     assert card.macro.runs == 4
@@ -152,7 +155,7 @@ def test_a_suite_without_find_has_no_letter():
 def test_a_type_lacks_a_run_that_only_other_types_have():
     rows = [row("find-0"), row("size-0"), row("size-0", run=1)]
     card = scorecard(rows, roster("find-0", "size-0"), seed=0)
-    find, size = card.kinds
+    find, size = card.question_types
     assert (find.headline.value, find.headline.missing, find.headline.rows) == (None, 1, 2)
     assert (find.headline.worst, find.headline.best) == (0.5, 1.0)
     assert size.headline.value == 1.0

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from probe.scores.arms import arm_effect
 from probe.scores.icc import icc
 from probe.scores.intervals import bootstrap, student
 from probe.scores.pairs import no_difference_p
 from probe.scores.power import PowerAssumptions, detectable_gap, expected_error
-from probe.scores.simulated import draw_chances, draw_units, two_arms
+from probe.scores.setting_effect import setting_effect
+from probe.scores.simulated import draw_chances, draw_units, two_settings
 from probe.scores.units import strata_of
 
 RNG = np.random.default_rng
@@ -40,21 +40,21 @@ def test_runs_resemble_each_other_as_asked(asked):
 
 
 def test_two_arms_by_hand():
-    # Agents a, b in one arm, then in the other.
+    # Agents a, b in one setting, then in the other.
     expected = [
         [1.0, 0.3, 0.4, 0.2],
         [0.3, 1.0, 0.2, 0.4],
         [0.4, 0.2, 1.0, 0.3],
         [0.2, 0.4, 0.3, 1.0],
     ]
-    assert two_arms(2, task=0.2, agent=0.2, arm=0.1) == pytest.approx(np.array(expected))
+    assert two_settings(2, task=0.2, agent=0.2, setting=0.1) == pytest.approx(np.array(expected))
 
 
 def test_intervals_hold_the_truth():
     rng, truth = RNG(3), np.mean(list(MIDDLING.values()))
     held, sims = np.zeros(2), 800
     for _ in range(sims):
-        means = {kind: [value] for kind, value in MIDDLING.items()}
+        means = {question_type: [value] for question_type, value in MIDDLING.items()}
         strata = strata_of(draw_units(rng, SIZES, means, 0.6, np.eye(1), 3)[0])
         found = student(strata), bootstrap(strata, 0, draws=500)
         held += [it.low <= truth <= it.high for it in found]
@@ -65,12 +65,12 @@ def test_intervals_hold_the_truth():
 
 def test_plain_cmh_cries_wolf_where_swapped_tasks_do_not():
     rng, alarms, sims = RNG(4), np.zeros(2), 400
-    alike = two_arms(4, task=0.0, agent=0.0, arm=0.25)
-    means = {kind: [value] * 8 for kind, value in MIDDLING.items()}
+    alike = two_settings(4, task=0.0, agent=0.0, setting=0.25)
+    means = {question_type: [value] * 8 for question_type, value in MIDDLING.items()}
     for _ in range(sims):
         entrants = draw_units(rng, SIZES, means, 0.6, alike, 3)
         both = {f"agent {k}": (entrants[k], entrants[4 + k]) for k in range(4)}
-        found = arm_effect(both, rng, draws=199)
+        found = setting_effect(both, rng, draws=199)
         alarms += (found.plain_p <= 0.05, found.p <= 0.05)
     assert alarms[0] / sims > 0.15
     # At most 5 %, give or take three standard errors of 1.1 points.
@@ -89,7 +89,9 @@ def test_four_in_five_suites_show_the_detectable_gap_and_few_show_none():
         for place, apart in enumerate((gap, 0.0)):
             means = {k: (value + apart / 2, value - apart / 2) for k, value in MIDDLING.items()}
             one, other = map(strata_of, draw_units(rng, SIZES, means, 0.5, alike, 3))
-            differences = {kind: one[kind] - other[kind] for kind in SIZES}
+            differences = {
+                question_type: one[question_type] - other[question_type] for question_type in SIZES
+            }
             found[place] += no_difference_p(differences, rng, draws=299) <= 0.05
     assert 0.73 < found[0] / sims < 0.87
     assert found[1] / sims < 0.08

@@ -10,12 +10,12 @@ from probe.scores.summary import summarise, write_scores
 from probe.scores.units import ContraryRows
 from score_rows import faulty, row
 
-TASKS = [f"{kind}-{i}" for kind in ("find", "size") for i in range(8)]
+TASKS = [f"{question_type}-{i}" for question_type in ("find", "size") for i in range(8)]
 
 
-def entrant(agent: str, arm: str, right: int):
+def entrant(agent: str, setting: str, right: int):
     """Each type's first tasks right, the rest wrong."""
-    return [row(task, int(task[-1]) < right, agent=agent, arm=arm) for task in TASKS]
+    return [row(task, int(task[-1]) < right, agent=agent, setting=setting) for task in TASKS]
 
 
 ROWS = [
@@ -36,33 +36,37 @@ def test_everything_of_a_table():
         ("bob", "direct"),
         ("anna", "direct"),
     ]
-    (arms,) = scores.agentic_against_direct
-    assert (arms.first, arms.second) == (("anna", "agentic"), ("anna", "direct"))
-    assert arms.p == arms.adjusted == pytest.approx(2 / 2**14)
+    (settings,) = scores.agentic_against_direct
+    assert (settings.first, settings.second) == (("anna", "agentic"), ("anna", "direct"))
+    assert settings.p == settings.adjusted == pytest.approx(2 / 2**14)
     assert (len(scores.all_pairs), scores.apart) == (6, ())
-    same = next(p for p in scores.all_pairs if (p.first, p.second) == (arms.first, arms.second))
-    assert same.adjusted > same.p == arms.p
+    same = next(
+        p for p in scores.all_pairs if (p.first, p.second) == (settings.first, settings.second)
+    )
+    assert same.adjusted > same.p == settings.p
     assert scores.ties == (
         (("anna", "agentic"), ("carl", "agentic")),
         (("bob", "direct"), ("anna", "direct")),
     )
-    assert (scores.arms.agents, scores.arms.tasks) == (1, 16)
-    assert scores.arms.p == pytest.approx(2 / 2**14)
+    assert (scores.settings.agents, scores.settings.tasks) == (1, 16)
+    assert scores.settings.p == pytest.approx(2 / 2**14)
 
 
 def test_the_test_of_arms_is_drawn_from_the_seed():
-    many = [f"{kind}-{i}" for kind in ("find", "size") for i in range(20)]
+    many = [f"{question_type}-{i}" for question_type in ("find", "size") for i in range(20)]
     ones = [row(task, int(task[5:]) % 3 > 0, agent="anna") for task in many]
-    others = [row(task, int(task[5:]) % 5 > 1, agent="anna", arm="direct") for task in many]
+    others = [row(task, int(task[5:]) % 5 > 1, agent="anna", setting="direct") for task in many]
     roster = roster_of(ones)
-    first, again, other = (summarise("s", [*ones, *others], roster, it).arms.p for it in (1, 1, 2))
+    first, again, other = (
+        summarise("s", [*ones, *others], roster, it).settings.p for it in (1, 1, 2)
+    )
     assert first == again != other
 
 
 def test_no_arms_to_compare():
     scores = summarise("s", [r for r in ROWS if r.agent != "anna"], ROSTER)
     assert scores.agentic_against_direct == ()
-    assert scores.arms is None
+    assert scores.settings is None
 
 
 def test_an_agent_that_lacks_a_task_or_everything_is_incomplete_and_last():
@@ -77,16 +81,16 @@ def test_an_agent_that_lacks_a_task_or_everything_is_incomplete_and_last():
 
 
 def test_those_who_share_no_task_so_far_are_named():
-    early = [r for r in entrant("anna", "agentic", 8) if r.kind == "find"]
-    late = [r for r in entrant("anna", "direct", 1) if r.kind == "size"]
+    early = [r for r in entrant("anna", "agentic", 8) if r.question_type == "find"]
+    late = [r for r in entrant("anna", "direct", 1) if r.question_type == "size"]
     scores = summarise("s", [*early, *late, *entrant("bob", "direct", 2)], ROSTER)
     assert scores.apart == ((("anna", "agentic"), ("anna", "direct")),)
     assert len(scores.all_pairs) == 2
-    assert (scores.agentic_against_direct, scores.arms) == ((), None)
+    assert (scores.agentic_against_direct, scores.settings) == ((), None)
 
 
 def test_a_repetition_makes_it_whole():
-    failed = faulty("find-0", agent="bob", arm="direct")
+    failed = faulty("find-0", agent="bob", setting="direct")
     assert summarise("s", [failed, *ROWS], ROSTER) == summarise("s", ROWS, ROSTER)
 
 
@@ -99,7 +103,7 @@ def test_rows_of_another_suite_are_refused():
 
 def test_nobody():
     scores = summarise("s", [], ROSTER)
-    assert (scores.cards, scores.all_pairs, scores.arms) == ((), (), None)
+    assert (scores.cards, scores.all_pairs, scores.settings) == ((), (), None)
 
 
 def test_the_document_is_plain_json(tmp_path):
@@ -108,4 +112,4 @@ def test_the_document_is_plain_json(tmp_path):
     assert written["cards"][0]["entrant"] == ["anna", "agentic"]
     assert written["cards"][0]["macro"]["headline"]["value"] == 1
     assert written["cards"][0]["icc"] is None
-    assert written["arms"]["odds_ratio"] is None or written["arms"]["odds_ratio"] > 1
+    assert written["settings"]["odds_ratio"] is None or written["settings"]["odds_ratio"] > 1

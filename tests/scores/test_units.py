@@ -49,8 +49,8 @@ def test_a_failure_of_ours_is_never_passed_over():
     [
         (row("find-1"), "it is there twice"),
         (row("find-2", agent="bob"), r"others are by anna \(agentic\)"),
-        (row("find-2", arm="direct"), r"others are by anna \(agentic\)"),
-        (row("find-1", run=1, kind="count"), "the task has two types"),
+        (row("find-2", setting="direct"), r"others are by anna \(agentic\)"),
+        (row("find-1", run=1, question_type="count"), "the task has two types"),
     ],
 )
 def test_rows_that_cannot_stand_together_are_refused(second, reason):
@@ -71,7 +71,12 @@ def test_means_by_type_in_order_of_name():
 
 
 def test_entrants_in_order():
-    rows = [row("find-1", agent="bob"), row("find-1"), row("find-2", arm="direct"), row("find-2")]
+    rows = [
+        row("find-1", agent="bob"),
+        row("find-1"),
+        row("find-2", setting="direct"),
+        row("find-2"),
+    ]
     found = by_entrant(rows)
     assert list(found) == [("anna", "agentic"), ("anna", "direct"), ("bob", "agentic")]
     assert found["anna", "agentic"] == [rows[1], rows[3]]

@@ -7,8 +7,8 @@ from probe.shortcuts.findings import HitCount, allowed, detectable, judge
 from probe.shortcuts.table import leaks, markdown
 
 
-def hits(right: int, n: int, by: str = "rule", kind: str = "find") -> HitCount:
-    return HitCount(kind, by, right, n, *allowed(kind))
+def hits(right: int, n: int, by: str = "rule", question_type: str = "find") -> HitCount:
+    return HitCount(question_type, by, right, n, *allowed(question_type))
 
 
 def test_the_rules_of_the_benchmark():
@@ -64,7 +64,7 @@ def test_what_is_within_the_limit_is_no_leak_however_many_tasks():
 
 def test_the_table_says_all_of_it():
     findings = judge(
-        [hits(60, 300), hits(120, 300, "logistic on areas"), hits(20, 40, kind="size")]
+        [hits(60, 300), hits(120, 300, "logistic on areas"), hits(20, 40, question_type="size")]
     )
     text = markdown(findings)
     assert text.startswith("3 tests: 2 below their limit, 0 over it within noise, 1 above it")

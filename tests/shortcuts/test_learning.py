@@ -22,8 +22,8 @@ TASKS = [task(n, "Which is it, if any?" if n % 3 == 0 else "Which?", 4 if n % 3 
 
 
 def test_it_learns_words_of_options_and_questions():
-    (kind,) = (learnt := learn(TASKS).root)
-    assert (kind, learnt[kind].tasks) == ("find", 60)
+    (question_type,) = (learnt := learn(TASKS).root)
+    assert (question_type, learnt[question_type].tasks) == ("find", 60)
     rule = most_likely(learnt["find"].weights)
     assert all(rule(question_of(task)) == task.answer for task in TASKS)
 

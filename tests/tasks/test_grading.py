@@ -83,10 +83,10 @@ def test_find_where_none_is_listed_ignores_points(point):
     assert grade(with_answer("E"), FinalAnswer("B", point), last()) == WRONG
 
 
-@pytest.mark.parametrize("kind", ["beneath", "count"])
+@pytest.mark.parametrize("question_type", ["beneath", "count"])
 @pytest.mark.parametrize("position", [(0.1, 0.2, 0.0), (-0.5, -0.5, 0.02), (2.0, 0.0, -0.75)])
-def test_other_types_look_at_the_letter_alone(kind, position):
-    task = replace(FIND, kind=kind)
+def test_other_types_look_at_the_letter_alone(question_type, position):
+    task = replace(FIND, question_type=question_type)
     seen = last(position=position)
     assert grade(task, FinalAnswer("B"), seen) == RIGHT
     assert grade(task, FinalAnswer("A", (115, 50)), seen) == WRONG

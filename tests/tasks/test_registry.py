@@ -18,7 +18,7 @@ from probe.tasks.type_rules import TypeRules
 
 RULES = TypeRules(forms={"plain": frozenset()}, answers="objects", fewest_targets=1)
 """
-FILES = {"rules.py": RULES, WORDINGS: "kind: seventh\nforms:\n  plain: []\n"}
+FILES = {"rules.py": RULES, WORDINGS: "question_type: seventh\nforms:\n  plain: []\n"}
 
 
 @pytest.fixture

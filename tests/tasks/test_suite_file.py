@@ -15,7 +15,7 @@ from task_examples import FIND, SCENE, with_answer
 FINGERPRINTS = {placed.object_id: (3.0, 0.5) for placed in SCENE.objects}
 SUITE = Suite(
     "small",
-    (FIND, replace(with_answer("E"), id="count-1", kind="count", subject="lime", cover=1)),
+    (FIND, replace(with_answer("E"), id="count-1", question_type="count", subject="lime", cover=1)),
     FINGERPRINTS,
 )
 

@@ -5,25 +5,27 @@ from collections import Counter
 import pytest
 
 from probe.errors import BadData
-from probe.tasks.task import KINDS
+from probe.tasks.task import QUESTION_TYPES
 from probe.tasks.wordings import FEWEST, parse_wordings, wordings
 
 LINES = [f"    - What is under the {{cover}}, way {number}?" for number in range(FEWEST - 1)]
-GOOD = "\n".join(["kind: beneath", "forms:", "  plain:", *LINES, "    - What of the {cover}?\n"])
+GOOD = "\n".join(
+    ["question_type: beneath", "forms:", "  plain:", *LINES, "    - What of the {cover}?\n"]
+)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_every_type_can_be_asked_in_twenty_ways(kind):
-    texts = [wording.text for wording in wordings(kind)]
+@pytest.mark.parametrize("question_type", QUESTION_TYPES)
+def test_every_type_can_be_asked_in_twenty_ways(question_type):
+    texts = [wording.text for wording in wordings(question_type)]
     assert len(set(texts)) == len(texts) == 20
     for text in texts:
         asked = text.format(cover="white bowl", names="red mugs", colour="red", name="red mug")
         assert "{" not in asked
 
 
-@pytest.mark.parametrize("kind", ["compare", "size"])
-def test_each_form_of_a_pair_is_asked_about_as_often(kind):
-    assert set(Counter(wording.form for wording in wordings(kind)).values()) == {6, 7}
+@pytest.mark.parametrize("question_type", ["compare", "size"])
+def test_each_form_of_a_pair_is_asked_about_as_often(question_type):
+    assert set(Counter(wording.form for wording in wordings(question_type)).values()) == {6, 7}
 
 
 def test_valid_wordings_are_read():
@@ -42,12 +44,12 @@ def test_valid_wordings_are_read():
         ("way 2?", "way 1?", 2, "is there twice"),
         ("- What is under the {cover}, way 1?", "- 12", 5, "valid string"),
         ("    - What of the {cover}?\n", "", 2, "at least 20"),
-        ("kind: beneath", "kind: below", 1, "'beneath', 'compare'"),
-        ("kind: beneath\n", "kind: beneath\nauthor: me\n", 2, "Extra inputs"),
+        ("question_type: beneath", "question_type: below", 1, "'beneath', 'compare'"),
+        ("question_type: beneath\n", "question_type: beneath\nauthor: me\n", 2, "Extra inputs"),
         ("- What of", "- 'What of", 24, "unexpected end"),
         ("  plain:", "  longer:", 2, "the forms of beneath are plain"),
         ("  plain:", "  nicer:", 3, "'plain', 'colour'"),
-        ("kind: beneath\n", "", 1, "kind"),
+        ("question_type: beneath\n", "", 1, "question_type"),
     ],
 )
 def test_broken_wordings_name_file_and_line(old, new, line, reason):

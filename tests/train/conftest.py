@@ -19,7 +19,7 @@ from tabletops import paint
 
 LESSONS = [
     lesson(training_task(1), statuses=[("mug", "done"), ("box", "failed")]),
-    lesson(training_task(2), arm="direct"),
+    lesson(training_task(2), setting="direct"),
     lesson(training_task(3, "count")),
 ]
 

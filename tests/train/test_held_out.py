@@ -62,15 +62,15 @@ def test_floors_say_what_the_suites_answers_say():
         said = letter if letter in offered else offered[-1]
         # Whoever names a thing in Find has to point at it as well.
         named = next(option.text for option in task.options if option.letter == said)
-        pointless = task.kind == "find" and not named.startswith("None")
+        pointless = task.question_type == "find" and not named.startswith("None")
         if letter != "none":
             assert found[task.id] == (said == task.answer and not pointless)
 
 
 @pytest.mark.parametrize("letter", "ABCD")
 def test_the_best_constant_answer_is_taken(letter):
-    count = next(task for task in DEMO.tasks if task.kind == "count")
-    beneath = next(task for task in DEMO.tasks if task.kind == "beneath")
+    count = next(task for task in DEMO.tasks if task.question_type == "count")
+    beneath = next(task for task in DEMO.tasks if task.question_type == "beneath")
     other = "A" if letter == "B" else "B"
     tasks = [
         *(replace(count, id=f"count-{n:08x}", answer=letter) for n in range(2)),
@@ -84,12 +84,12 @@ def test_the_best_constant_answer_is_taken(letter):
 
 def test_there_must_be_something_to_be_best_at():
     with pytest.raises(BadData, match="--types: leaves no type of demo that was trained"):
-        floors(DEMO, [task.kind for task in DEMO.tasks], {})
+        floors(DEMO, [task.question_type for task in DEMO.tasks], {})
 
 
 def test_question_only_is_silent_about_what_it_never_learnt():
     learnt = {"count": QuestionClassifier(tasks=9, weights={"@1": 1.0})}
     rows = [it for it in floors(DEMO, [], learnt) if it.agent == "question-only"]
-    assert {it.answer for it in rows if it.kind == "count"} == {"B"}
-    assert {it.answer for it in rows if it.kind != "count"} == {None}
+    assert {it.answer for it in rows if it.question_type == "count"} == {"B"}
+    assert {it.answer for it in rows if it.question_type != "count"} == {None}
     assert len(rows) == len(DEMO.tasks)

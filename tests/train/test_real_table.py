@@ -34,7 +34,7 @@ def library(cache):
 @pytest.fixture(scope="module")
 def taught(library):
     """The teacher's record with tools, in thousandths."""
-    order = RunOrder(TEACHER, arm="agentic", points="0-1000")
+    order = RunOrder(TEACHER, setting="agentic", points="0-1000")
     with Renderer() as renderer:
         place = TeacherWorker(order, library, teacher_for("0-1000"))
         return place.played(Job(TASK, 0), library(), renderer)
@@ -42,7 +42,7 @@ def taught(library):
 
 def test_it_says_something_with_each_call_and_counts_in_whole_thousandths(taught):
     assert record_of(line_of(taught)) == taught
-    assert taught.end == "answered" and taught.seat.arm == "agentic"
+    assert taught.end == "answered" and taught.seat.setting == "agentic"
     assert all(step.call.words for step in taught.steps)
     told = messages(taught, [b""], [None] * len(taught.steps))
     places = [call.arguments for it in told for _, call in it.calls if call.name == "find_object"]
@@ -59,7 +59,7 @@ def test_its_pictures_are_those_that_the_tools_gave(taught, library):
     with SceneRenderer(part(DEMO, TASK), library) as scene_renderer:
         drawn = shown(TASK, taught, scene_renderer)
         with pytest.raises(OtherPerception, match="Collect with --pointer oracle"):
-            seat = replace(taught.seat, arm="agentic, pointer self")
+            seat = replace(taught.seat, setting="agentic, pointer self")
             shown(TASK, replace(taught, seat=seat), scene_renderer)
         small = shown(TASK, taught, scene_renderer, 64)
     assert first is not None and drawn.first == (jpeg(first),)
@@ -68,8 +68,13 @@ def test_its_pictures_are_those_that_the_tools_gave(taught, library):
 
 
 def test_without_tools_it_is_silent_where_the_evidence_is_hidden(library):
-    order = RunOrder(TEACHER, arm="direct")
+    order = RunOrder(TEACHER, setting="direct")
     with Renderer() as renderer:
         place = TeacherWorker(order, library, teacher_for("pixels"))
         record = place.played(Job(TASK, 0), library(), renderer)
-    assert (record.end, record.answer, record.steps, record.arm) == ("stopped", None, (), "direct")
+    assert (record.end, record.answer, record.steps, record.setting) == (
+        "stopped",
+        None,
+        (),
+        "direct",
+    )

@@ -121,22 +121,22 @@ def trained_on(record, body, points, speaker, folder):
     return collator_for(speaker._processor)([rows[0]])
 
 
-@pytest.mark.parametrize(("arm", "points"), [("agentic", "0-1000"), ("direct", "pixels")])
-def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, arm, points):
-    speaker.begin(EPISODES[arm])
-    order = plan(tmp_path / "out", arm, SUITE, points=points)
+@pytest.mark.parametrize(("setting", "points"), [("agentic", "0-1000"), ("direct", "pixels")])
+def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, setting, points):
+    speaker.begin(EPISODES[setting])
+    order = plan(tmp_path / "out", setting, SUITE, points=points)
     with listening(speaker) as url:
         run_in(order, url)
     record = kept(tmp_path / "out")[SUITE.tasks[0].id]
     assert seat_of(record).faults == () and record.answer is not None
     # All that is said is learnt: an episode with a reminder wouldn't be chosen.
     assert not reminded(record)
-    assert len(speaker.heard) == len(EPISODES[arm])
+    assert len(speaker.heard) == len(EPISODES[setting])
     batch = trained_on(record, speaker.bodies[-1], points, speaker, tmp_path)
     ids, labels = batch["input_ids"][0].tolist(), batch["labels"][0].tolist()
     tokenizer = speaker._processor.tokenizer
     expected, end = [IGNORED] * len(ids), 0
-    for asked, reply in zip(speaker.heard, EPISODES[arm], strict=True):
+    for asked, reply in zip(speaker.heard, EPISODES[setting], strict=True):
         sent = asked["input_ids"][0].tolist()
         assert ids[: len(sent)] == sent
         patches = asked["pixel_values"]

@@ -11,7 +11,7 @@ import pytest
 from probe.episodes.participation import Points
 from probe.errors import UnknownName
 from probe.toolshed.tools import tool_schemas
-from probe.transcripts.prompts import Arm, arm_named, reminder, system_prompt
+from probe.transcripts.prompts import Setting, reminder, setting_named, system_prompt
 from probe.transcripts.tools import tools_for
 
 SNAPSHOT = Path(__file__).with_name("told.json")
@@ -28,25 +28,25 @@ def test_in_pixels_the_tools_are_the_toolsheds():
 
 def test_in_thousandths_no_pixel_is_left():
     told = json.dumps([vars(tool) for tool in tools_for("0-1000")])
-    told += "".join(system_prompt(arm, "0-1000") for arm in get_args(Arm))
+    told += "".join(system_prompt(setting, "0-1000") for setting in get_args(Setting))
     assert "pixel" not in told and "1024" not in told
     assert '"maximum": 1000' in told
 
 
 def test_an_arm_is_known_by_its_name_with_whatever_follows():
-    assert arm_named("agentic, pointer self") == "agentic"
+    assert setting_named("agentic, pointer self") == "agentic"
     with pytest.raises(UnknownName, match="sideways"):
-        arm_named("sideways")
+        setting_named("sideways")
 
 
 def as_json() -> str:
     told = {
         points: {
-            "prompts": {arm: system_prompt(arm, points) for arm in get_args(Arm)},
+            "prompts": {setting: system_prompt(setting, points) for setting in get_args(Setting)},
             "tools": [vars(tool) for tool in tools_for(points)],
         }
         for points in get_args(Points)
     }
-    reminders = {arm: reminder(arm) for arm in ("agentic", "direct")}
+    reminders = {setting: reminder(setting) for setting in ("agentic", "direct")}
     reminders["point"] = reminder("direct", answered=True)
     return json.dumps({**told, "reminders": reminders}, indent=1) + "\n"

@@ -14,21 +14,21 @@ def test_values_may_differ_by_one():
 
 
 def test_letters_are_counted_with_those_that_never_occur():
-    task = next(task for task in demo_suite().tasks if task.kind == "find")
+    task = next(task for task in demo_suite().tasks if task.question_type == "find")
     tasks = [replace(task, answer=letter) for letter in "AABC"]
     (found,) = balances(tasks)
     assert found.counts == {"A": 2, "B": 1, "C": 1, "D": 0, "E": 0} and not found.even
 
 
 def test_count_crosses_clear_and_hidden():
-    task = next(task for task in demo_suite().tasks if task.kind == "count")
+    task = next(task for task in demo_suite().tasks if task.question_type == "count")
     _, crossed = balances([task])
     assert len(crossed.counts) == 12 and sum(crossed.counts.values()) == 1
 
 
 def test_size_crosses_what_shows_of_the_larger_thing():
     leads = {"area_lead": 0.1, "length_lead": -0.2, "outline_lead": 0.1}
-    task = next(task for task in packaged_suite("v1").tasks if task.kind == "size")
+    task = next(task for task in packaged_suite("v1").tasks if task.question_type == "size")
     proof = replace(task.certificate, measures={**task.certificate.measures, **leads})
     *_, crossed = balances([replace(task, certificate=proof)])
     assert len(crossed.counts) == 4 and crossed.counts["more: True, longer: False"] == 1

@@ -22,9 +22,11 @@ COMPARE = next(task for task in MARKED if task.form == "colour")
 SIZE = next(task for task in MARKED if task.form == "larger")
 
 
-def demo(kind: str, *, cover: bool = False) -> Task:
+def demo(question_type: str, *, cover: bool = False) -> Task:
     """A demo task with a named answer."""
-    return next(t for t in DEMO.tasks if t.kind == kind and (t.answer != "E" or cover))
+    return next(
+        t for t in DEMO.tasks if t.question_type == question_type and (t.answer != "E" or cover)
+    )
 
 
 def moved(scene: Scene, instance: int, dx: float = 0.0, dz: float = 0.0) -> Scene:

@@ -12,16 +12,19 @@ from probe.generation.build import without_notes
 from probe.render.renderer import Renderer
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import packaged_suite
-from probe.tasks.task import KINDS
+from probe.tasks.task import QUESTION_TYPES
 from probe.verification.balance import balances
 from probe.verification.check import CheckDepth, check, rebuild_problem
 
 V1, UNFILTERED = packaged_suite("v1"), packaged_suite("v1-unfiltered")
-FIRST = [next(task for task in V1.tasks if task.kind == kind) for kind in KINDS]
+FIRST = [
+    next(task for task in V1.tasks if task.question_type == question_type)
+    for question_type in QUESTION_TYPES
+]
 
 
 def test_v1_is_150_tasks_of_six_types_on_tables_of_their_own():
-    assert Counter(task.kind for task in V1.tasks) == {
+    assert Counter(task.question_type for task in V1.tasks) == {
         "beneath": 26, "compare": 24, "count": 21, "find": 28, "reduce": 23, "size": 28,
     }  # fmt: skip
     assert len({task.scene for task in V1.tasks}) == 150
@@ -41,7 +44,9 @@ def test_letters_and_crossings_of_v1_balance():
     found = list(balances(V1.tasks))
     assert [b for b in found if b.of == "letter" and not b.even] == []
     # 28 are three and a half rounds of Size's crossings, and "smaller" turns letters round.
-    spreads = {(b.kind, b.of): max(b.counts.values()) - min(b.counts.values()) for b in found}
+    spreads = {
+        (b.question_type, b.of): max(b.counts.values()) - min(b.counts.values()) for b in found
+    }
     assert len(spreads) == 11 and max(spreads.values()) <= 2
     assert [name for name, spread in spreads.items() if spread > 1] == [
         ("size", "letter x larger area"),

@@ -10,15 +10,20 @@ from probe.assets.library import Library, open_library
 from probe.render.renderer import Renderer
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import packaged_suite
-from probe.tasks.task import KINDS
+from probe.tasks.task import QUESTION_TYPES
 from probe.verification.balance import balances
 from probe.verification.check import CheckDepth, check
 
 SCANS, V1 = packaged_suite("v1-scans"), packaged_suite("v1")
-MADE = [kind for kind in KINDS if kind not in ("compare", "reduce")]
+MADE = [
+    question_type for question_type in QUESTION_TYPES if question_type not in ("compare", "reduce")
+]
 """Too few of the 132 scans mislead as Compare plans, or are alike enough for Reduce."""
 
-FIRST = [next(task for task in SCANS.tasks if task.kind == kind) for kind in MADE]
+FIRST = [
+    next(task for task in SCANS.tasks if task.question_type == question_type)
+    for question_type in MADE
+]
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +32,7 @@ def scans(assets, cache) -> Library:
 
 
 def test_fifteen_of_each_type_that_scans_allow_on_other_tables_than_those_of_v1():
-    assert Counter(task.kind for task in SCANS.tasks) == dict.fromkeys(MADE, 15)
+    assert Counter(task.question_type for task in SCANS.tasks) == dict.fromkeys(MADE, 15)
     assert not {task.seed for task in SCANS.tasks} & {task.seed for task in V1.tasks}
     assert not set(SCANS.objects) & set(V1.objects)
 
@@ -36,7 +41,8 @@ def test_letters_and_what_is_planned_balance():
     # Which letter shows more isn't planned: "smaller" turns it round.
     planned = [it for it in balances(SCANS.tasks) if it.of != "letter x larger area"]
     spreads = {
-        (it.kind, it.of): max(it.counts.values()) - min(it.counts.values()) for it in planned
+        (it.question_type, it.of): max(it.counts.values()) - min(it.counts.values())
+        for it in planned
     }
     assert max(spreads.values()) <= 2, spreads
 

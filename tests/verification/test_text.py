@@ -12,7 +12,7 @@ from probe.assets.library import Library, open_library
 from probe.cli.suite_verify import Unverified, verify
 from probe.tasks.suite import Suite, selection
 from probe.tasks.suite_file import digest_of, packaged_suite, read_suite, write_suite
-from probe.tasks.task import Letter, Mark, Option, QuestionKind, Task
+from probe.tasks.task import Letter, Mark, Option, QuestionType, Task
 from probe.tasks.type_rules import Form
 from probe.verification.text import read_anew
 
@@ -37,9 +37,13 @@ def test_so_do_those_of_scans(assets: Path, cache: Path):
     assert len(SCANS.tasks) == 60
 
 
-def of(kind: QuestionKind, form: Form = "plain", fits: Callable[[Task], bool] = bool) -> Task:
+def of(
+    question_type: QuestionType, form: Form = "plain", fits: Callable[[Task], bool] = bool
+) -> Task:
     """The first task of v1 of a type and form that fits."""
-    return next(t for t in V1.tasks if t.kind == kind and t.form == form and fits(t))
+    return next(
+        t for t in V1.tasks if t.question_type == question_type and t.form == form and fits(t)
+    )
 
 
 def says(task: Task, old: str, new: str) -> Task:

@@ -47,13 +47,13 @@ class FirstLookQuestion:
     graph: Graph
 
 
-def at_a_glance(kind: str, asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
+def at_a_glance(question_type: str, asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     """The answer if the first look shows its evidence.
 
     Beneath and Reduce ask for what is hidden: a first look never shows that.
 
     Args:
-        kind: Type of the question.
+        question_type: Type of the question.
         asked: The question and the look.
         say: Gives the words.
     """
@@ -63,7 +63,7 @@ def at_a_glance(kind: str, asked: FirstLookQuestion, say: Say) -> FirstLookAnswe
         "find": _find,
         "size": _size,
     }
-    rule = rules.get(kind)
+    rule = rules.get(question_type)
     return rule(asked, say) if rule else None
 
 

@@ -22,7 +22,7 @@ class Scripted:
 
     def __init__(
         self,
-        kind: str,
+        question_type: str,
         subject: str,
         rng: np.random.Generator,
         first: Way = "grasp",
@@ -34,7 +34,7 @@ class Scripted:
         """Prepare for one episode.
 
         Args:
-            kind: Type of the question.
+            question_type: Type of the question.
             subject: Name of the cover (beneath), of what is counted, of what is to be removed
                 (reduce, with commas), or of the colour or thing compared with; unused otherwise.
             rng: Breaks ties.
@@ -44,7 +44,7 @@ class Scripted:
                 answer proves nothing: never certify a task by it.
             say: Gives the words that go with each call; they change nothing that is done.
         """
-        self._kind = kind
+        self._kind = question_type
         self._subject = subject
         self._rng = rng
         self._first: Way = first

@@ -25,7 +25,7 @@ _Blind = Literal[
 _Sizing = Literal["smallest", "largest"]
 AgentName = Literal["scripted", "random", _Blind, _Sizing]
 
-ARMS: Mapping[str, str] = {
+SETTINGS: Mapping[str, str] = {
     "scripted": "scripted",
     "random": "random",
     # These see the question and its options, and nothing else.
@@ -33,7 +33,7 @@ ARMS: Mapping[str, str] = {
     # These know the catalogue too, and what shows of marked things.
     **dict.fromkeys(get_args(_Sizing), "rule"),
 }
-"""Arm of each agent."""
+"""Setting of each agent."""
 
 
 def builtin_agent(
@@ -74,7 +74,7 @@ def make_agent(name: str, task: Task, run: int, library: Library, renderer: Rend
     if name == "random":
         return Random(rng)
     if name == "scripted":
-        return Scripted(task.kind, task.subject, rng, form=task.form, bold=True)
+        return Scripted(task.question_type, task.subject, rng, form=task.form, bold=True)
     return AtOnce(_rule(name, task, library, renderer))
 
 
@@ -94,10 +94,10 @@ def _rule(name: str, task: Task, library: Library, renderer: Renderer) -> Rule:
 
 def _learnt(task: Task) -> Rule:
     learnt = read_learnt()
-    if task.kind not in learnt:
+    if task.question_type not in learnt:
         raise BadData(
             "question_only.json",
-            f"nothing was learnt about {task.kind} questions",
+            f"nothing was learnt about {task.question_type} questions",
             "Learn it: probe suite learn SUITE... --out src/probe/agents/data/question_only.json",
         )
-    return most_likely(learnt[task.kind].weights)
+    return most_likely(learnt[task.question_type].weights)

@@ -72,7 +72,7 @@ def gather(
     scene_renderer: SceneRenderer,
     out: Path,
     *,
-    arm: str | None = None,
+    setting: str | None = None,
     single: bool = False,
     track: Track = silent,
 ) -> tuple[ReportEpisode, ...]:
@@ -83,7 +83,7 @@ def gather(
         suite: What all of them are about.
         scene_renderer: Where to draw.
         out: Folder of the report.
-        arm: Of all agents; None for what is usual.
+        setting: Of all agents; None for what is usual.
         single: Stop before drawing if a single file can't hold them.
         track: Watches the work.
 
@@ -91,7 +91,7 @@ def gather(
         NoRuns: No folder holds a record.
         TooManyEpisodes: For a single file.
     """
-    folders = [_entries(run, suite, scene_renderer, arm, track) for run in runs]
+    folders = [_entries(run, suite, scene_renderer, setting, track) for run in runs]
     entries = [entry for some in _told_apart(runs, folders) for entry in some]
     if not entries:
         raise NoRuns(f"There is no record in {runs[0]}. Let an agent work on the suite first.")
@@ -115,10 +115,10 @@ def gather(
 
 
 def _entries(
-    run: Path, suite: Suite, scene_renderer: SceneRenderer, arm: str | None, track: Track
+    run: Path, suite: Suite, scene_renderer: SceneRenderer, setting: str | None, track: Track
 ) -> list[_Entry]:
     found = grade_folder(run, suite, scene_renderer, track)
-    rows = rows_of(run, identity_of(suite).title, found, arm)
+    rows = rows_of(run, identity_of(suite).title, found, setting)
     return [
         _Entry(task, record, row, stills_of(task, record))
         for (task, record, _), row in zip(found, rows, strict=True)
@@ -126,7 +126,7 @@ def _entries(
 
 
 def _told_apart(runs: Sequence[Path], folders: Sequence[list[_Entry]]) -> list[list[_Entry]]:
-    """Agents that appear in the same arm in two folders get their folder's name added."""
+    """Agents that appear in the same setting in two folders get their folder's name added."""
     entrants = Counter(who for some in folders for who in {entry.row.entrant for entry in some})
     shared = {who.agent for who, times in entrants.items() if times > 1}
     return [

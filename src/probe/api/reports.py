@@ -42,7 +42,7 @@ class WrittenReport:
     remark: str = ""
 
 
-def rescore(folder: str | Path, *, arm: str | None = None, track: Track = silent) -> Scores:
+def rescore(folder: str | Path, *, setting: str | None = None, track: Track = silent) -> Scores:
     """Grade the records of a folder again, without physics.
 
     Writes rows.csv, rows.jsonl and scores.json into the folder. Of a part of a packaged suite they
@@ -50,7 +50,7 @@ def rescore(folder: str | Path, *, arm: str | None = None, track: Track = silent
 
     Args:
         folder: Holds suite.json and records.jsonl, as `probe run` or `run` writes them.
-        arm: How the agents were allowed to answer; by default as each record says.
+        setting: How the agents were allowed to answer; by default as each record says.
         track: Watches the work.
 
     Raises:
@@ -60,7 +60,7 @@ def rescore(folder: str | Path, *, arm: str | None = None, track: Track = silent
     out = Path(folder)
     suite = read_suite(out / SUITE)
     identity = identity_of(suite)
-    rows = rows_of(out, identity.title, graded(out, track), arm)
+    rows = rows_of(out, identity.title, graded(out, track), setting)
     roster = roster_of_tasks(suite.tasks)
     scores = summarise(identity.title, rows, roster, whole=identity.whole)
     write_beside(out, rows, scores)
@@ -71,7 +71,7 @@ def write_report(
     folders: str | Path | Sequence[str | Path],
     out: str | Path | None = None,
     *,
-    arm: str | None = None,
+    setting: str | None = None,
     build_log: str | Path | None = None,
     single_file: bool = False,
     track: Track = silent,
@@ -81,7 +81,7 @@ def write_report(
     Args:
         folders: One or several, about one suite; several are compared.
         out: Folder for the page; by default that of the records, for several outputs/report.
-        arm: How the agents were allowed to answer; by default as each record says.
+        setting: How the agents were allowed to answer; by default as each record says.
         build_log: The log that was written beside the suite when it was built, for its yield.
         single_file: Write one file that holds everything; for up to 20 episodes.
         track: Watches the work.
@@ -98,7 +98,7 @@ def write_report(
     folder = Path(out) if out else (runs[0] if len(runs) == 1 else SEVERAL)
     with scene_renderer_of(suite) as scene_renderer:
         played = gather(
-            runs, suite, scene_renderer, folder, arm=arm, single=single_file, track=track
+            runs, suite, scene_renderer, folder, setting=setting, single=single_file, track=track
         )
     rows, identity = [each.row for each in played], identity_of(suite)
     roster = roster_of_tasks(suite.tasks)

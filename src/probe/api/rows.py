@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from probe.api.agents import ARMS
+from probe.api.agents import SETTINGS
 from probe.api.grading import Graded
-from probe.episodes.folder import arm_of_folder
+from probe.episodes.folder import setting_of_folder
 from probe.episodes.ordered import Ordered, read_ordered
 from probe.scores.marking import row_of
 from probe.scores.row import Row
@@ -17,23 +17,25 @@ from probe.scores.summary import AGENTIC, Scores, write_scores
 ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
 
 
-def arm_of(agent: str) -> str:
+def setting_of(agent: str) -> str:
     """How an agent answers, if nobody says otherwise."""
-    return ARMS.get(agent, AGENTIC)
+    return SETTINGS.get(agent, AGENTIC)
 
 
-def rows_of(out: Path, suite: str, records: Iterable[Graded], arm: str | None = None) -> list[Row]:
+def rows_of(
+    out: Path, suite: str, records: Iterable[Graded], setting: str | None = None
+) -> list[Row]:
     """The rows of a folder's graded records.
 
     Args:
         out: The folder: it knows how many runs there were to be, and whether people answered.
         suite: Its suite's name.
         records: Its records.
-        arm: How the agents were allowed to answer; by default as the folder or the record says, or
-            as is usual for the agent.
+        setting: How the agents were allowed to answer; by default as the folder or the record
+            says, or as is usual for the agent.
     """
-    arm, ordered = arm or arm_of_folder(out), read_ordered(out)
-    return [_row(suite, each, arm, ordered) for each in records]
+    setting, ordered = setting or setting_of_folder(out), read_ordered(out)
+    return [_row(suite, each, setting, ordered) for each in records]
 
 
 def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
@@ -47,8 +49,8 @@ def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
     write_scores(folder / SCORES, scores)
 
 
-def _row(suite: str, graded: Graded, arm: str | None, ordered: Ordered) -> Row:
+def _row(suite: str, graded: Graded, setting: str | None, ordered: Ordered) -> Row:
     task, record, score = graded
-    arm = arm or record.arm or arm_of(record.agent)
-    runs = ordered.get((record.agent, record.arm))
-    return row_of(task, record, score, suite=suite, arm=arm, ordered=runs)
+    setting = setting or record.setting or setting_of(record.agent)
+    runs = ordered.get((record.agent, record.setting))
+    return row_of(task, record, score, suite=suite, setting=setting, ordered=runs)

@@ -13,7 +13,7 @@ from probe.generation.build_folder import BuildFolder
 from probe.render.renderer import Renderer
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import check_new_name, find_suite
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 
 
 def open_library(pool: Pool = "procedural") -> Library:
@@ -44,7 +44,7 @@ def load_suite(name: str | Path) -> Suite:
 
 def build_suite(
     out: str | Path,
-    counts: Mapping[QuestionKind, int],
+    counts: Mapping[QuestionType, int],
     *,
     pool: Pool = "procedural",
     public: bool = False,

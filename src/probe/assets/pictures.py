@@ -11,7 +11,7 @@ from PIL import Image
 from probe.assets.mesh.shaping import MAX_TEXTURE_PX
 from probe.errors import BadMesh
 
-KINDS = ("PNG", "JPEG", "WEBP", "BMP", "TGA", "TIFF")
+QUESTION_TYPES = ("PNG", "JPEG", "WEBP", "BMP", "TGA", "TIFF")
 
 
 def check_picture(path: Path, content: io.BytesIO | Path) -> None:
@@ -28,7 +28,7 @@ def check_picture(path: Path, content: io.BytesIO | Path) -> None:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            with Image.open(content, formats=KINDS) as image:
+            with Image.open(content, formats=QUESTION_TYPES) as image:
                 width, height = image.size
     except Image.DecompressionBombError as error:
         reason = f"{name} is far too large ({error})"

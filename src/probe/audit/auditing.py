@@ -89,12 +89,12 @@ def begin(out: Path, suite: Suite, key_file: Path, reference: Suite | None = Non
 def missing_of(records: Sequence[EpisodeRecord], suite: Suite, ordered: Ordered) -> tuple[int, int]:
     """How many episodes have no result, and of how many.
 
-    Each agent in each arm should have each run of each task that was ordered, or that any has.
+    Each agent in each setting should have each run of each task that was ordered, or that any has.
     """
     runs = {whose: set(range(count)) for whose, count in ordered.items()}
     for record in records:
-        runs.setdefault((record.agent, record.arm), set()).add(record.run)
-    found = {(it.task, it.agent, it.arm, it.run) for it in records if it.end != "fault"}
+        runs.setdefault((record.agent, record.setting), set()).add(record.run)
+    found = {(it.task, it.agent, it.setting, it.run) for it in records if it.end != "fault"}
     total = len(suite.tasks) * max(1, sum(map(len, runs.values())))
     return total - len(found), total
 
@@ -123,8 +123,8 @@ def replay_claims(
 
 def whose(record: EpisodeRecord) -> str:
     """Which record, in words."""
-    arm = f" ({record.arm})" if record.arm else ""
-    return f"{record.task}, run {record.run} of {record.agent}{arm}"
+    setting = f" ({record.setting})" if record.setting else ""
+    return f"{record.task}, run {record.run} of {record.agent}{setting}"
 
 
 def _verdict(result: bytes | LostJob) -> ReplayVerdict:

@@ -77,10 +77,10 @@ def unable(record: EpisodeRecord) -> str | None:
     """Why doing a record's calls again can't come out as before; None if it can."""
     if record.seat is None:
         return None
-    arm, _, more = record.seat.arm.partition(", ")
+    setting, _, more = record.seat.setting.partition(", ")
     if more:
         return f"perception asked a model ({more})"
-    return None if arm == "agentic" else f"a model answered in words (arm {arm})"
+    return None if setting == "agentic" else f"a model answered in words (setting {setting})"
 
 
 def _difference(claim: Claim, things: Library, renderer: Renderer) -> str:

@@ -15,7 +15,7 @@ from probe.toolshed.result import Answer
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import meant
 from probe.transcripts.messages import pictureless_first
-from probe.transcripts.prompts import Arm, reminder
+from probe.transcripts.prompts import Setting, reminder
 
 
 async def with_tools(
@@ -43,7 +43,7 @@ async def with_tools(
 
 
 async def in_words(
-    conversation: ModelConversation, arm: Arm, task: Task, points: Points
+    conversation: ModelConversation, setting: Setting, task: Task, points: Points
 ) -> Answer | None:
     """What a model answers that has no tools; it is reminded once, of the point too.
 
@@ -58,13 +58,13 @@ async def in_words(
         answer = read_answer(said.text, points, letters) or answer
         if last or (answer and not _lacks_point(task, answer)):
             break
-        conversation.say(reminder(arm, answered=answer is not None))
+        conversation.say(reminder(setting, answered=answer is not None))
     return answer
 
 
 def _lacks_point(task: Task, answer: Answer) -> bool:
     """Whether an object was named that has to be pointed at; "None of the above" can't be."""
-    return rules_of(task.kind).pointed and answer.choice != "E" and answer.point_px is None
+    return rules_of(task.question_type).pointed and answer.choice != "E" and answer.point_px is None
 
 
 async def _carried_out(

@@ -36,7 +36,7 @@ def row_of(task: Task, picture: bytes, points: Points) -> Row:
     rules, question = opening("direct", points, question_of(task), ())
     return {
         "id": task.id,
-        "type": task.kind,
+        "type": task.question_type,
         "image": {"bytes": picture, "path": f"{task.id}.jpg"},
         "question": task.question,
         "options": [option.text for option in task.options],

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from probe.episodes.participation import Points
 from probe.tasks.task import Task
 from probe.toolshed.toolshed import TURNS
-from probe.transcripts.prompts import Arm, system_prompt
+from probe.transcripts.prompts import Setting, system_prompt
 from probe.transcripts.tools import tools_for
 
 USUAL_TURNS = 12
@@ -20,7 +20,7 @@ PICTURE_TOKENS = 1300
 
 RESULT_TOKENS, REPLY_TOKENS = 300, 80
 _CHARACTERS_A_TOKEN = 4
-_FIRST_PICTURES: dict[Arm, int] = {"agentic": 1, "direct": 1, "blind": 0, "oracle-view": 2}
+_FIRST_PICTURES: dict[Setting, int] = {"agentic": 1, "direct": 1, "blind": 0, "oracle-view": 2}
 
 
 @dataclass(frozen=True)
@@ -42,24 +42,24 @@ class Estimate:
 
 
 def estimate(
-    arm: Arm, points: Points, tasks: Sequence[Task], epochs: int, turns: int = USUAL_TURNS
+    setting: Setting, points: Points, tasks: Sequence[Task], epochs: int, turns: int = USUAL_TURNS
 ) -> Estimate:
     """About what a run takes; a conversation is sent whole each time, so tokens grow by squares.
 
     Args:
-        arm: How the model may answer.
+        setting: How the model may answer.
         points: How it counts places.
         tasks: What is asked.
         epochs: Runs of each task.
         turns: Calls in an episode with tools.
     """
-    asked = min(turns, TURNS) if arm == "agentic" else 1
+    asked = min(turns, TURNS) if setting == "agentic" else 1
     episodes = len(tasks) * epochs
-    fixed = _tokens(system_prompt(arm, points))
-    if arm == "agentic":
+    fixed = _tokens(system_prompt(setting, points))
+    if setting == "agentic":
         fixed += _tokens(json.dumps([vars(tool) for tool in tools_for(points)]))
     questions = sum(_tokens(task.question + str(task.options)) for task in tasks) * epochs
-    pictures = sum(_FIRST_PICTURES[arm] + turn for turn in range(asked)) * episodes
+    pictures = sum(_FIRST_PICTURES[setting] + turn for turn in range(asked)) * episodes
     grown = sum(turn * (RESULT_TOKENS + REPLY_TOKENS) for turn in range(asked)) * episodes
     inward = episodes * asked * fixed + asked * questions + pictures * PICTURE_TOKENS + grown
     return Estimate(episodes, episodes * asked, pictures, inward, episodes * asked * REPLY_TOKENS)

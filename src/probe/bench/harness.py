@@ -44,7 +44,7 @@ def harness_task(plan: ModelRunPlan, runner: ModelRunner | None = None) -> Harne
         config=GenerateConfig(max_retries=RETRIES, attempt_timeout=PATIENCE),
         # A sample of ours raises only where no other would fare better.
         fail_on_error=True,
-        name=plan.arm.replace("-", "_"),
+        name=plan.setting.replace("-", "_"),
         metadata={"suite": plan.suite.name, "records": str(plan.out), "points": plan.points},
     )
 
@@ -52,7 +52,7 @@ def harness_task(plan: ModelRunPlan, runner: ModelRunner | None = None) -> Harne
 def _sample(plan: ModelRunPlan, id: str) -> Sample:
     task = next(task for task in plan.tasks if task.id == id)
     lines = [task.question, *(f"{option.letter}: {option.text}" for option in task.options)]
-    metadata: dict[str, Any] = {"kind": task.kind, "arm": plan.arm}
+    metadata: dict[str, Any] = {"kind": task.question_type, "arm": plan.setting}
     return Sample(input="\n".join(lines), target=task.answer, id=task.id, metadata=metadata)
 
 

@@ -95,11 +95,11 @@ class ModelConversation:
         """Tell the model something."""
         self.messages.append(ChatMessageUser(content=words))
 
-    def seat(self, arm: str, points: Points, more: Sequence[str] = ()) -> Participation:
+    def seat(self, setting: str, points: Points, more: Sequence[str] = ()) -> Participation:
         """The model's part in the episode.
 
         Args:
-            arm: How it was allowed to answer.
+            setting: How it was allowed to answer.
             points: How it counts places.
             more: What else went wrong.
         """
@@ -107,7 +107,7 @@ class ModelConversation:
         inward, outward = counted.tokens or (None, None)
         faults = (*counted.faults, *more)
         return Participation(
-            arm, points, tuple(self.replies), inward, outward, counted.cost, faults
+            setting, points, tuple(self.replies), inward, outward, counted.cost, faults
         )
 
     def _count(self, output: ModelOutput) -> None:

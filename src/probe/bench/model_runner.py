@@ -122,7 +122,7 @@ class ModelRunner:
             left, limit = await self._played(job, order, conversation, model, episode_usage)
         except EpisodeProcessLost as error:
             # What was done at the lost table can't be told any more.
-            seat = replace(conversation.seat(order.arm, order.points), replies=())
+            seat = replace(conversation.seat(order.setting, order.points), replies=())
             record = replace(failed(job, order, str(error)), seat=seat)
             left = EpisodeFinished(line_of(record), None)
         await run_sync(add_line, self._plan.out, left.line)
@@ -150,7 +150,7 @@ class ModelRunner:
     def _pointer_name(self) -> str:
         """Of the one that points; the harness leaves a role aside that nobody asks for."""
         pointer, given = self._plan.pointer, ROLE in model_roles()
-        if given and self._plan.arm != "agentic":
+        if given and self._plan.setting != "agentic":
             raise BadData(_GIVEN, "nothing is pointed at without tools", "Leave it out")
         if given and pointer != "role":
             raise BadData(_GIVEN, f"the pointer is {pointer}", "Say -T pointer=role, too")
@@ -161,7 +161,7 @@ class ModelRunner:
     def _listener(self, job: Job, model: Model, episode_usage: EpisodeUsage) -> ModelConversation:
         plan = self._plan
         scopes = {"folder": self._replies, "episode": f"{job.task.id} {job.run}"}
-        tools = tool_infos(plan.points) if plan.arm == "agentic" else []
+        tools = tool_infos(plan.points) if plan.setting == "agentic" else []
         cache = CachePolicy(expiry=None, scopes=scopes)
         return ModelConversation(model, tools, [], cache, self._price(model), episode_usage)
 
@@ -191,7 +191,7 @@ class ModelRunner:
         async with self._pool.seat(self._pointing(model, episode_usage)) as assignment:
             shown = await assignment.sit(job)
             question = question_of(job.task)
-            first = opening(plan.arm, plan.points, question, shown.pictures)
+            first = opening(plan.setting, plan.points, question, shown.pictures)
             conversation.messages += first_messages(first)
             answer, fault, limit = None, None, None
             try:
@@ -201,17 +201,17 @@ class ModelRunner:
                 limit = error
             except ModelFailed as error:
                 fault = str(error)
-            seat = conversation.seat(order.arm, order.points, assignment.failures)
+            seat = conversation.seat(order.setting, order.points, assignment.failures)
             return await assignment.leave(FinishEpisode(seat, answer, fault)), limit
 
     async def _answered(
         self, job: Job, conversation: ModelConversation, assignment: Assignment
     ) -> Answer | None:
         plan = self._plan
-        if plan.arm == "agentic":
+        if plan.setting == "agentic":
             await with_tools(conversation, assignment, plan.points)
             return None
-        return await in_words(conversation, plan.arm, job.task, plan.points)
+        return await in_words(conversation, plan.setting, job.task, plan.points)
 
 
 async def _nobody(asked: PointerRequest) -> NoReply:

@@ -32,7 +32,7 @@ from probe.runs.plan import RunOrder
 from probe.runs.run import check_settings
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 
 Pointer = Literal["oracle", "self", "role"]
 """Who points for perception: nobody, the model itself, or the one in the role "pointer"."""
@@ -46,7 +46,7 @@ class ModelRunPlan:
     """What is to be run; a model takes the seat later.
 
     Attributes:
-        arm: How it may answer.
+        setting: How it may answer.
         suite: What is asked.
         tasks: Of them, those that are run here.
         out: Folder for the records.
@@ -63,7 +63,7 @@ class ModelRunPlan:
         called: Name of the model in the records; by default the harness's.
     """
 
-    arm: Arm
+    setting: Setting
     suite: Suite
     tasks: tuple[Task, ...]
     out: Path
@@ -86,10 +86,10 @@ class ModelRunPlan:
             model: Name of the model.
             pointer: Name of the one that points; empty for nobody.
         """
-        arm = f"{self.arm}, pointer {pointer}" if pointer else self.arm
+        setting = f"{self.setting}, pointer {pointer}" if pointer else self.setting
         agent = self.called or model
         return RunOrder(
-            agent, self.epochs, self.noise, self.conditions, arm=arm, points=self.points
+            agent, self.epochs, self.noise, self.conditions, setting=setting, points=self.points
         )
 
 
@@ -151,12 +151,12 @@ def take_up(plan: ModelRunPlan, order: RunOrder) -> tuple[Done, str]:
     path = plan.out / RECORDS
     earlier = read_records(path) if path.exists() else []
     check_settings(path, earlier, order)
-    note_ordered(plan.out, order.agent, order.arm, order.runs)
+    note_ordered(plan.out, order.agent, order.setting, order.runs)
     return _done(earlier, order), _name_of_replies(plan.out / REPLIES)
 
 
 def _done(earlier: Sequence[EpisodeRecord], order: RunOrder) -> Done:
-    mine = [it for it in earlier if (it.agent, it.arm) == (order.agent, order.arm)]
+    mine = [it for it in earlier if (it.agent, it.setting) == (order.agent, order.setting)]
     return {(it.task, it.run): line_of(it) for it in standing(mine) if it.end != "fault"}
 
 

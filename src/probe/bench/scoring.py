@@ -29,18 +29,18 @@ def accuracy_by_type(tasks: int, epochs: int) -> Metric:
 
     def compute(scores: list[SampleScore]) -> dict[str, float | int]:
         runs: dict[str, list[float]] = defaultdict(list)
-        kinds: dict[str, str] = {}
+        question_types: dict[str, str] = {}
         for score in scores:
             name = str(score.sample_id)
-            kinds[name] = str((score.sample_metadata or {}).get("kind", "unknown"))
+            question_types[name] = str((score.sample_metadata or {}).get("kind", "unknown"))
             if score.score.value != MISSING:
                 runs[name].append(float(score.score.value == RIGHT))
         missing = tasks * epochs - sum(min(len(each), epochs) for each in runs.values())
         whole = missing == 0 and len({len(each) for each in runs.values()}) == 1
         if whole:
-            return {**_by_kind(runs, kinds), "missing": missing}
+            return {**_by_type(runs, question_types), "missing": missing}
         return {
-            **dict.fromkeys(["macro", *sorted(set(kinds.values()))], math.nan),
+            **dict.fromkeys(["macro", *sorted(set(question_types.values()))], math.nan),
             "missing": missing,
         }
 
@@ -60,10 +60,10 @@ def graded() -> Scorer:
     return score
 
 
-def _by_kind(runs: dict[str, list[float]], kinds: dict[str, str]) -> dict[str, float]:
+def _by_type(runs: dict[str, list[float]], question_types: dict[str, str]) -> dict[str, float]:
     """Mean of a task's runs, then of a type's tasks, then of the types."""
     tasks: dict[str, list[float]] = defaultdict(list)
     for name, values in runs.items():
-        tasks[kinds[name]].append(fmean(values))
-    means = {kind: fmean(values) for kind, values in sorted(tasks.items())}
+        tasks[question_types[name]].append(fmean(values))
+    means = {question_type: fmean(values) for question_type, values in sorted(tasks.items())}
     return {"macro": fmean(means.values()), **means}

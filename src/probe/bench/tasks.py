@@ -20,7 +20,7 @@ from probe.episodes.participation import Points
 from probe.perception.points import Convention
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import find_suite
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 
 # The harness puts a package's name before its tasks' names, but doesn't recognise one that is
 # installed from a checkout.
@@ -94,7 +94,7 @@ def oracle_view(
 
 
 def _plan(
-    arm: Arm,
+    setting: Setting,
     suite: str,
     out: str,
     epochs: int,
@@ -104,7 +104,7 @@ def _plan(
 ) -> ModelRunPlan:
     asked = find_suite(suite)
     return ModelRunPlan(
-        arm,
+        setting,
         asked,
         asked.tasks,
         Path(out),

@@ -16,7 +16,7 @@ from probe.cli.shards import parse_shard
 from probe.cli.teachers import hands_of
 from probe.cli.teaching import TeachingSetup
 from probe.errors import BadData, Unfinished
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 from probe.train.collect.aim import PAPER_COUNTS, Aim, Mode, in_proportion
 from probe.train.collect.batches import CollectedBatches
 from probe.train.collect.collecting import TeacherWorkers
@@ -29,10 +29,11 @@ _PAPER = dict(PAPER_COUNTS)
 
 @dataclass(frozen=True)
 class CollectionSize:
-    """How much is collected, and in which arms.
+    """How much is collected, and in which settings.
 
     Attributes:
-        arms: Without tools first, then with tools what that didn't answer ("both"), or one alone.
+        settings: First without tools, then with tools what that didn't answer ("both"), or one
+            alone.
         always_tools: With tools all tasks, even if the first picture was enough.
         direct_runs: Episodes of each task without tools; all must be right to count as known.
         most_episodes: Stop after so many episodes.
@@ -43,7 +44,7 @@ class CollectionSize:
         first: Number of the first episode; training starts at 2,000,000.
     """
 
-    arms: Mode = "both"
+    settings: Annotated[Mode, tyro.conf.arg(aliases=["--arms"])] = "both"
     always_tools: bool = False
     direct_runs: int = 1
     most_episodes: int | None = None
@@ -52,7 +53,7 @@ class CollectionSize:
     batch: int = 48
     first: int = FIRST_EPISODE
 
-    def aim(self, counts: Mapping[QuestionKind, int]) -> Aim:
+    def aim(self, counts: Mapping[QuestionType, int]) -> Aim:
         """What is to be collected.
 
         Raises:
@@ -68,14 +69,14 @@ class CollectionSize:
                 "--first": self.first,
                 "--most-episodes": self.most_episodes,
                 "--most-cost": self.most_cost,
-                **{f"--counts.{kind}": count for kind, count in counts.items()},
+                **{f"--counts.{question_type}": count for question_type, count in counts.items()},
             }
         )
         aim = Aim(
             counts=counts,
             first=self.first,
             shard=parse_shard(self.shard),
-            mode=self.arms,
+            mode=self.settings,
             always=self.always_tools,
             direct_runs=self.direct_runs,
             batch=self.batch,
@@ -92,7 +93,7 @@ _SCRIPTED, _USUAL = TeachingSetup(), CollectionSize()
 
 def collect(
     out: Path = Path("outputs/collected"),
-    counts: dict[QuestionKind, int] = _PAPER,
+    counts: dict[QuestionType, int] = _PAPER,
     total: int | None = None,
     site: Annotated[TeachingSetup, tyro.conf.arg(name="")] = _SCRIPTED,
     extent: Annotated[CollectionSize, tyro.conf.arg(name="")] = _USUAL,
@@ -104,7 +105,7 @@ def collect(
         counts: Tasks of each type to be answered rightly; by default the paper's.
         total: So many in all instead, in the proportions of the counts.
         site: Who teaches, with what.
-        extent: How much, and in which arms.
+        extent: How much, and in which settings.
     """
     check_numbers({"--total": total, "--workers": site.workers})
     aim = extent.aim(counts if total is None else in_proportion(counts, total))
@@ -135,12 +136,15 @@ def _watched(out: Path, aim: Aim, hands: TeacherWorkers) -> CollectedBatches:
 
 def _tell(out: Path, aim: Aim, so_far: CollectedBatches) -> None:
     reached = aim.reached(so_far)
-    for kind in sorted(aim.counts):
-        tried, right = so_far.tasks[kind], so_far.successes[kind]
+    for question_type in sorted(aim.counts):
+        tried, right = so_far.tasks[question_type], so_far.successes[question_type]
         share = f" ({right / tried:.0%})" if tried else ""
-        say(f"{kind}: {right} of {aim.wanted(kind)} wanted; {tried} tasks tried{share}")
-    for arm, played in sorted(so_far.played.items()):
-        say(f"{arm}: {so_far.right[arm]} of {played} episodes were right")
+        say(
+            f"{question_type}: {right} of {aim.wanted(question_type)} wanted; "
+            f"{tried} tasks tried{share}"
+        )
+    for setting, played in sorted(so_far.played.items()):
+        say(f"{setting}: {so_far.right[setting]} of {played} episodes were right")
     cost = f"{so_far.cost:,.2f} US dollars"
     if so_far.unpriced:
         cost += f", without {so_far.unpriced} episodes that have no price"

@@ -35,10 +35,10 @@ def _tell(suite: Suite, seats: ModelRunOptions, out: Path, price: Price | None) 
     left = [task for task in tasks for run in range(seats.epochs) if (task.id, run) not in done]
     if len(left) < whole:
         say(f"{whole - len(left)} of them are in {out} already; what follows is of the others.")
-    usual = estimate(seats.arm, seats.counting, left, 1)
+    usual = estimate(seats.setting, seats.counting, left, 1)
     say(_line("If they are of usual length", usual, price))
-    if seats.arm == "agentic":
-        longest = estimate(seats.arm, seats.counting, left, 1, TURNS)
+    if seats.setting == "agentic":
+        longest = estimate(seats.setting, seats.counting, left, 1, TURNS)
         say(_line(f"If each takes all {TURNS} calls", longest, price))
     say(
         f"Pictures are taken for {PICTURE_TOKENS} tokens each, replies for {REPLY_TOKENS}: a model "
@@ -54,7 +54,7 @@ def _done(suite: Suite, seats: ModelRunOptions, out: Path) -> set[tuple[str, int
         seats.model, "" if seats.pointer == "oracle" else pointer
     )
     records = read_records(path, whole=False) if path.exists() else []
-    mine = [it for it in records if (it.agent, it.arm) == (order.agent, order.arm)]
+    mine = [it for it in records if (it.agent, it.setting) == (order.agent, order.setting)]
     return {(it.task, it.run) for it in mine if it.end != "fault"}
 
 

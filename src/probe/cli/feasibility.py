@@ -17,12 +17,11 @@ class Incomplete(ProbeError):
     """Some tasks that were asked for can't be made."""
 
     def __init__(self, written: str, left_out: Sequence[tuple[TaskSlot, str]]) -> None:
-        kinds = dict.fromkeys(place.kind for place, _ in left_out)
-        lines = [
-            f"{sum(place.kind == kind for place, _ in left_out)} {kind}: "
-            + next(reason for place, reason in left_out if place.kind == kind)
-            for kind in kinds
-        ]
+        question_types = dict.fromkeys(place.question_type for place, _ in left_out)
+        lines = []
+        for question_type in question_types:
+            reasons = [why for place, why in left_out if place.question_type == question_type]
+            lines.append(f"{len(reasons)} {question_type}: {reasons[0]}")
         super().__init__(
             f"{written} Left out: {'; '.join(lines)}. Ask for fewer, or add what is missing."
         )
@@ -37,5 +36,5 @@ def show_possible(found: Sequence[Feasibility], things: Library) -> None:
     for it in found:
         castable = len(it.places) - len(it.hopeless)
         missing = "\n".join(it.missing[:_SHOWN])
-        table.add(it.kind, str(len(it.places)), str(castable), missing, it.needs)
+        table.add(it.question_type, str(len(it.places)), str(castable), missing, it.needs)
     table.show()

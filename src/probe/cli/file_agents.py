@@ -11,7 +11,7 @@ from probe.agents.external.external_agent import ExternalAgent
 from probe.agents.external.factory import FileAgentFactory, introduced
 from probe.agents.external.protocol import Confinement
 from probe.agents.external.sandbox import AgentFile, Sandbox
-from probe.api.agents import ARMS, make_agent
+from probe.api.agents import SETTINGS, make_agent
 from probe.assets.library import Library
 from probe.cli.screen import say
 from probe.episodes.turns import Agent
@@ -23,7 +23,7 @@ from probe.tasks.task import Task
 PRINTS = "agent.log"
 """File in the folder of records that holds what an agent of a file printed."""
 
-_OURS: Collection[str] = ARMS.keys()
+_OURS: Collection[str] = SETTINGS.keys()
 _NAME = re.compile(r"[A-Za-z0-9._-]{1,64}")
 
 
@@ -76,7 +76,7 @@ def _checked(name: str) -> str:
     if not _NAME.fullmatch(name):
         reason = "isn't made of 1 to 64 letters, digits, dots, dashes and underscores"
         raise BadData(repr(name), reason, "Say --agent-name NAME")
-    if name in ARMS:
+    if name in SETTINGS:
         raise BadData(name, "is the name of an agent of ours", "Say --agent-name NAME")
     return name
 

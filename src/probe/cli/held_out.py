@@ -22,14 +22,14 @@ from probe.scores.row import Row
 from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 from probe.train.baselines import floors
 from probe.train.held_out import markdown, standings
 
 
 def held_out(
     runs: Annotated[tuple[Path, ...], tyro.conf.Positional],
-    types: tuple[QuestionKind, ...] = ("beneath",),
+    types: tuple[QuestionType, ...] = ("beneath",),
     learnt: Path | None = None,
     out: Path = Path("outputs/held-out.md"),
 ) -> None:

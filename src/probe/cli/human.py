@@ -18,7 +18,7 @@ from probe.cli.numbers import check_numbers
 from probe.cli.screen import say
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, check_suite, claim_arm, occupied
+from probe.episodes.folder import RECORDS, check_suite, claim_setting, occupied
 from probe.episodes.noise import NOISES, Noise, NoiseName
 from probe.episodes.play import open_episode
 from probe.episodes.remarks import REMARKS
@@ -28,7 +28,7 @@ from probe.tasks.suite import Suite, check_objects
 from probe.tasks.suite_file import find_suite
 from probe.tasks.task import Task
 
-ARM = "human"
+SETTING = "human"
 
 
 def human(
@@ -85,7 +85,7 @@ def taken_up(out: Path, suite: Suite, noise: Noise) -> Generator[None]:
     """
     check_suite(out, suite)
     with occupied(out, suite):
-        claim_arm(out, ARM)
+        claim_setting(out, SETTING)
         for name in (RECORDS, REMARKS):
             cut = set_aside_cut(out / name)
             if cut is not None:

@@ -23,7 +23,7 @@ from probe.errors import BadData, MissingExtra
 from probe.runs.vary import changes_scenes
 from probe.tasks.suite import Suite, check_objects
 from probe.tasks.task import Task
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 from probe.types import Shard
 
 
@@ -37,7 +37,7 @@ class ModelRunOptions:
 
     library: Callable[[], Library]
     model: str
-    arm: Arm
+    setting: Setting
     epochs: int
     points: Points | None
     pointer: str
@@ -143,7 +143,7 @@ def plan_of(suite: Suite, seats: ModelRunOptions, out: Path, price: Price | None
     """What is run, in the terms of `probe.bench`."""
     pointing = settings_of(seats.model if seats.pointer == "self" else seats.pointer)
     return ModelRunPlan(
-        arm=seats.arm,
+        setting=seats.setting,
         suite=suite,
         tasks=seats.tasks_of(suite),
         out=out,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from probe.episodes.conditions import NO_DIALS, Conditions
 from probe.errors import BadData
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 
 
 def refuse_stray(when: str, given: Mapping[str, object]) -> None:
@@ -24,7 +24,7 @@ def refuse_stray(when: str, given: Mapping[str, object]) -> None:
             raise BadData(name, f"does nothing {when}", "See `probe run --help`")
 
 
-def check_pointer(pointer: str, arm: Arm, conditions: Conditions) -> None:
+def check_pointer(pointer: str, setting: Setting, conditions: Conditions) -> None:
     """See that a model that is to point would be asked.
 
     Raises:
@@ -32,8 +32,8 @@ def check_pointer(pointer: str, arm: Arm, conditions: Conditions) -> None:
     """
     if pointer == "oracle":
         return
-    if arm != "agentic":
-        raise BadData("--pointer", f"does nothing with --arm {arm}", "Leave it out")
+    if setting != "agentic":
+        raise BadData("--pointer", f"does nothing with --setting {setting}", "Leave it out")
     if conditions.dials != NO_DIALS or conditions.ideal == "perception":
         reason = "does nothing with --dials or --ideal perception, which are about the oracle"
         raise BadData("--pointer", reason, "Leave one of the two out")

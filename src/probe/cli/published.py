@@ -20,8 +20,8 @@ def published() -> None:
 
 
 def _table(rows: Sequence[Recount]) -> ScreenTable:
-    names = ("", "arm", "printed", "of its cells", "by tasks", "follows", "gain", "of cells")
-    words = ("", "arm", "follows")
+    names = ("", "setting", "printed", "of its cells", "by tasks", "follows", "gain", "of cells")
+    words = ("", "setting", "follows")
     columns = [Column(name, justify="left" if name in words else "right") for name in names]
     shown = ScreenTable(*columns, title="Average over six types, per cent", left=True)
     for it in rows:
@@ -29,7 +29,7 @@ def _table(rows: Sequence[Recount]) -> ScreenTable:
         if row.gain is not None and it.macro_gain is not None:
             gains = f"{row.gain:+.1f}{'' if it.gain_follows else ' *'}", f"{it.macro_gain:+.2f}"
         means = f"{row.average:.1f}", f"{it.macro:.2f}", f"{it.pooled:.2f}"
-        shown.add(row.model, row.arm, *means, _verdict(it), *gains)
+        shown.add(row.model, row.setting, *means, _verdict(it), *gains)
     return shown
 
 

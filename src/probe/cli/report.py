@@ -17,7 +17,7 @@ from probe.cli.screen import say, track
 def report(
     runs: Annotated[tuple[Path, ...], tyro.conf.Positional],
     out: Path | None = None,
-    arm: str | None = None,
+    setting: Annotated[str | None, tyro.conf.arg(aliases=["--arm"])] = None,
     build_log: Path | None = None,
     single_file: bool = False,
 ) -> None:
@@ -26,11 +26,11 @@ def report(
     Args:
         runs: Folders that `probe run` wrote to; several of one suite are compared.
         out: Folder for the page; by default that of the run, for several outputs/report.
-        arm: How the agents were allowed to answer; as in `probe rescore`.
+        setting: How the agents were allowed to answer; as in `probe rescore`.
         build_log: The log that `probe suite build` wrote beside the suite, for its yield.
         single_file: Write one file, report.html, that holds everything; for up to 20 episodes.
     """
-    page = write_run_report(runs, out, arm=arm, build_log=build_log, single=single_file)
+    page = write_run_report(runs, out, setting=setting, build_log=build_log, single=single_file)
     say(f"Open {page} in a browser.")
 
 
@@ -38,13 +38,13 @@ def write_run_report(
     runs: Sequence[Path],
     out: Path | None = None,
     *,
-    arm: str | None = None,
+    setting: str | None = None,
     build_log: Path | None = None,
     single: bool = False,
 ) -> Path:
     """Write a report and say what it holds; returns the page."""
     written = reports.write_report(
-        runs, out, arm=arm, build_log=build_log, single_file=single, track=track
+        runs, out, setting=setting, build_log=build_log, single_file=single, track=track
     )
     for run in runs:
         tell_unsummed(run)

@@ -27,15 +27,18 @@ _FLOORS = (
 )
 
 
-def rescore(out: Annotated[Path, tyro.conf.Positional], arm: str | None = None) -> None:
+def rescore(
+    out: Annotated[Path, tyro.conf.Positional],
+    setting: Annotated[str | None, tyro.conf.arg(aliases=["--arm"])] = None,
+) -> None:
     """Grade a run's records again, without physics, and write rows.csv, rows.jsonl, scores.json.
 
     Args:
         out: Folder that `probe run` wrote to.
-        arm: How the agents were allowed to answer; by default "agentic", and agents without
-            a model have arms of their own.
+        setting: How the agents were allowed to answer; by default "agentic", and agents without
+            a model have settings of their own.
     """
-    scores = reports.rescore(out, arm=arm, track=track)
+    scores = reports.rescore(out, setting=setting, track=track)
     tell_unsummed(out)
     for card in scores.cards:
         _table(card).show()
@@ -59,7 +62,7 @@ def headline_line(card: Scorecard) -> str:
 def _table(card: Scorecard) -> ScreenTable:
     columns = ("", "tasks", "runs", "right", "95 % interval", "chance", "naive", "beyond")
     table = ScreenTable(*columns, title=_name(card.entrant), left=True)
-    for figure in (card.macro, *card.kinds, *card.parts):
+    for figure in (card.macro, *card.question_types, *card.parts):
         table.add(*_cells(figure))
     return table
 
@@ -82,15 +85,15 @@ def _lines(scores: Scores) -> Iterator[str]:
             f"({100 * pair.student.low:+.0f} to {100 * pair.student.high:+.0f}), n = {pair.tasks}, "
             f"p = {pair.p:.2g}, corrected {pair.adjusted:.2g}: {verdict}"
         )
-    if scores.arms is not None:
+    if scores.settings is not None:
         yield (
-            f"{AGENTIC} against {DIRECT} over {scores.arms.agents} agents: "
-            f"p = {scores.arms.p:.2g} (plain CMH {scores.arms.plain_p:.2g})"
+            f"{AGENTIC} against {DIRECT} over {scores.settings.agents} agents: "
+            f"p = {scores.settings.p:.2g} (plain CMH {scores.settings.plain_p:.2g})"
         )
 
 
 def _name(entrant: Entrant) -> str:
-    return f"{entrant.agent} ({entrant.arm})"
+    return f"{entrant.agent} ({entrant.setting})"
 
 
 def _cells(figure: Figure) -> tuple[str, ...]:

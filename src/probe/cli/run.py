@@ -24,7 +24,7 @@ from probe.episodes.noise import NOISES, NoiseName
 from probe.episodes.participation import Points
 from probe.runs.plan import RunOrder
 from probe.tasks.suite_file import find_suite
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 
 _TABLES = 4
 """Samples of a model at a time, if nobody says otherwise: models take their time."""
@@ -42,7 +42,7 @@ def run(
     shard: str = "0/1",
     conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
     model: str | None = None,
-    arm: Arm | None = None,
+    setting: Annotated[Setting | None, tyro.conf.arg(aliases=["--arm"])] = None,
     epochs: int | None = None,
     points: Points | None = None,
     pointer: str | None = None,
@@ -65,7 +65,8 @@ def run(
         shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
         conditions: In what episodes differ from their tasks; see docs/run.md.
         model: A model that acts instead, by a name of docs/models.md or the harness's own.
-        arm: How the model may answer: with tools (the default), or at once from what it is shown.
+        setting: How the model may answer: with tools (the default), or at once from what it is
+            shown.
         epochs: Episodes of each task, for a model; by default 3.
         points: How the model counts places in pictures; by default what suits it.
         pointer: Who points for perception: "oracle" (the default) for nobody, "self" for the
@@ -79,7 +80,7 @@ def run(
     check_numbers({"--pose-jitter": conditions.pose_jitter})
     if model is None:
         refuse_stray("without --model", {
-            "--arm": arm, "--epochs": epochs, "--points": points, "--pointer": pointer,
+            "--setting": setting, "--epochs": epochs, "--points": points, "--pointer": pointer,
             "--endpoint": endpoint, "--prices": prices, "--dry-run": dry_run or None,
         })  # fmt: skip
         asked, things = find_suite(suite), everything()
@@ -95,11 +96,11 @@ def run(
             "--sandbox": None if sandbox == Sandbox() else sandbox,
         })  # fmt: skip
         pointer = "oracle" if pointer is None else pointer
-        check_pointer(pointer, arm or "agentic", conditions)
+        check_pointer(pointer, setting or "agentic", conditions)
         seats = ModelRunOptions(
             library=opener(),
             model=model,
-            arm=arm or "agentic",
+            setting=setting or "agentic",
             epochs=epochs or 3,
             points=points,
             pointer=pointer,

@@ -19,11 +19,11 @@ from probe.errors import BadData
 from probe.files import check_new
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite, packaged_suites
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 from probe.train.choose.chosen import SelectionDocument, write_selection
 from probe.train.choose.efficiency import SLACK
 from probe.train.choose.evaluation import evaluation_of
-from probe.train.choose.gathering import ARMS, candidates_of
+from probe.train.choose.gathering import SETTINGS, candidates_of
 from probe.train.choose.selection import BEYOND_SHARE, Recipe
 from probe.train.choose.selection import select as selected
 from probe.train.collect.batches import batches
@@ -34,7 +34,7 @@ _SHOWN = 5
 def select(
     collected: Annotated[tuple[Path, ...], tyro.conf.Positional],
     out: Path = Path("outputs/selected"),
-    counts: dict[QuestionKind, int] | None = None,
+    counts: dict[QuestionType, int] | None = None,
     direct_share: float = 0.5,
     slack: int = SLACK,
     seed: int = 0,
@@ -62,13 +62,20 @@ def select(
         raise BadData("probe select", "was given no folder", "Name one that collect wrote")
     if not 0 <= direct_share <= 1:
         raise BadData("--direct-share", f"{direct_share} is no share", "Say a number from 0 to 1")
-    counted = {f"--counts.{kind}": count for kind, count in (counts or {}).items()}
+    counted = {
+        f"--counts.{question_type}": count for question_type, count in (counts or {}).items()
+    }
     check_numbers({**counted, "--slack": slack, "--seed": seed, "--workers": workers})
     check_new(out)
     objects: dict[str, Fingerprint] = {}
     candidates, unfinished = candidates_of(collected, objects)
     tell_unsummed(
-        *(batch.arm(arm) for folder in collected for batch in batches(folder) for arm in ARMS)
+        *(
+            batch.setting(setting)
+            for folder in collected
+            for batch in batches(folder)
+            for setting in SETTINGS
+        )
     )
     if unfinished:
         say(f"{unfinished} batches aren't whole yet and are left out.")
@@ -83,7 +90,7 @@ def select(
     found = selected(candidates, evaluation, recipe)
     if not found.chosen:
         _print_dropped(found.dropped)
-        direct = "Say --direct-share 1, or collect with --arms agentic"
+        direct = "Say --direct-share 1, or collect with --settings agentic"
         remedy = direct if found.dropped[BEYOND_SHARE] else "Collect more"
         raise BadData(collected[0], "holds no episode to learn from", remedy)
     names = [suite.name for suite in suites]
@@ -106,10 +113,14 @@ def _alike(
 
 def _print(document: SelectionDocument, episodes: int) -> None:
     table = ScreenTable("type", "with tools", "without", "manipulations at most")
-    for kind, arms in document.examples.items():
-        most = document.limits.get(kind)
-        cells = (str(arms["agentic"]), str(arms["direct"]), "" if most is None else str(most))
-        table.add(kind, *cells)
+    for question_type, settings in document.examples.items():
+        most = document.limits.get(question_type)
+        cells = (
+            str(settings["agentic"]),
+            str(settings["direct"]),
+            "" if most is None else str(most),
+        )
+        table.add(question_type, *cells)
     table.show()
     letters = ", ".join(f"{letter} {count}" for letter, count in document.letters.items())
     say(f"Right answers: {letters}. From {episodes} episodes.")

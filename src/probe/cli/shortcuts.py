@@ -46,7 +46,7 @@ def shortcuts(
     write_text(out, markdown(findings))
     for finding in leaks(findings):
         hits = finding.hits
-        say(f"Leak: {hits.kind}, {hits.by}: {hits.accuracy:.1%} of {hits.n}")
+        say(f"Leak: {hits.question_type}, {hits.by}: {hits.accuracy:.1%} of {hits.n}")
     say(f"{len(leaks(findings))} leaks in {len(findings)} tests; the table is {out}.")
 
 
@@ -62,7 +62,9 @@ def learn(
     """
     learnt = learn_weights([task for suite in _read(suites) for task in suite.tasks])
     write_text(out, learnt.model_dump_json(indent=0) + "\n")
-    counts = ", ".join(f"{kind} {what.tasks}" for kind, what in learnt.root.items())
+    counts = ", ".join(
+        f"{question_type} {what.tasks}" for question_type, what in learnt.root.items()
+    )
     say(f"What was learnt is in {out}; tasks: {counts}.")
 
 

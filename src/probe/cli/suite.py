@@ -36,7 +36,7 @@ from probe.generation.salt import Salt
 from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
 from probe.tasks.suite_file import check_new_name, find_suite
-from probe.tasks.task import KINDS, QuestionKind
+from probe.tasks.task import QUESTION_TYPES, QuestionType
 
 app = tyro.extras.SubcommandApp()
 app.command(shortcuts)
@@ -44,14 +44,14 @@ app.command(learn)
 app.command(verify)
 app.command(certify)
 
-_NONE = dict.fromkeys(KINDS, 0)
+_NONE = dict.fromkeys(QUESTION_TYPES, 0)
 _UNSOLVED_MOST = 50
 
 
 @app.command
 def build(
     out: Annotated[Path, tyro.conf.Positional],
-    counts: dict[QuestionKind, int] = _NONE,
+    counts: dict[QuestionType, int] = _NONE,
     pool: Pool = "procedural",
     public: bool = False,
     first: int = 0,
@@ -78,7 +78,12 @@ def build(
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
     """
-    check_numbers({"--first": first, **{f"--counts.{kind}": n for kind, n in counts.items()}})
+    check_numbers(
+        {
+            "--first": first,
+            **{f"--counts.{question_type}": n for question_type, n in counts.items()},
+        }
+    )
     if first and not public:
         reason = "numbers public tasks; a private suite's follow from its salt"
         raise BadData("--first", reason, "Say --public too, or leave it out")
@@ -116,7 +121,7 @@ def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
     table = ScreenTable("task", "type", "question", "options", "answer")
     for task in find_suite(suite).tasks:
         options = "\n".join(f"{option.letter} {option.text}" for option in task.options)
-        table.add(task.id, task.kind, task.question, options, task.answer)
+        table.add(task.id, task.question_type, task.question, options, task.answer)
     table.show()
 
 
@@ -138,7 +143,7 @@ def _fill(places: Sequence[TaskSlot], parts: BuildFolder, resources: BuildResour
             # What was tried is in the place's log.
             with contextlib.suppress(Unsatisfiable):
                 for tried in fill(place, parts, resources):
-                    done = f"{place.kind} {place.episode}: {tried.check}"
+                    done = f"{place.question_type} {place.episode}: {tried.check}"
                     progress.update(line, description=done)
             progress.advance(line)
 
@@ -155,7 +160,7 @@ def _finish(
     lines = [line for place in places for line in parts.log(place)]
     if salt:
         # By numbers that tell nothing: in the order of places, lines would tell a task's.
-        lines.sort(key=lambda line: (line.kind, line.seed))
+        lines.sort(key=lambda line: (line.question_type, line.seed))
     log = out.with_suffix(".log.tsv")
     write_text(log, "".join(f"{line}\n" for line in lines))
     _print_yield(lines)
@@ -175,7 +180,7 @@ def _print_yield(lines: Iterable[CandidateLog]) -> None:
     )
     for it in count_candidates(lines):
         table.add(
-            it.kind,
+            it.question_type,
             str(it.candidates),
             f"{it.kept} ({it.kept / it.candidates:.0%})",
             f"{it.seconds / max(1, it.kept):.0f}",

@@ -9,9 +9,9 @@ from pathlib import Path
 from probe.api.gathering import NoRuns, one_suite
 from probe.api.grading import Graded, grade_folder, scene_renderer_of
 from probe.cli.checksum_notice import tell_unsummed
-from probe.cli.human import ARM
+from probe.cli.human import SETTING
 from probe.cli.screen import ScreenTable, say, track
-from probe.episodes.folder import arm_of_folder, standing
+from probe.episodes.folder import setting_of_folder, standing
 from probe.episodes.remarks import latest, read_remarks
 from probe.errors import BadData
 from probe.generation.human_answers import (
@@ -65,7 +65,7 @@ def _check(folders: Sequence[Path], least: float, doubters: int) -> None:
     if doubters < 1:
         raise BadData("--doubters", f"{doubters} would drop every task", "Say 1 or more")
     for folder in folders:
-        if arm_of_folder(folder) != ARM:
+        if setting_of_folder(folder) != SETTING:
             remedy = "Name a folder that `probe human` wrote to"
             raise BadData(folder, "its records aren't people's", remedy)
 
@@ -95,7 +95,7 @@ def _said(graded: Graded) -> HumanAnswer:
     answer, seconds = record.answer, record.seconds
     return HumanAnswer(
         task=task.id,
-        kind=task.kind,
+        question_type=task.question_type,
         person=record.agent,
         letter=answer.choice if answer else None,
         correct=score.correct,

@@ -153,10 +153,10 @@ def _print_salt(suite: Suite, strange: Sequence[str]) -> None:
 
 def _table(name: str, verdicts: Sequence[TaskVerdict]) -> ScreenTable:
     table = ScreenTable("type", "tasks", "hold", *CHECKS, title=f"Suite {name}")
-    for kind in sorted({verdict.kind for verdict in verdicts}):
-        mine = [verdict for verdict in verdicts if verdict.kind == kind]
+    for question_type in sorted({verdict.question_type for verdict in verdicts}):
+        mine = [verdict for verdict in verdicts if verdict.question_type == question_type]
         cells = [_passed(check, mine) for check in CHECKS]
-        table.add(kind, str(len(mine)), str(sum(v.holds for v in mine)), *cells)
+        table.add(question_type, str(len(mine)), str(sum(v.holds for v in mine)), *cells)
     return table
 
 
@@ -171,7 +171,7 @@ def _balance_lines(suite: Suite) -> Iterator[str]:
     for balance in balances(suite.tasks):
         counts = ", ".join(f"{count} {value}" for value, count in balance.counts.items())
         odd = "" if balance.even else " (uneven)"
-        yield f"{balance.kind}, {balance.of}: {counts}{odd}"
+        yield f"{balance.question_type}, {balance.of}: {counts}{odd}"
 
 
 def _history_lines(verdicts: Sequence[TaskVerdict]) -> Iterator[str]:
@@ -182,10 +182,15 @@ def _history_lines(verdicts: Sequence[TaskVerdict]) -> Iterator[str]:
 
 
 def _observer_lines(verdicts: Sequence[TaskVerdict]) -> Iterator[str]:
-    for kind in sorted({verdict.kind for verdict in verdicts}):
-        said = [v.observed for v in verdicts if v.kind == kind and v.observed is not None]
+    for question_type in sorted({verdict.question_type for verdict in verdicts}):
+        said = [
+            v.observed
+            for v in verdicts
+            if v.question_type == question_type and v.observed is not None
+        ]
         if said:
-            yield f"{kind}: the observer, who only looks, is right in {sum(said)} of {len(said)}."
+            right = f"{sum(said)} of {len(said)}"
+            yield f"{question_type}: the observer, who only looks, is right in {right}."
 
 
 def _passed(check: str, verdicts: Sequence[TaskVerdict]) -> str:

@@ -21,7 +21,7 @@ from probe.train.collect.batches import TASKS
 from probe.train.collect.collecting import Play, TeacherWorkers
 from probe.train.collect.making import TaskWorker, make_tasks
 from probe.train.collect.teacher import TEACHER, TeacherWorker, teacher_for
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 from probe.types import Shard
 
 _ROUNDS = 3
@@ -44,15 +44,15 @@ def hands_of(site: TeachingSetup, out: Path) -> TeacherWorkers:
 def _scripted(site: TeachingSetup) -> Play:
     order = RunOrder(TEACHER, 1, NOISES[site.noise], site.conditions, points=site.counting)
 
-    def play(suite: Suite, arm: Arm, runs: int, out: Path) -> Iterable[str]:
-        mine = replace(order, arm=arm, runs=runs)
+    def play(suite: Suite, setting: Setting, runs: int, out: Path) -> Iterable[str]:
+        mine = replace(order, setting=setting, runs=runs)
         teachers, light = teacher_for(site.counting), cache_folder() / "light"
         place = TeacherWorker(mine, site.training, teachers, light)
         with begun(out, suite, mine) as beginning:
             jobs = beginning.jobs
             with closing(work(out, jobs, place, site.workers)) as results:
                 for number, (job, fault) in enumerate(results, start=1):
-                    doing = f"{number} of {len(jobs)} {arm} episodes"
+                    doing = f"{number} of {len(jobs)} {setting} episodes"
                     yield f"{doing}; {job.task.id}: {fault}" if fault else doing
 
     return play
@@ -62,7 +62,7 @@ def _seated(site: TeachingSetup, model: str) -> Play:
     seats = ModelRunOptions(
         library=site.training,
         model=model,
-        arm="agentic",
+        setting="agentic",
         epochs=1,
         points=site.counting,
         pointer="oracle",
@@ -74,10 +74,10 @@ def _seated(site: TeachingSetup, model: str) -> Play:
         workers=site.workers,
     )
 
-    def play(suite: Suite, arm: Arm, runs: int, out: Path) -> Iterator[str]:
-        asked, missing = replace(seats, arm=arm, epochs=runs), len(suite.tasks) * runs
+    def play(suite: Suite, setting: Setting, runs: int, out: Path) -> Iterator[str]:
+        asked, missing = replace(seats, setting=setting, epochs=runs), len(suite.tasks) * runs
         for _ in range(_ROUNDS):
-            yield f"{missing} episodes go to {model} ({arm})"
+            yield f"{missing} episodes go to {model} ({setting})"
             missing = take_seats(suite, asked, out, plain=True)
             if not missing:
                 return

@@ -9,7 +9,7 @@ from typing import Annotated
 import tyro
 
 from probe.cli.screen import say
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 from probe.train.tune.fine_tuning import train as trained
 from probe.train.tune.run_card import told_curve
 from probe.train.tune.training_log import read_log
@@ -22,7 +22,7 @@ def train(
     dataset: Annotated[Path, tyro.conf.Positional],
     out: Path = Path("outputs/trained"),
     model: str = "Qwen/Qwen3-VL-8B-Instruct",
-    types: tuple[QuestionKind, ...] = (),
+    types: tuple[QuestionType, ...] = (),
     tuning: Annotated[Tuning, tyro.conf.arg(name="")] = _PAPER,
 ) -> None:
     """Train a model on a data set; goes on where an earlier run stopped.

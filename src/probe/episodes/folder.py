@@ -17,7 +17,7 @@ from probe.reading import is_there, opened, words
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 
-RECORDS, SUITE, ARM = "records.jsonl", "suite.json", "arm"
+RECORDS, SUITE, SETTING = "records.jsonl", "suite.json", "arm"
 
 
 def start_folder(out: Path, suite: Suite) -> None:
@@ -61,35 +61,35 @@ def check_suite(out: Path, suite: Suite) -> None:
         raise BadData(out / SUITE, "is another suite", "Choose another folder")
 
 
-def claim_arm(out: Path, arm: str) -> None:
-    """Say of a started folder that everybody whose record is in it answers in this arm.
+def claim_setting(out: Path, setting: str) -> None:
+    """Say of a started folder that everybody whose record is in it answers in this setting.
 
     Raises:
-        BadData: It holds records of another arm already.
+        BadData: It holds records of another setting already.
         OutputFailed: It can't be written.
     """
-    said = arm_of_folder(out)
-    if said == arm:
+    said = setting_of_folder(out)
+    if said == setting:
         return
     if said is not None or (out / RECORDS).exists():
-        reason = f"its records are of the arm {said}" if said else "others have records there"
+        reason = f"its records are of the setting {said}" if said else "others have records there"
         raise BadData(out, reason, "Choose another folder")
-    write_text(out / ARM, f"{arm}\n")
+    write_text(out / SETTING, f"{setting}\n")
 
 
-def arm_of_folder(out: Path) -> str | None:
-    """The arm that a folder claims for all its records; None if each agent has its own.
+def setting_of_folder(out: Path) -> str | None:
+    """The setting that a folder claims for all its records; None if each agent has its own.
 
     Raises:
         BadData: The file that says so can't be read.
     """
-    path = out / ARM
+    path = out / SETTING
     if not is_there(path):
         return None
     try:
         return words(path).strip() or None
     except (OSError, UnicodeDecodeError) as error:
-        raise BadData(path, str(error), "Write the arm's name into it") from error
+        raise BadData(path, str(error), "Write the setting's name into it") from error
 
 
 def add_line(out: Path, line: bytes) -> None:
@@ -103,19 +103,19 @@ def add_line(out: Path, line: bytes) -> None:
 
 
 def in_order(records: Iterable[EpisodeRecord], suite: Suite) -> list[EpisodeRecord]:
-    """Records by task, agent, arm and run, in any order before; faults before their repetition."""
+    """Records by task, agent, setting and run; faults before their repetition."""
     places = {task.id: place for place, task in enumerate(suite.tasks)}
 
     def place(record: EpisodeRecord) -> tuple[int, str, str, str, int, bool]:
         known = places.get(record.task, len(places))
-        return known, record.task, record.agent, record.arm, record.run, record.end != "fault"
+        return known, record.task, record.agent, record.setting, record.run, record.end != "fault"
 
     return sorted(records, key=place)
 
 
 def standing(records: Iterable[EpisodeRecord]) -> list[EpisodeRecord]:
     """Of records in order the last of each run: no faults that were made good since."""
-    last = {(it.task, it.agent, it.arm, it.run): it for it in records}
+    last = {(it.task, it.agent, it.setting, it.run): it for it in records}
     return list(last.values())
 
 
@@ -150,7 +150,7 @@ def add_run(out: Path, record: EpisodeRecord) -> None:
 
 
 def _whose(record: EpisodeRecord) -> tuple[str, str, str]:
-    return record.task, record.agent, record.arm
+    return record.task, record.agent, record.setting
 
 
 @contextmanager

@@ -30,7 +30,7 @@ _HIDES_PX = 30
 
 @dataclass(frozen=True, eq=False)
 class OracleView:
-    """What a model of the arm "oracle-view" is shown.
+    """What a model of the setting "oracle-view" is shown.
 
     Attributes:
         first: The table at the start, marks drawn on it.

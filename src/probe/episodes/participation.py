@@ -1,6 +1,6 @@
 """How a model took part in an episode: what it may do, said and cost. Knows no model.
 
-An agent in a process of its own has one if it failed there: with no arm, and what went wrong.
+An agent in a process of its own has one if it failed there: with no setting, and what went wrong.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Participation:
     """A model's part in an episode.
 
     Attributes:
-        arm: How it was allowed to answer.
+        setting: How it was allowed to answer.
         points: How it counted places; the record itself always counts pixels.
         replies: All of them, in order.
         tokens_in, tokens_out: Of all its replies; None where its server doesn't say.
@@ -38,7 +38,7 @@ class Participation:
         faults: What went wrong between it and us, whether or not it could be mended.
     """
 
-    arm: str
+    setting: str
     points: Points = "pixels"
     replies: tuple[ModelReply, ...] = ()
     tokens_in: int | None = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict
+from typing import Annotated
 
 import pydantic
 
@@ -20,10 +21,10 @@ class ReplyDocument(_Document):
     words: str = ""
 
 
-class ParticipationDocument(_Document):
+class ParticipationDocument(_Document, validate_by_name=True, serialize_by_alias=True):
     """How a model took part."""
 
-    arm: str
+    setting: Annotated[str, pydantic.Field(alias="arm")]
     points: Points
     replies: tuple[ReplyDocument, ...]
     tokens_in: int | None
@@ -40,7 +41,7 @@ class ParticipationDocument(_Document):
         """The part it describes."""
         replies = tuple(ModelReply(reply.calls, reply.words) for reply in self.replies)
         return Participation(
-            self.arm,
+            self.setting,
             self.points,
             replies,
             self.tokens_in,

@@ -88,9 +88,9 @@ class EpisodeRecord:
     seat: Participation | None = None
 
     @property
-    def arm(self) -> str:
+    def setting(self) -> str:
         """How a model was allowed to answer; empty for other agents, whose names say it."""
-        return self.seat.arm if self.seat else ""
+        return self.seat.setting if self.seat else ""
 
     @property
     def scenes(self) -> tuple[Scene, ...]:

@@ -11,7 +11,7 @@ from probe.generation.result import TaskCandidate
 from probe.generation.salt import Salt
 from probe.generation.task_writer import task_id
 from probe.scene.scene import Scene
-from probe.tasks.task import QuestionKind, Task
+from probe.tasks.task import QuestionType, Task
 
 _ID_DIGITS = 16
 
@@ -31,10 +31,10 @@ class Attempt:
     salt: Salt | None = None
 
     @staticmethod
-    def of_seed(kind: QuestionKind, seed: int, salt: Salt | None = None) -> Attempt:
+    def of_seed(question_type: QuestionType, seed: int, salt: Salt | None = None) -> Attempt:
         """The try at the public task that is made from a seed, or its like with a salt."""
         episode, number = divmod(seed, ATTEMPTS)
-        return Attempt(TaskSlot(kind, episode), number, salt)
+        return Attempt(TaskSlot(question_type, episode), number, salt)
 
     @property
     def plan(self) -> TaskPlan:
@@ -53,15 +53,15 @@ class Attempt:
         """The seed that the task bears: the scene's, or one that only the salt leads from to it."""
         if self.salt is None:
             return self._public_seed
-        return self.salt.seal(self._public_seed, self.place.kind)
+        return self.salt.seal(self._public_seed, self.place.question_type)
 
     @property
     def id(self) -> str:
         """The task's."""
         if self.salt is None:
-            return task_id(self.place.kind, self._public_seed)
+            return task_id(self.place.question_type, self._public_seed)
         digits = self.salt.keyed("id", *self.place, self.number).hex()[:_ID_DIGITS]
-        return f"{self.place.kind}-{digits}"
+        return f"{self.place.question_type}-{digits}"
 
     @property
     def _public_seed(self) -> int:
@@ -82,9 +82,9 @@ def origins(tasks: Iterable[Task], salt: Salt) -> Mapping[str, Attempt]:
     """By which tries a private suite's tasks came about, by their ids; others are left out."""
     found = dict[str, Attempt]()
     for task in tasks:
-        value = salt.unseal(task.seed, task.kind)
+        value = salt.unseal(task.seed, task.question_type)
         if value is not None:
-            attempt = Attempt.of_seed(task.kind, value, salt)
+            attempt = Attempt.of_seed(task.question_type, value, salt)
             if attempt.id == task.id:
                 found[task.id] = attempt
     return found

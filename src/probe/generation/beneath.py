@@ -50,7 +50,7 @@ def generate_beneath(
     silhouettes = view.silhouettes(scene, [frame.number_of[1], cover])
     target = which_beneath(scene, ids, cover, silhouettes)
     draft = Draft(
-        kind="beneath",
+        question_type="beneath",
         scene=scene,
         subject=cast.covers[0].spec.name,
         slots={"cover": cast.covers[0].spec.name},

@@ -31,7 +31,7 @@ from probe.generation.solve import SolveAttempt, noted, trials
 from probe.render.renderer import Renderer
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
-from probe.tasks.task import KINDS, QuestionKind, Task
+from probe.tasks.task import QUESTION_TYPES, QuestionType, Task
 
 _REASONS = 3
 
@@ -67,10 +67,12 @@ def begin(folder: BuildFolder, pool: str, *, public: bool, unchecked: bool) -> S
     return salt
 
 
-def places_of(counts: Mapping[QuestionKind, int], first: int) -> list[TaskSlot]:
+def places_of(counts: Mapping[QuestionType, int], first: int) -> list[TaskSlot]:
     """The places of a suite with so many tasks a type, numbered from `first` in each."""
     return [
-        TaskSlot(kind, first + number) for kind, count in counts.items() for number in range(count)
+        TaskSlot(question_type, first + number)
+        for question_type, count in counts.items()
+        for number in range(count)
     ]
 
 
@@ -99,14 +101,17 @@ def fill(place: TaskSlot, parts: BuildFolder, resources: BuildResources) -> Iter
         else:
             parts.keep(place, noted(result.task, made), resources.library)
             check, detail = KEPT, ""
-        line = CandidateLog(place.kind, attempt.bears, check, solved, detail, monotonic() - start)
+        line = CandidateLog(
+            place.question_type, attempt.bears, check, solved, detail, monotonic() - start
+        )
         parts.add(place, line)
         yield line
         if line.check == KEPT:
             return
     raise Unsatisfiable(
-        f"No {place.kind} task in {ATTEMPTS} candidates for place {place.episode}: "
-        f"{why_none(parts.log(place))}. {place.kind.capitalize()} needs {NEEDS[place.kind]}."
+        f"No {place.question_type} task in {ATTEMPTS} candidates for place {place.episode}: "
+        f"{why_none(parts.log(place))}. "
+        f"{place.question_type.capitalize()} needs {NEEDS[place.question_type]}."
     )
 
 
@@ -163,7 +168,7 @@ def assemble_unsolved(
 
 def in_order(tasks: Iterable[Task]) -> list[Task]:
     """A private suite's order: by type, then by id, which tells nothing of the place."""
-    return sorted(tasks, key=lambda task: (KINDS.index(task.kind), task.id))
+    return sorted(tasks, key=lambda task: (QUESTION_TYPES.index(task.question_type), task.id))
 
 
 def _write(path: Path, tasks: Sequence[Task], library: Library, salt: Salt | None) -> None:

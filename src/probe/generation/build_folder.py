@@ -19,7 +19,7 @@ from probe.files import claim_folder, make_private, read_document, write_text
 from probe.reading import words
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
-from probe.tasks.task import QuestionKind, Task
+from probe.tasks.task import QuestionType, Task
 from probe.texts import cell, uncell
 
 KEPT, UNSOLVED, RESTLESS = "kept", "solvable", "at rest"
@@ -34,7 +34,7 @@ _REMEDY = "Build into another file"
 class TaskSlot(NamedTuple):
     """One task to be made."""
 
-    kind: QuestionKind
+    question_type: QuestionType
     episode: int
 
 
@@ -57,14 +57,14 @@ class CandidateLog:
     """What became of one candidate.
 
     Attributes:
-        kind, seed: The type, and the seed that the task bears or would have borne.
+        question_type, seed: The type, and the seed that the task bears or would have borne.
         check: KEPT, or the check that it failed.
         solved: Whether the very first scripted attempt succeeded; None if none was made.
         detail: What was measured, for people.
         seconds: Time that it took.
     """
 
-    kind: str
+    question_type: str
     seed: int
     check: str
     solved: bool | None
@@ -75,7 +75,14 @@ class CandidateLog:
         """Separated by tabs."""
         solved = _UNTRIED if self.solved is None else str(self.solved)
         detail = " ".join(self.detail.split())
-        cells = (self.kind, self.seed, self.check, solved, cell(detail), f"{self.seconds:.1f}")
+        cells = (
+            self.question_type,
+            self.seed,
+            self.check,
+            solved,
+            cell(detail),
+            f"{self.seconds:.1f}",
+        )
         return "\t".join(str(each) for each in cells)
 
     @staticmethod
@@ -85,9 +92,9 @@ class CandidateLog:
         Raises:
             ValueError: It is none.
         """
-        kind, seed, check, solved, detail, seconds = text.split("\t")
+        question_type, seed, check, solved, detail, seconds = text.split("\t")
         tried = None if solved == _UNTRIED else solved == "True"
-        return CandidateLog(kind, int(seed), check, tried, uncell(detail), float(seconds))
+        return CandidateLog(question_type, int(seed), check, tried, uncell(detail), float(seconds))
 
 
 @dataclass(frozen=True)
@@ -167,12 +174,12 @@ class BuildFolder:
 
     def keep(self, place: TaskSlot, task: Task, library: Library) -> None:
         """Write a place's task."""
-        suite = freeze(f"{place.kind}-{place.episode}", (task,), library)
+        suite = freeze(f"{place.question_type}-{place.episode}", (task,), library)
         write_suite(self.task_path(place), suite, private=self.is_private)
 
     def keep_unsolved(self, task: Task, library: Library) -> None:
         """Write a candidate that failed only the scripted agents' check."""
-        suite = freeze(f"unsolved-{task.kind}-{task.seed}", (task,), library)
+        suite = freeze(f"unsolved-{task.question_type}-{task.seed}", (task,), library)
         write_suite(self.folder / f"{suite.name}.json", suite, private=self.is_private)
 
     def unsolved(self, places: Sequence[TaskSlot]) -> Iterator[Task]:
@@ -180,8 +187,8 @@ class BuildFolder:
         for place in places:
             for line in self.log(place):
                 if line.check == UNSOLVED:
-                    path = self.folder / f"unsolved-{place.kind}-{line.seed}.json"
+                    path = self.folder / f"unsolved-{place.question_type}-{line.seed}.json"
                     yield from read_suite(path).tasks
 
     def _path(self, place: TaskSlot, suffix: str) -> Path:
-        return self.folder / f"{place.kind}-{place.episode}.{suffix}"
+        return self.folder / f"{place.question_type}-{place.episode}.{suffix}"

@@ -60,7 +60,7 @@ def generate_compare(
     if (measures["patch_lead"] > 0) != plan.cues[0]:
         raise Rejected("cues", "in the picture, the other patch fits better")
     draft = Draft(
-        kind="compare",
+        question_type="compare",
         scene=scene,
         subject=asked.word or (asked.reference.name if asked.reference else ""),
         slots={"colour": asked.word, "name": asked.reference.name if asked.reference else ""},

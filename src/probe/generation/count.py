@@ -77,7 +77,7 @@ def generate_count(
     truth = how_many(scene, cast.counted.id)
     candidates = count_candidates(plan.visible, rng)
     draft = Draft(
-        kind="count",
+        question_type="count",
         scene=scene,
         subject=cast.counted.name,
         slots={"names": str(plural(cast.counted.name))},

@@ -17,7 +17,7 @@ from probe.generation.needs import NEEDS
 from probe.generation.result import Rejected
 from probe.generation.salt import Salt
 from probe.scene.seeds import generator
-from probe.tasks.task import KINDS, QuestionKind
+from probe.tasks.task import QUESTION_TYPES, QuestionType
 
 TRIES = 40
 """Castings of a place that must all fail before it is called impossible."""
@@ -28,13 +28,13 @@ class Feasibility:
     """Whether there are the things for a type.
 
     Attributes:
-        kind: The type.
+        question_type: The type.
         places: Those asked for.
         hopeless: Those for which nobody could be cast.
         missing: Why, for people: what the castings failed by, the most frequent first.
     """
 
-    kind: QuestionKind
+    question_type: QuestionType
     places: tuple[TaskSlot, ...]
     hopeless: tuple[TaskSlot, ...]
     missing: tuple[str, ...]
@@ -42,7 +42,7 @@ class Feasibility:
     @property
     def needs(self) -> str:
         """What the type takes."""
-        return NEEDS[self.kind]
+        return NEEDS[self.question_type]
 
 
 def possibilities(
@@ -55,23 +55,31 @@ def possibilities(
         library: The things.
         salt: Of a private suite.
     """
-    kinds: list[QuestionKind] = [
-        kind for kind in KINDS if any(place.kind == kind for place in places)
+    question_types: list[QuestionType] = [
+        question_type
+        for question_type in QUESTION_TYPES
+        if any(place.question_type == question_type for place in places)
     ]
     return tuple(
-        _of_kind(kind, tuple(p for p in places if p.kind == kind), library, salt) for kind in kinds
+        _of_type(
+            question_type,
+            tuple(p for p in places if p.question_type == question_type),
+            library,
+            salt,
+        )
+        for question_type in question_types
     )
 
 
-def _of_kind(
-    kind: QuestionKind, places: tuple[TaskSlot, ...], library: Library, salt: Salt | None
+def _of_type(
+    question_type: QuestionType, places: tuple[TaskSlot, ...], library: Library, salt: Salt | None
 ) -> Feasibility:
     failures = Counter[str]()
     hopeless = tuple(
         place for place in places if not _can_be_selected(place, library, salt, failures)
     )
     return Feasibility(
-        kind, places, hopeless, tuple(reason for reason, _ in failures.most_common())
+        question_type, places, hopeless, tuple(reason for reason, _ in failures.most_common())
     )
 
 
@@ -82,9 +90,9 @@ def _can_be_selected(
     mine = Counter[str]()
     for number in range(TRIES):
         attempt = Attempt(place, number, salt)
-        rng = generator(attempt.seed, place.kind, "possible")
+        rng = generator(attempt.seed, place.question_type, "possible")
         try:
-            SELECTORS[place.kind](library, attempt.plan, rng)
+            SELECTORS[place.question_type](library, attempt.plan, rng)
         except Rejected as failure:
             mine[str(failure)] += 1
         else:

@@ -57,7 +57,7 @@ def generate_find(
     target = which_on_table(scene, ids)
     seen = _seen(view, scene, target.instance)
     draft = Draft(
-        kind="find",
+        question_type="find",
         scene=scene,
         subject="",
         slots={},

@@ -17,11 +17,11 @@ from probe.generation.reduce import generate_reduce, select_reduce
 from probe.generation.result import Rejected, Rejection, TaskCandidate
 from probe.generation.size import generate_size, select_size
 from probe.render.renderer import Renderer
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 
 Generator = Callable[[int, TaskPlan, Library, Renderer, Sequence[str]], TaskCandidate]
 
-GENERATORS: dict[QuestionKind, Generator] = {
+GENERATORS: dict[QuestionType, Generator] = {
     "beneath": generate_beneath,
     "compare": generate_compare,
     "count": generate_count,
@@ -32,7 +32,7 @@ GENERATORS: dict[QuestionKind, Generator] = {
 
 Selector = Callable[[Library, TaskPlan, np.random.Generator], object]
 
-SELECTORS: dict[QuestionKind, Selector] = {
+SELECTORS: dict[QuestionType, Selector] = {
     "beneath": select_beneath,
     "compare": select_compare,
     "count": select_count,
@@ -44,18 +44,22 @@ SELECTORS: dict[QuestionKind, Selector] = {
 
 
 def generate(
-    kind: QuestionKind, seed: int, library: Library, renderer: Renderer, tables: Sequence[str]
+    question_type: QuestionType,
+    seed: int,
+    library: Library,
+    renderer: Renderer,
+    tables: Sequence[str],
 ) -> TaskCandidate | Rejection:
     """One attempt at a public task; see make().
 
     Args:
-        kind: The type.
+        question_type: The type.
         seed: Of this attempt; seeds with the same thousands belong to one episode (see plan()).
         library: As in make().
         renderer: As in make().
         tables: As in make().
     """
-    return make(Attempt.of_seed(kind, seed), library, renderer, tables)
+    return make(Attempt.of_seed(question_type, seed), library, renderer, tables)
 
 
 def make(
@@ -69,7 +73,7 @@ def make(
         renderer: Measures visibility; what was loaded in it is replaced.
         tables: Ids of table materials to choose from.
     """
-    generator = GENERATORS[attempt.place.kind]
+    generator = GENERATORS[attempt.place.question_type]
     try:
         made = generator(attempt.seed, attempt.plan, library, renderer, tables)
     except Rejected as failure:

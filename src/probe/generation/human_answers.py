@@ -19,7 +19,7 @@ class HumanAnswer:
 
     Attributes:
         task: The question.
-        kind: Its type.
+        question_type: Its type.
         person: Who.
         letter: What they answered; None if they didn't.
         correct: Whether it was right by the question's rules, Find's point included.
@@ -28,7 +28,7 @@ class HumanAnswer:
     """
 
     task: str
-    kind: str
+    question_type: str
     person: str
     letter: str | None
     correct: bool
@@ -136,7 +136,7 @@ def _verdict(
 
 def agreements(said: Sequence[HumanAnswer]) -> list[Agreement]:
     """How far people agree on letters, by type and over all; answers that weren't given are out."""
-    return [_agreement(name, part) for name, part in _by_kind(said)]
+    return [_agreement(name, part) for name, part in _by_type(said)]
 
 
 def _agreement(name: str, said: Sequence[HumanAnswer]) -> Agreement:
@@ -187,13 +187,16 @@ def efforts(said: Sequence[HumanAnswer]) -> list[HumanEffort]:
             _spread([each.turns for each in part]),
             _spread([each.manipulations for each in part]),
         )
-        for name, part in _by_kind(said)
+        for name, part in _by_type(said)
     ]
 
 
-def _by_kind(said: Sequence[HumanAnswer]) -> list[tuple[str, list[HumanAnswer]]]:
-    kinds = sorted({each.kind for each in said})
-    parts = [(kind, [each for each in said if each.kind == kind]) for kind in kinds]
+def _by_type(said: Sequence[HumanAnswer]) -> list[tuple[str, list[HumanAnswer]]]:
+    question_types = sorted({each.question_type for each in said})
+    parts = [
+        (question_type, [each for each in said if each.question_type == question_type])
+        for question_type in question_types
+    ]
     return [*parts, ("all", list(said))]
 
 

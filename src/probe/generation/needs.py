@@ -9,7 +9,7 @@ from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE
 from probe.generation.count import NESTS
 from probe.generation.covers import NEEDS_COVER, NEEDS_LEAN, NEEDS_SHIELD, NEEDS_SLAB
 from probe.tasks.options import CANDIDATES
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 
 
 def _alike(count: int, largest: float, tolerance: float) -> str:
@@ -18,7 +18,7 @@ def _alike(count: int, largest: float, tolerance: float) -> str:
     return f"{count} things {low:g} to {high:g} cm long, {alike}"
 
 
-NEEDS: Mapping[QuestionKind, str] = {
+NEEDS: Mapping[QuestionType, str] = {
     "beneath": f"{_alike(CANDIDATES, object_selection.LARGEST, TWIN_TOLERANCE)}; "
     f"over any of them {NEEDS_COVER}",
     "compare": "two kinds of things, each in two paints of one shape, which scans never are "

@@ -15,7 +15,7 @@ from probe.assets.colour.difference import ciede2000
 from probe.generation.colour_words import colours_in
 from probe.generation.first_look import FirstLook, VisibleThing
 from probe.tasks.english import plural
-from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Letter, QuestionKind
+from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Letter, QuestionType
 from probe.tasks.type_rules import Form
 from probe.types import Array
 
@@ -24,7 +24,7 @@ _RESEMBLES = 25.0
 
 
 def observe(
-    kind: QuestionKind, form: Form, question: str, options: Sequence[str], look: FirstLook
+    question_type: QuestionType, form: Form, question: str, options: Sequence[str], look: FirstLook
 ) -> Letter:
     """Answer by a fixed rule.
 
@@ -34,17 +34,17 @@ def observe(
     nothing is.
 
     Args:
-        kind: Type of the question.
+        question_type: Type of the question.
         form: What exactly it asks.
         question: Its words.
         options: Their texts, from A on.
         look: What the first picture shows.
     """
-    if kind == "count":
+    if question_type == "count":
         return offered(str(visible_count(question, look)), options)
-    if kind == "size":
+    if question_type == "size":
         return _larger(form, *marked(look))
-    if kind == "compare":
+    if question_type == "compare":
         return _nearer(form, question, look)
     return _resembling(question, options, look)
 

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from probe.generation.salt import Salt
 from probe.scene.seeds import generator
-from probe.tasks.task import KINDS, LETTERS, PAIR, Letter, QuestionKind
+from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, Letter, QuestionType
 from probe.tasks.type_rules import Form, rules_of
 from probe.tasks.wordings import wordings
 
@@ -19,14 +19,14 @@ ATTEMPTS = 1000
 
 _COUNTS = tuple(product(range(4), range(3)))
 _REMOVALS = (1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 5)
-PAIRED: tuple[QuestionKind, ...] = tuple(k for k in KINDS if rules_of(k).paired)
+PAIRED: tuple[QuestionType, ...] = tuple(k for k in QUESTION_TYPES if rules_of(k).paired)
 """Types that ask about two marked things."""
 
 _CROSSED = tuple(product(PAIR, (True, False), (True, False)))
 _MORE_CUES = tuple(product((True, False), repeat=2))
 _PARTLY = (False, False, True)
 _LIGHTER = (True, False)
-_BALANCED: Mapping[QuestionKind, tuple[int, ...]] = {
+_BALANCED: Mapping[QuestionType, tuple[int, ...]] = {
     "beneath": (len(LETTERS),),
     "compare": (len(_CROSSED), len(_MORE_CUES)),
     "count": (len(LETTERS), len(_COUNTS)),
@@ -70,26 +70,26 @@ class TaskPlan:
     lighter: bool
 
 
-def plan(kind: QuestionKind, seed: int) -> TaskPlan:
+def plan(question_type: QuestionType, seed: int) -> TaskPlan:
     """The plan of the episode of a public suite that an attempt's seed belongs to."""
-    return plan_of(kind, seed // ATTEMPTS)
+    return plan_of(question_type, seed // ATTEMPTS)
 
 
-def plan_of(kind: QuestionKind, episode: int, salt: Salt | None = None) -> TaskPlan:
+def plan_of(question_type: QuestionType, episode: int, salt: Salt | None = None) -> TaskPlan:
     """The plan of an episode, by its number.
 
     Each property runs through all its values in every block of consecutive episodes, in an order
     drawn for the block: letters balance over any suite. Whoever has this file can foretell them,
     but where a salt draws the orders.
     """
-    texts = wordings(kind)
+    texts = wordings(question_type)
 
     def turn(purpose: str, values: Sequence[_T]) -> _T:
         block, place = divmod(episode, len(values))
         if salt is None:
-            rng = generator(block, "plan", kind, purpose)
+            rng = generator(block, "plan", question_type, purpose)
         else:
-            rng = salt.generator("plan", kind, purpose, block)
+            rng = salt.generator("plan", question_type, purpose, block)
         return values[int(rng.permutation(len(values))[place])]
 
     wording = turn("wording", range(len(texts)))
@@ -97,7 +97,7 @@ def plan_of(kind: QuestionKind, episode: int, salt: Salt | None = None) -> TaskP
     crossed, first, second = turn("crossed", _CROSSED)
     third, longer_cover = turn("cues", _MORE_CUES)
     return TaskPlan(
-        letter=crossed if kind in PAIRED else turn("letter", LETTERS),
+        letter=crossed if question_type in PAIRED else turn("letter", LETTERS),
         wording=wording,
         form=texts[wording].form,
         visible=visible,
@@ -110,6 +110,6 @@ def plan_of(kind: QuestionKind, episode: int, salt: Salt | None = None) -> TaskP
     )
 
 
-def block_of(kind: QuestionKind, seed: int) -> int:
+def block_of(question_type: QuestionType, seed: int) -> int:
     """A public attempt's block: of episodes that together are even in all that is planned."""
-    return seed // ATTEMPTS // math.lcm(len(wordings(kind)), *_BALANCED[kind])
+    return seed // ATTEMPTS // math.lcm(len(wordings(question_type)), *_BALANCED[question_type])

@@ -76,7 +76,7 @@ def generate_reduce(
     order = [int(index) for index in rng.permutation(len(cast.covers))]
     names = [cast.covers[index].spec.name for index in order]
     draft = Draft(
-        kind="reduce",
+        question_type="reduce",
         scene=scene,
         subject=", ".join(names),
         slots={"names": listed(names)},

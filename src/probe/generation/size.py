@@ -67,7 +67,7 @@ def generate_size(
     if not _is_lighter_as_planned(plan, looks.patch(first), looks.patch(second)):
         raise Rejected("cues", "what shows of the other one is lighter")
     draft = Draft(
-        kind="size",
+        question_type="size",
         scene=scene,
         subject="",
         slots={},

@@ -84,7 +84,7 @@ def _try(
     renderer: Renderer,
 ) -> SolveAttempt:
     rng = generator(task.seed, "solve", way, attempt)
-    agent = Scripted(task.kind, task.subject, rng, way, form=task.form)
+    agent = Scripted(task.question_type, task.subject, rng, way, form=task.form)
     name, run, noise = f"scripted-{way}", FIRST_RUN + attempt, NOISES["paper"]
     record = play(task, agent, name, library, table, renderer, run, noise)
     solved = score(task, record, renderer).correct

@@ -11,7 +11,7 @@ from probe.generation.scene_view import SceneView
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
 from probe.tasks.options import drop_one
-from probe.tasks.task import PAIR, Certificate, Mark, Option, QuestionKind, Task
+from probe.tasks.task import PAIR, Certificate, Mark, Option, QuestionType, Task
 from probe.tasks.wordings import wordings
 
 
@@ -20,7 +20,7 @@ class Draft:
     """All of a task but its words and letters.
 
     Attributes:
-        kind, scene, subject, targets, cover, named, marks: As in Task.
+        question_type, scene, subject, targets, cover, named, marks: As in Task.
         slots: What the wording's slots are filled with.
         candidates: Texts of the five candidates; none where the two marked things are the options.
         truth: Index of the true one, or of the marked thing that is.
@@ -28,7 +28,7 @@ class Draft:
         drawn_from: As Certificate.candidates.
     """
 
-    kind: QuestionKind
+    question_type: QuestionType
     scene: Scene
     subject: str
     slots: Mapping[str, str]
@@ -45,8 +45,8 @@ class Draft:
 def write_task(draft: Draft, plan: TaskPlan, view: SceneView) -> Task:
     """The task of a draft, worded as planned."""
     scene = draft.scene
-    rng = generator(scene.seed, "words", draft.kind)
-    wording = wordings(draft.kind)[plan.wording]
+    rng = generator(scene.seed, "words", draft.question_type)
+    wording = wordings(draft.question_type)[plan.wording]
     question = asked(wording.text, draft.slots, draft.marks)
     if draft.marks:
         options = tuple(Option(letter, f"Object {letter}") for letter in PAIR)
@@ -55,8 +55,8 @@ def write_task(draft: Draft, plan: TaskPlan, view: SceneView) -> Task:
     labels = view.labels(scene)
     visibility = view.visibility(scene, labels, [placed.instance for placed in scene.objects])
     return Task(
-        id=task_id(draft.kind, scene.seed),
-        kind=draft.kind,
+        id=task_id(draft.question_type, scene.seed),
+        question_type=draft.question_type,
         form=wording.form,
         seed=scene.seed,
         subject=draft.subject,
@@ -84,6 +84,6 @@ def _places(marks: Sequence[Mark]) -> str:
     return f"In the first picture, the marks are {places}."
 
 
-def task_id(kind: QuestionKind, seed: int) -> str:
+def task_id(question_type: QuestionType, seed: int) -> str:
     """A name that differs from task to task and tells neither the seed nor the answer."""
-    return f"{kind}-{hashlib.sha256(f'{kind} {seed}'.encode()).hexdigest()[:8]}"
+    return f"{question_type}-{hashlib.sha256(f'{question_type} {seed}'.encode()).hexdigest()[:8]}"

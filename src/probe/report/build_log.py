@@ -24,7 +24,7 @@ class Candidates:
         rejected: Candidates by the check that they failed, most first.
     """
 
-    kind: str
+    question_type: str
     candidates: int
     kept: int
     solved: int
@@ -57,18 +57,21 @@ def _line(path: Path, number: int, text: str) -> CandidateLog:
 
 def count_candidates(lines: Iterable[CandidateLog]) -> list[Candidates]:
     """The same of lines that have been read."""
-    kinds: dict[str, list[CandidateLog]] = {}
+    question_types: dict[str, list[CandidateLog]] = {}
     for line in lines:
-        kinds.setdefault(line.kind, []).append(line)
-    return [_count(kind, kinds[kind]) for kind in sorted(kinds)]
+        question_types.setdefault(line.question_type, []).append(line)
+    return [
+        _count(question_type, question_types[question_type])
+        for question_type in sorted(question_types)
+    ]
 
 
-def _count(kind: str, lines: Sequence[CandidateLog]) -> Candidates:
+def _count(question_type: str, lines: Sequence[CandidateLog]) -> Candidates:
     checks = Counter(line.check for line in lines)
     kept = checks.pop(KEPT, 0)
     tried = [line.solved for line in lines if line.solved is not None]
     return Candidates(
-        kind=kind,
+        question_type=question_type,
         candidates=len(lines),
         kept=kept,
         solved=sum(tried),

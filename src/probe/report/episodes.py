@@ -94,14 +94,18 @@ NEVER_RUN = "never run"
 
 
 def name_of(entrant: Entrant) -> str:
-    """An entrant in one line; arms that are named after their agents aren't said twice."""
-    return entrant.agent if entrant.agent == entrant.arm else f"{entrant.agent} ({entrant.arm})"
+    """An entrant in one line; settings that are named after their agents aren't said twice."""
+    return (
+        entrant.agent
+        if entrant.agent == entrant.setting
+        else f"{entrant.agent} ({entrant.setting})"
+    )
 
 
 def _task(task: Task) -> dict[str, Any]:
     return {
         "id": task.id,
-        "kind": task.kind,
+        "kind": task.question_type,
         "question": task.question,
         "options": [[option.letter, option.text] for option in task.options],
         "truth": task.answer,

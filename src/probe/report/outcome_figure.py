@@ -44,7 +44,7 @@ class Segment:
 class Bar:
     """Episodes of one question type."""
 
-    kind: str
+    question_type: str
     episodes: int
     segments: tuple[Segment, ...]
 
@@ -71,4 +71,4 @@ def _bar(outcomes: Outcomes) -> Bar:
         if count:
             segments.append(Segment(name, words, count, x, width))
         x += width
-    return Bar(outcomes.kind, total, tuple(segments))
+    return Bar(outcomes.question_type, total, tuple(segments))

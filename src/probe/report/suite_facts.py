@@ -21,7 +21,7 @@ class TypeFacts:
         measures: Each number of the type's rule, by name, over its tasks.
     """
 
-    kind: str
+    question_type: str
     tasks: int
     letters: tuple[int | None, ...]
     target_seen: Spread | None
@@ -30,13 +30,16 @@ class TypeFacts:
 
 def suite_facts(tasks: Iterable[Task]) -> list[TypeFacts]:
     """Count and measure a suite, by type in order of name."""
-    kinds: dict[str, list[Task]] = {}
+    question_types: dict[str, list[Task]] = {}
     for task in tasks:
-        kinds.setdefault(task.kind, []).append(task)
-    return [_facts(kind, kinds[kind]) for kind in sorted(kinds)]
+        question_types.setdefault(task.question_type, []).append(task)
+    return [
+        _facts(question_type, question_types[question_type])
+        for question_type in sorted(question_types)
+    ]
 
 
-def _facts(kind: str, tasks: Sequence[Task]) -> TypeFacts:
+def _facts(question_type: str, tasks: Sequence[Task]) -> TypeFacts:
     right = Counter(task.answer for task in tasks)
     offered = {option.letter for task in tasks for option in task.options}
     seen = [
@@ -46,7 +49,7 @@ def _facts(kind: str, tasks: Sequence[Task]) -> TypeFacts:
         if target in task.certificate.visibility
     ]
     return TypeFacts(
-        kind=kind,
+        question_type=question_type,
         tasks=len(tasks),
         letters=tuple(right[letter] if letter in offered else None for letter in LETTERS),
         target_seen=spread(seen),

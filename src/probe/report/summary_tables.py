@@ -53,12 +53,12 @@ class Missing:
     rows: int
     never: tuple[Gap, ...]
     failed: tuple[Gap, ...]
-    kinds: tuple[tuple[str, int], ...]
+    question_types: tuple[tuple[str, int], ...]
 
 
 def type_table(cards: Sequence[Scorecard]) -> TypeTable:
     """Every type, then its parts; all entrants were given the same suite."""
-    rows = tuple((card, (*card.kinds, *card.parts)) for card in cards)
+    rows = tuple((card, (*card.question_types, *card.parts)) for card in cards)
     figures = rows[0][1] if rows else ()
     return TypeTable(tuple((figure.name, figure.tasks) for figure in figures), rows)
 
@@ -85,13 +85,13 @@ def missing_table(cards: Sequence[Scorecard]) -> list[Missing]:
 
 def _missing(card: Scorecard) -> Missing:
     never = tuple(gap for gap in card.gaps if gap.reason == "never run")
-    kinds = Counter(gap.kind for gap in card.gaps)
+    question_types = Counter(gap.question_type for gap in card.gaps)
     return Missing(
         entrant=card.entrant,
         rows=card.macro.headline.rows,
         never=never,
         failed=tuple(gap for gap in card.gaps if gap not in never),
-        kinds=tuple(sorted(kinds.items())),
+        question_types=tuple(sorted(question_types.items())),
     )
 
 

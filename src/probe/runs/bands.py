@@ -7,7 +7,7 @@ from typing import Literal
 
 from probe.generation.visibility_rules import is_clear, is_hidden, is_little, is_partly_visible
 from probe.scene.visibility import Visibility
-from probe.tasks.task import QuestionKind, Task
+from probe.tasks.task import QuestionType, Task
 from probe.tasks.type_rules import rules_of
 
 Band = Literal["hidden", "partly", "between", "little", "clear"]
@@ -21,15 +21,17 @@ def broken_rule(task: Task, now: Mapping[int, Visibility]) -> str | None:
         now: Visibility by instance as it is now.
     """
     for number in dict.fromkeys((*task.targets, *task.named)):
-        was, is_ = (_band(task.kind, seen[number]) for seen in (task.certificate.visibility, now))
+        was, is_ = (
+            _band(task.question_type, seen[number]) for seen in (task.certificate.visibility, now)
+        )
         if was != is_:
             share = now[number].fraction
             return f"object {number} was {was}, is {is_} ({share:.0%} visible)"
     return None
 
 
-def _band(kind: QuestionKind, seen: Visibility) -> Band:
-    if rules_of(kind).paired:
+def _band(question_type: QuestionType, seen: Visibility) -> Band:
+    if rules_of(question_type).paired:
         return "little" if is_little(seen) else "between"
     if is_hidden(seen):
         return "hidden"

@@ -45,7 +45,7 @@ from probe.runs.worker_messages import (
 from probe.tasks.grading import Score
 from probe.tasks.task import Task
 from probe.transcripts.pictures import jpeg
-from probe.transcripts.prompts import Arm, arm_named
+from probe.transcripts.prompts import Setting, setting_named
 from probe.types import Array
 
 
@@ -83,7 +83,7 @@ class EpisodeWorker:
         self._order = place.order
         self._things = things
         self._renderer = renderer
-        self._arm: Arm = arm_named(place.order.arm)
+        self._setting: Setting = setting_named(place.order.setting)
         self._job: Job | None = None
         self._episode: Episode | None = None
 
@@ -105,7 +105,7 @@ class EpisodeWorker:
 
     def _sit(self, job: Job) -> EpisodeStarted:
         self._job, self._episode = job, None
-        if self._arm != "agentic":
+        if self._setting != "agentic":
             return EpisodeStarted(tuple(map(jpeg, self._stills(job))))
         self._episode = self._open(job)
         picture = self._episode.record.question.picture
@@ -130,7 +130,7 @@ class EpisodeWorker:
     def _stills(self, job: Job) -> Sequence[Array]:
         """What a model without tools is shown."""
         sight = sight_of(job.task, self._order.conditions, self._things.assets)
-        return stills(self._arm, job.task, sight, self._things, self._renderer)
+        return stills(self._setting, job.task, sight, self._things, self._renderer)
 
     def _call(self, call: Call) -> CallResult | EpisodeFailed:
         assert self._episode is not None, "a call needs a table that is set"

@@ -9,9 +9,9 @@ from probe.episodes.files import write_records
 from probe.episodes.folder import (
     RECORDS,
     SUITE,
-    arm_of_folder,
-    claim_arm,
+    claim_setting,
     in_order,
+    setting_of_folder,
     standing,
 )
 from probe.episodes.ordered import joined, write_ordered
@@ -48,13 +48,13 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
             first = first or record
             _check(part, record, first, found)
         kept += records
-    arm, ordered = _arm(parts), joined(parts)
+    setting, ordered = _setting(parts), joined(parts)
     remarks = [remark for part in parts for remark in read_remarks(part)]
     variation = read_variation(parts[0])
     if variation is not None:
         write_variation(out, variation)
-    if arm is not None:
-        claim_arm(out, arm)
+    if setting is not None:
+        claim_setting(out, setting)
     if ordered:
         write_ordered(out, ordered)
     if remarks:
@@ -64,18 +64,18 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
     return len(kept)
 
 
-def _arm(parts: Sequence[Path]) -> str | None:
-    """The arm that all folders claim for their records, if they do."""
-    first, *others = (arm_of_folder(part) for part in parts)
-    for part, arm in zip(parts[1:], others, strict=True):
-        if arm != first:
-            reason = f"is {_claim(arm)}, {parts[0]} {_claim(first)}"
+def _setting(parts: Sequence[Path]) -> str | None:
+    """The setting that all folders claim for their records, if they do."""
+    first, *others = (setting_of_folder(part) for part in parts)
+    for part, setting in zip(parts[1:], others, strict=True):
+        if setting != first:
+            reason = f"is {_claim(setting)}, {parts[0]} {_claim(first)}"
             raise BadData(part, reason, "Merge people's folders with people's alone")
     return first
 
 
-def _claim(arm: str | None) -> str:
-    return "of agents" if arm is None else f"of the arm {arm}"
+def _claim(setting: str | None) -> str:
+    return "of agents" if setting is None else f"of the setting {setting}"
 
 
 def _check_suite(part: Path, suite: Suite) -> None:
@@ -92,7 +92,7 @@ def _check(
     """Refuse a record that doesn't go with those before it; note it otherwise."""
     if (record.noise, record.conditions) != (first.noise, first.conditions):
         raise BadData(part, "was run under other conditions", "Merge runs under the same ones")
-    key = record.task, record.agent, record.arm, record.run
+    key = record.task, record.agent, record.setting, record.run
     if key in found:
         reason = f"{record.task}, {record.agent}, run {record.run} is in {found[key]} too"
         raise BadData(part, reason, "Leave one of the two out")

@@ -35,7 +35,7 @@ class RunOrder:
         noise: How far the hand errs.
         conditions: In what episodes differ from their tasks.
         shard: Which part of them.
-        arm: How a model is allowed to answer; empty for other agents.
+        setting: How a model is allowed to answer; empty for other agents.
         points: How a model counts places in pictures.
     """
 
@@ -44,7 +44,7 @@ class RunOrder:
     noise: Noise = NO_NOISE
     conditions: Conditions = AS_FROZEN
     shard: Shard = Shard()
-    arm: str = ""
+    setting: str = ""
     points: Points = "pixels"
 
     def jobs(
@@ -54,7 +54,7 @@ class RunOrder:
 
         Args:
             tasks: Of the suite.
-            done: Task, agent, arm and run of episodes that needn't be run again.
+            done: Task, agent, setting and run of episodes that needn't be run again.
         """
         mine = self.shard.of([Job(task, run) for task in tasks for run in range(self.runs)])
-        return [job for job in mine if (job.task.id, self.agent, self.arm, job.run) not in done]
+        return [job for job in mine if (job.task.id, self.agent, self.setting, job.run) not in done]

@@ -47,9 +47,9 @@ def begun(out: Path, suite: Suite, order: RunOrder) -> Generator[RunStart]:
     check_settings(out / RECORDS, _earlier(out), order)
     with occupied(out, suite):
         cut = set_aside_cut(out / RECORDS)
-        note_ordered(out, order.agent, order.arm, order.runs)
+        note_ordered(out, order.agent, order.setting, order.runs)
         earlier = _earlier(out)
-        done = {(it.task, it.agent, it.arm, it.run) for it in earlier if it.end != "fault"}
+        done = {(it.task, it.agent, it.setting, it.run) for it in earlier if it.end != "fault"}
         jobs = order.jobs(suite.tasks, done)
         yield RunStart(tuple(jobs), len(order.jobs(suite.tasks)) - len(jobs), cut)
 
@@ -93,8 +93,8 @@ def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: RunOrder
 
 
 def _counts_otherwise(record: EpisodeRecord, order: RunOrder) -> bool:
-    """The same model in the same arm, but told to count places in another way."""
-    same = (record.agent, record.arm) == (order.agent, order.arm)
+    """The same model in the same setting, but told to count places in another way."""
+    same = (record.agent, record.setting) == (order.agent, order.setting)
     return same and record.seat is not None and record.seat.points != order.points
 
 

@@ -1,4 +1,4 @@
-"""What a model without tools is shown of a task, in each arm. Knows no model."""
+"""What a model without tools is shown of a task, in each setting. Knows no model."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from probe.render.renderer import Renderer
 from probe.scene.viewpoint import Viewpoint
 from probe.tasks.marks import drawn
 from probe.tasks.task import Task
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 from probe.types import Array
 
 
 def stills(
-    arm: Arm, task: Task, sight: Viewpoint, things: Library, renderer: Renderer
+    setting: Setting, task: Task, sight: Viewpoint, things: Library, renderer: Renderer
 ) -> tuple[Array, ...]:
     """Pictures that come with the question; replaces what the renderer had loaded.
 
     Args:
-        arm: None in "blind", two in "oracle-view", else one.
+        setting: None in "blind", two in "oracle-view", else one.
         task: Whose table.
         sight: From where and in which light it is seen.
         things: Has the task's objects.
         renderer: Draws.
     """
-    if arm == "blind":
+    if setting == "blind":
         return ()
-    if arm == "oracle-view":
+    if setting == "oracle-view":
         frames = oracle_view(task, things, renderer, sight).frames
         return tuple(frame.rgb for frame in frames if frame.rgb is not None)
     load_scene(renderer, task.scene, things, things.table(task.scene.table))

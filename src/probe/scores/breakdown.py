@@ -18,7 +18,7 @@ class Outcomes:
         missing: Failures of ours, in none of the four.
     """
 
-    kind: str
+    question_type: str
     used_right: int
     used_wrong: int
     unused_right: int
@@ -87,16 +87,18 @@ class Execution:
 
 def outcomes(rows: Iterable[Row]) -> list[Outcomes]:
     """Count one entrant's episodes, by type in order of name."""
-    kinds: dict[str, list[Row]] = {}
+    question_types: dict[str, list[Row]] = {}
     for row in rows:
-        kinds.setdefault(row.kind, []).append(row)
-    return [_outcomes(kind, some) for kind, some in sorted(kinds.items())]
+        question_types.setdefault(row.question_type, []).append(row)
+    return [
+        _outcomes(question_type, some) for question_type, some in sorted(question_types.items())
+    ]
 
 
-def _outcomes(kind: str, rows: Sequence[Row]) -> Outcomes:
+def _outcomes(question_type: str, rows: Sequence[Row]) -> Outcomes:
     done = [(row.manipulated, row.correct) for row in rows if not row.missing]
     return Outcomes(
-        kind=kind,
+        question_type=question_type,
         used_right=done.count((True, True)),
         used_wrong=done.count((True, False)),
         unused_right=done.count((False, True)),

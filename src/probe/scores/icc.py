@@ -20,12 +20,12 @@ def icc(units: Iterable[Unit]) -> float | None:
     Returns:
         None if no task was run twice, no type has two tasks, or nothing varies.
     """
-    kinds: dict[str, list[Sequence[float]]] = {}
+    question_types: dict[str, list[Sequence[float]]] = {}
     for unit in units:
-        kinds.setdefault(unit.kind, []).append(unit.runs)
+        question_types.setdefault(unit.question_type, []).append(unit.runs)
     between = within = repeats = 0.0
     freedom = spare = 0
-    for tasks in kinds.values():
+    for tasks in question_types.values():
         sizes = np.array([len(runs) for runs in tasks])
         means = np.array([np.mean(runs) for runs in tasks])
         middle = float(sizes @ means) / int(sizes.sum())

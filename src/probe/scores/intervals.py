@@ -62,9 +62,11 @@ def bootstrap(
         level: Share of suites whose interval should hold the truth.
     """
     total = np.zeros(draws)
-    for kind, values in strata.items():
+    for question_type, values in strata.items():
         n = len(values)
-        counts = generator(seed, "bootstrap", kind).multinomial(n, np.full(n, 1 / n), size=draws)
+        counts = generator(seed, "bootstrap", question_type).multinomial(
+            n, np.full(n, 1 / n), size=draws
+        )
         total += math.sqrt(n / max(n - 1, 1)) * (counts @ values / n - values.mean())
     tail = (1 - level) / 2
     low, high = np.quantile(total / len(strata), [tail, 1 - tail])

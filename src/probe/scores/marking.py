@@ -36,7 +36,7 @@ def row_of(
     score: Score,
     *,
     suite: str,
-    arm: str,
+    setting: str,
     usage: Usage | None = None,
     ordered: int | None = None,
 ) -> Row:
@@ -47,7 +47,8 @@ def row_of(
         record: What happened.
         score: What it is worth by the task's rules.
         suite: Name of the suite.
-        arm: How the agent was allowed to answer; the row's arm says under which conditions, too.
+        setting: How the agent was allowed to answer; the row's setting also says under which
+            conditions.
         usage: Of the model; by default what the record says of it.
         ordered: Runs of each task that there are to be; None if unknown.
     """
@@ -56,11 +57,11 @@ def row_of(
         {
             "suite": suite,
             "task": task.id,
-            "kind": task.kind,
+            "kind": task.question_type,
             "stratum": stratum_of(task),
             "options": len(task.options),
             "agent": record.agent,
-            "arm": under(arm, record),
+            "arm": under(setting, record),
             "run": record.run,
             "ordered": ordered,
             "answer": _letter(record),
@@ -89,10 +90,10 @@ def _usage(record: EpisodeRecord) -> Usage:
     return Usage(seat.tokens_in, seat.tokens_out, seat.cost) if seat else Usage()
 
 
-def under(arm: str, record: EpisodeRecord) -> str:
-    """An arm's name with the conditions of a record: under others it is another arm."""
+def under(setting: str, record: EpisodeRecord) -> str:
+    """A setting's name with a record's conditions: under other conditions it is another setting."""
     label = record.conditions.label
-    return f"{arm}, {label}" if label else arm
+    return f"{setting}, {label}" if label else setting
 
 
 def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, object]:
@@ -104,7 +105,7 @@ def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, obj
 
 def stratum_of(task: Task) -> str:
     """Find's "hidden" or "partly", by how much of the target shows at the start; else empty."""
-    if task.kind != "find":
+    if task.question_type != "find":
         return ""
     seen = task.certificate.visibility[task.targets[0]]
     return "hidden" if is_hidden(seen) else "partly"
@@ -122,4 +123,6 @@ def _total(seconds: tuple[float, ...], record: EpisodeRecord) -> float | None:
 
 def roster_of_tasks(tasks: Iterable[Task]) -> dict[str, Listed]:
     """All that a suite consists of, run or not."""
-    return {task.id: Listed(task.kind, stratum_of(task), len(task.options)) for task in tasks}
+    return {
+        task.id: Listed(task.question_type, stratum_of(task), len(task.options)) for task in tasks
+    }

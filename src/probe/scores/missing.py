@@ -16,7 +16,7 @@ class Gap:
     """A run of a task that gave no result, and why."""
 
     task: str
-    kind: str
+    question_type: str
     run: int
     reason: str
 
@@ -76,7 +76,7 @@ def gaps_of(rows: Sequence[Row], roster: Roster, runs: Collection[int] = ()) -> 
         ContraryRows: A row's task isn't on the roster, or is another one there.
     """
     for row in rows:
-        if roster.get(row.task) != Listed(row.kind, row.stratum, row.options):
+        if roster.get(row.task) != Listed(row.question_type, row.stratum, row.options):
             raise ContraryRows(row, "the task isn't of this suite")
     there = {(row.task, row.run): row for row in rows}
     wanted = sorted(runs_of(rows) | set(runs)) or [0]
@@ -86,7 +86,7 @@ def gaps_of(rows: Sequence[Row], roster: Roster, runs: Collection[int] = ()) -> 
             row = there.get((task, run))
             if row is None or row.fault is not None:
                 reason = "never run" if row is None else str(row.fault)
-                found.append(Gap(task, listed.kind, run, reason))
+                found.append(Gap(task, listed.question_type, run, reason))
     return found
 
 
@@ -101,10 +101,12 @@ def filled(
     """One entrant's units, with all that is missing given this value."""
     runs: dict[tuple[str, str], list[float]] = {}
     for unit in units_of(present(rows), worth):
-        runs[unit.task, unit.kind] = list(unit.runs)
+        runs[unit.task, unit.question_type] = list(unit.runs)
     for gap in gaps:
-        runs.setdefault((gap.task, gap.kind), []).append(value)
-    return [Unit(task, kind, tuple(values)) for (task, kind), values in runs.items()]
+        runs.setdefault((gap.task, gap.question_type), []).append(value)
+    return [
+        Unit(task, question_type, tuple(values)) for (task, question_type), values in runs.items()
+    ]
 
 
 def headline(

@@ -25,7 +25,7 @@ class NothingShared(ProbeError):
 
     def __init__(self, first: Entrant, second: Entrant) -> None:
         super().__init__(
-            f"{first.agent} ({first.arm}) and {second.agent} ({second.arm}) share no task. "
+            f"{first.agent} ({first.setting}) and {second.agent} ({second.setting}) share no task. "
             "Compare those that ran the same suite."
         )
 
@@ -37,7 +37,7 @@ class Pair:
     Attributes:
         first, second: Who.
         difference: Macro average of the first minus that of the second.
-        kinds: The same by question type.
+        question_types: The same by question type.
         student, bootstrap: 95 % intervals of the difference, by the t distribution and by drawing
             tasks.
         p: Of the sign-flip test within types.
@@ -52,7 +52,7 @@ class Pair:
     first: Entrant
     second: Entrant
     difference: float
-    kinds: Mapping[str, float]
+    question_types: Mapping[str, float]
     student: Interval
     bootstrap: Interval
     p: float
@@ -110,7 +110,7 @@ def _difference(first: Entrant, second: Entrant, results: Results) -> _Differenc
     shared = [(mine[task], theirs[task]) for task in mine if task in theirs]
     if not shared:
         raise NothingShared(first, second)
-    units = [Unit(one.task, one.kind, (one.mean - other.mean,)) for one, other in shared]
+    units = [Unit(one.task, one.question_type, (one.mean - other.mean,)) for one, other in shared]
     return _Difference(
         first, second, strata_of(units), len(shared), len(mine.keys() ^ theirs.keys())
     )
@@ -135,7 +135,9 @@ def _pair(difference: _Difference, p: float, adjusted: float, seed: int, level: 
         first=difference.first,
         second=difference.second,
         difference=macro(strata),
-        kinds={kind: float(values.mean()) for kind, values in strata.items()},
+        question_types={
+            question_type: float(values.mean()) for question_type, values in strata.items()
+        },
         student=student(strata, limits=DIFFERENCES, level=level),
         bootstrap=bootstrap(strata, seed, limits=DIFFERENCES, level=level),
         p=p,

@@ -21,10 +21,10 @@ _TINY = 1e-6
 
 
 class PrintedRow(pydantic.BaseModel, frozen=True, extra="forbid"):
-    """A model in an arm, in percent as printed."""
+    """A model in a setting, in percent as printed."""
 
     model: str
-    arm: str
+    setting: str
     percent: dict[str, float]
     average: float
     gain: float | None = None
@@ -75,7 +75,7 @@ def printed_table() -> PrintedTable:
 
 def recount(table: PrintedTable) -> list[Recount]:
     """Work out each row's averages and gains from its cells."""
-    direct = {row.model: row for row in table.rows if row.arm == "direct"}
+    direct = {row.model: row for row in table.rows if row.setting == "direct"}
     return [_recount(row, direct.get(row.model), table.tasks) for row in table.rows]
 
 
@@ -102,7 +102,9 @@ def _recount(row: PrintedRow, direct: PrintedRow | None, tasks: Mapping[str, int
         gain=gain,
         macro_gain=macro_gain,
         gain_follows=gain_follows,
-        unreachable=_kinds(row, {kind: RUNS * n for kind, n in tasks.items()}, reachable=False),
+        unreachable=_kinds(
+            row, {question_type: RUNS * n for question_type, n in tasks.items()}, reachable=False
+        ),
         single=_kinds(row, tasks, reachable=True),
     )
 
@@ -112,7 +114,7 @@ def _macro(row: PrintedRow) -> float:
 
 
 def _pooled(row: PrintedRow, tasks: Mapping[str, int]) -> float:
-    weights = [tasks[kind] for kind in row.percent]
+    weights = [tasks[question_type] for question_type in row.percent]
     return float(np.average(list(row.percent.values()), weights=weights))
 
 
@@ -122,4 +124,8 @@ def _may_be(printed: float, mean: float) -> bool:
 
 
 def _kinds(row: PrintedRow, of: Mapping[str, int], *, reachable: bool) -> tuple[str, ...]:
-    return tuple(kind for kind, p in row.percent.items() if is_share(p, of[kind]) == reachable)
+    return tuple(
+        question_type
+        for question_type, p in row.percent.items()
+        if is_share(p, of[question_type]) == reachable
+    )

@@ -84,7 +84,7 @@ def shifts(
 
 
 def _counterpart(entrant: Entrant, label: str, base: Mapping[Entrant, object]) -> Entrant:
-    plain = Entrant(entrant.agent, entrant.arm.removesuffix(f", {label}"))
+    plain = Entrant(entrant.agent, entrant.setting.removesuffix(f", {label}"))
     if plain not in base or plain == entrant:
         raise NoCounterpart(entrant, label)
     return plain
@@ -99,7 +99,7 @@ def _shift(
 ) -> ConditionEffect:
     first, second = _shared(results[pair.first], results[pair.second])
     held = [
-        Unit(one.task, one.kind, (one.mean - other.mean,))
+        Unit(one.task, one.question_type, (one.mean - other.mean,))
         for one, other in zip(first, second, strict=True)
         if one.task not in broken
     ]

@@ -15,12 +15,12 @@ class Listed(NamedTuple):
     """A task that everybody should have been given.
 
     Attributes:
-        kind: Question type.
+        question_type: Question type.
         stratum: Part of the type that is also reported apart, else empty.
         options: Number of options to choose from.
     """
 
-    kind: str
+    question_type: str
     stratum: str
     options: int
 
@@ -31,22 +31,27 @@ Roster = Mapping[str, Listed]
 
 def roster_of(rows: Iterable[Row]) -> dict[str, Listed]:
     """All tasks that somebody was given; what nobody was given can't be known of from rows."""
-    return {row.task: Listed(row.kind, row.stratum, row.options) for row in rows}
+    return {row.task: Listed(row.question_type, row.stratum, row.options) for row in rows}
 
 
-def chance_by_kind(roster: Roster) -> dict[str, float]:
+def chance_by_type(roster: Roster) -> dict[str, float]:
     """What a blind guess among the options gives, by type: the mean over its tasks.
 
     In Find it gives less, since the point must be hit as well; the letter alone gives this.
     """
-    kinds = sorted({listed.kind for listed in roster.values()})
+    question_types = sorted({listed.question_type for listed in roster.values()})
     return {
-        kind: float(np.mean([1 / it.options for it in roster.values() if it.kind == kind]))
-        for kind in kinds
+        question_type: float(
+            np.mean([1 / it.options for it in roster.values() if it.question_type == question_type])
+        )
+        for question_type in question_types
     }
 
 
-def naive_by_kind(roster: Roster) -> dict[str, float]:
+def naive_by_type(roster: Roster) -> dict[str, float]:
     """Share that is right by type without moving anything: a guess, or more by a look."""
-    chance = chance_by_kind(roster)
-    return {kind: max(guessed, rules_of(kind).naive) for kind, guessed in chance.items()}
+    chance = chance_by_type(roster)
+    return {
+        question_type: max(guessed, rules_of(question_type).naive)
+        for question_type, guessed in chance.items()
+    }

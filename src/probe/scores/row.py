@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import pydantic
 
@@ -13,21 +13,28 @@ from probe.tasks.task import Letter
 
 
 class Entrant(NamedTuple):
-    """Who is scored: an agent in an arm."""
+    """Who is scored: an agent in a setting."""
 
     agent: str
-    arm: str
+    setting: str
 
 
-class Row(pydantic.BaseModel, frozen=True, extra="forbid", allow_inf_nan=False):
+class Row(
+    pydantic.BaseModel,
+    frozen=True,
+    extra="forbid",
+    allow_inf_nan=False,
+    validate_by_name=True,
+    serialize_by_alias=True,
+):
     """One run of one agent at one task; a field is None where it is unknown or says nothing.
 
     Attributes:
         suite, task: Names of the suite and of its task.
-        kind: Question type.
+        question_type: Question type.
         stratum: Part of the type that is also reported apart: Find's "hidden" or "partly".
         options: Number of options to choose from.
-        agent, arm, run: Who answered, how it was allowed to, and which of its runs this is.
+        agent, setting, run: Who answered, how it was allowed to, and which of its runs this is.
         ordered: Runs of each task that it was to have; None where nobody wrote that down.
         answer, right: The letter it gave, and the right one.
         correct: The answer counts; in Find the point too.
@@ -47,11 +54,11 @@ class Row(pydantic.BaseModel, frozen=True, extra="forbid", allow_inf_nan=False):
 
     suite: str
     task: str
-    kind: str
+    question_type: Annotated[str, pydantic.Field(alias="kind")]
     stratum: str = ""
     options: int = pydantic.Field(ge=2)
     agent: str
-    arm: str
+    setting: Annotated[str, pydantic.Field(alias="arm")]
     run: int = pydantic.Field(ge=0)
     ordered: int | None = pydantic.Field(default=None, ge=1, le=MOST_RUNS)
     answer: Letter | None = None
@@ -94,7 +101,7 @@ class Row(pydantic.BaseModel, frozen=True, extra="forbid", allow_inf_nan=False):
     @property
     def entrant(self) -> Entrant:
         """Whose row it is."""
-        return Entrant(self.agent, self.arm)
+        return Entrant(self.agent, self.setting)
 
     @property
     def missing(self) -> bool:

@@ -27,7 +27,7 @@ def write_csv(path: Path, rows: Sequence[Row]) -> None:
         OutputFailed: It can't be written; nothing half-written is left.
     """
     text = io.StringIO()
-    writer = csv.DictWriter(text, list(Row.model_fields))
+    writer = csv.DictWriter(text, [field.alias or name for name, field in Row.model_fields.items()])
     writer.writeheader()
     for row in rows:
         writer.writerow({name: _cell(value) for name, value in row.model_dump().items()})

@@ -12,7 +12,7 @@ from probe.scores.icc import icc
 from probe.scores.intervals import Interval, bootstrap, standard_error, student, wilson
 from probe.scores.missing import Gap, Headline, gaps_of, headline, present, runs_of
 from probe.scores.power import detectable_gap
-from probe.scores.roster import Listed, Roster, chance_by_kind, naive_by_kind
+from probe.scores.roster import Listed, Roster, chance_by_type, naive_by_type
 from probe.scores.row import Entrant, Row
 from probe.scores.units import Worth, is_correct, strata_of, units_of
 
@@ -54,7 +54,7 @@ class Scorecard:
 
     Attributes:
         macro: The headline: mean over types.
-        kinds: Each type.
+        question_types: Each type.
         parts: Find's letter alone, and Find's hidden and partly visible targets.
         gaps: What is missing, by task and run.
         icc: Of runs, within types; None if there is nothing to tell it from.
@@ -65,7 +65,7 @@ class Scorecard:
 
     entrant: Entrant
     macro: Figure
-    kinds: tuple[Figure, ...]
+    question_types: tuple[Figure, ...]
     parts: tuple[Figure, ...]
     gaps: tuple[Gap, ...]
     icc: float | None
@@ -79,7 +79,7 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
     """All figures of one entrant.
 
     Args:
-        rows: Of one agent in one arm, each run once.
+        rows: Of one agent in one setting, each run once.
         roster: All tasks of the suite.
         seed: Of the bootstrap.
 
@@ -87,12 +87,15 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
         ContraryRows: They are of several entrants or suites, or a run is there twice.
     """
     gaps = gaps_of(rows, roster)
-    kinds = chance_by_kind(roster)
+    question_types = chance_by_type(roster)
     error, freedom = standard_error(strata_of([] if gaps else units_of(rows)))
     return Scorecard(
         entrant=rows[0].entrant,
         macro=_figure("macro", rows, roster, seed),
-        kinds=tuple(_part(kind, rows, roster, seed, _of_kind(kind)) for kind in kinds),
+        question_types=tuple(
+            _part(question_type, rows, roster, seed, _of_type(question_type))
+            for question_type in question_types
+        ),
         parts=_parts(rows, roster, seed),
         gaps=tuple(gaps),
         icc=icc(units_of(present(rows))),
@@ -103,18 +106,20 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
     )
 
 
-def _of_kind(kind: str) -> Callable[[Listed], bool]:
-    return lambda listed: listed.kind == kind
+def _of_type(question_type: str) -> Callable[[Listed], bool]:
+    return lambda listed: listed.question_type == question_type
 
 
 def _parts(rows: Sequence[Row], roster: Roster, seed: int) -> tuple[Figure, ...]:
-    strata = sorted({(it.kind, it.stratum) for it in roster.values() if it.stratum})
+    strata = sorted({(it.question_type, it.stratum) for it in roster.values() if it.stratum})
     figures = [
-        _part(f"{kind}, {stratum}", rows, roster, seed, lambda it, s=stratum: it.stratum == s)
-        for kind, stratum in strata
+        _part(
+            f"{question_type}, {stratum}", rows, roster, seed, lambda it, s=stratum: it.stratum == s
+        )
+        for question_type, stratum in strata
     ]
-    if any(listed.kind == "find" for listed in roster.values()):
-        letter = _part("find, letter alone", rows, roster, seed, _of_kind("find"), _letter)
+    if any(listed.question_type == "find" for listed in roster.values()):
+        letter = _part("find, letter alone", rows, roster, seed, _of_type("find"), _letter)
         figures.insert(0, letter)
     return tuple(figures)
 
@@ -145,7 +150,7 @@ def _figure(
     runs: Collection[int] = (),
 ) -> Figure:
     top = headline(rows, roster, worth, runs)
-    chance, naive = macro_chance(chance_by_kind(roster)), macro_chance(naive_by_kind(roster))
+    chance, naive = macro_chance(chance_by_type(roster)), macro_chance(naive_by_type(roster))
     known = top.value is not None
     units = units_of(rows, worth) if known else []
     strata = strata_of(units)

@@ -53,27 +53,29 @@ def draw_units(
         runs: Of each task.
     """
     entrants: list[list[Unit]] = [[] for _ in alike]
-    for kind, tasks in sizes.items():
-        chances = draw_chances(rng, means[kind], icc, alike, tasks)
+    for question_type, tasks in sizes.items():
+        chances = draw_chances(rng, means[question_type], icc, alike, tasks)
         won = (rng.random((runs, *chances.shape)) < chances).transpose(1, 2, 0).astype(float)
         for entrant, mine in zip(entrants, won.tolist(), strict=True):
-            entrant.extend(Unit(f"{kind}-{i}", kind, tuple(it)) for i, it in enumerate(mine))
+            entrant.extend(
+                Unit(f"{question_type}-{i}", question_type, tuple(it)) for i, it in enumerate(mine)
+            )
     return entrants
 
 
-def two_arms(agents: int, *, task: float, agent: float, arm: float) -> Array:
-    """How alike entrants are that are agents in two arms, shape (2 agents, 2 agents).
+def two_settings(agents: int, *, task: float, agent: float, setting: float) -> Array:
+    """How alike entrants are that are agents in two settings, shape (2 agents, 2 agents).
 
-    The first half is the one arm, the second the other, in the same order of agents. What makes a
-    task easy is parted into shares, of which the rest is each entrant's own.
+    The first half is the one setting, the second the other, in the same order of agents. What
+    makes a task easy is parted into shares, of which the rest is each entrant's own.
 
     Args:
         agents: How many.
         task: Share that is the same for everybody.
-        agent: Share that an agent has in both arms.
-        arm: Share that all agents of an arm have.
+        agent: Share that an agent has in both settings.
+        setting: Share that all agents of a setting have.
     """
     same_agent = np.tile(np.eye(agents), (2, 2))
-    same_arm = np.kron(np.eye(2), np.ones((agents, agents)))
-    own = 1 - task - agent - arm
-    return task + agent * same_agent + arm * same_arm + own * np.eye(2 * agents)
+    same_setting = np.kron(np.eye(2), np.ones((agents, agents)))
+    own = 1 - task - agent - setting
+    return task + agent * same_agent + setting * same_setting + own * np.eye(2 * agents)

@@ -11,13 +11,13 @@ import pydantic
 
 from probe.files import write_text
 from probe.scene.seeds import generator
-from probe.scores.arms import ArmEffect, Both, arm_effect
 from probe.scores.holm import ties
 from probe.scores.missing import present, settled
 from probe.scores.pairs import Pair, Results, family
 from probe.scores.roster import Roster
 from probe.scores.row import Entrant, Row
 from probe.scores.scorecard import Scorecard, scorecard
+from probe.scores.setting_effect import Both, SettingEffect, setting_effect
 from probe.scores.units import ContraryRows, by_entrant, units_of
 
 AGENTIC, DIRECT = "agentic", "direct"
@@ -33,11 +33,11 @@ class Scores:
         complete: Nothing is missing, and the tasks are all that its suite has; where rows are
             missing comparisons rest on what is there, and headlines are refused.
         cards: One an entrant, best first by the worst case.
-        agentic_against_direct: A family of comparisons: each agent that has both arms.
+        agentic_against_direct: A family of comparisons: each agent that has both settings.
         all_pairs: Another: everyone with everyone.
         apart: Pairs that are in neither, since they share no task that both have results of.
         ties: Largest groups of whom no two differ in `all_pairs`.
-        arms: Agentic against direct over all agents; None if nobody has both.
+        settings: Agentic against direct over all agents; None if nobody has both.
     """
 
     suite: str
@@ -48,7 +48,7 @@ class Scores:
     all_pairs: tuple[Pair, ...]
     apart: tuple[tuple[Entrant, Entrant], ...]
     ties: tuple[tuple[Entrant, ...], ...]
-    arms: ArmEffect | None
+    settings: SettingEffect | None
 
 
 def summarise(
@@ -58,7 +58,7 @@ def summarise(
 
     Args:
         suite: Its name.
-        rows: Of any agents in any arms; runs that failed may be there beside their repetitions.
+        rows: Of any agents in any settings; runs that failed may be there beside their repetitions.
         roster: All tasks of the suite.
         seed: Of all draws.
         whole: Whether these are all tasks of the suite that it is a part of, if it is one.
@@ -79,18 +79,18 @@ def summarise(
     }
     ranked = [card.entrant for card in cards if card.entrant in results]
     shared = [pair for pair in combinations(ranked, 2) if _share_tasks(results, pair)]
-    arms = [pair for pair in _both_arms(ranked) if _share_tasks(results, pair)]
+    settings = [pair for pair in _both_settings(ranked) if _share_tasks(results, pair)]
     pairs = family(results, shared, seed)
     return Scores(
         suite=suite,
         seed=seed,
         complete=whole and not any(card.gaps for card in cards),
         cards=tuple(cards),
-        agentic_against_direct=tuple(family(results, arms, seed)),
+        agentic_against_direct=tuple(family(results, settings, seed)),
         all_pairs=tuple(pairs),
         apart=tuple(pair for pair in combinations(ranked, 2) if pair not in shared),
         ties=tuple(ties(ranked, [(p.first, p.second) for p in pairs if not p.tie])),
-        arms=_arm_effect(results, arms, seed),
+        settings=_setting_effect(results, settings, seed),
     )
 
 
@@ -104,9 +104,11 @@ def write_scores(path: Path, scores: Scores) -> None:
     write_text(path, text + "\n")
 
 
-def _both_arms(entrants: Sequence[Entrant]) -> list[tuple[Entrant, Entrant]]:
-    direct = {entrant.agent: entrant for entrant in entrants if entrant.arm == DIRECT}
-    return [(it, direct[it.agent]) for it in entrants if it.arm == AGENTIC and it.agent in direct]
+def _both_settings(entrants: Sequence[Entrant]) -> list[tuple[Entrant, Entrant]]:
+    direct = {entrant.agent: entrant for entrant in entrants if entrant.setting == DIRECT}
+    return [
+        (it, direct[it.agent]) for it in entrants if it.setting == AGENTIC and it.agent in direct
+    ]
 
 
 def _share_tasks(results: Results, pair: tuple[Entrant, Entrant]) -> bool:
@@ -114,8 +116,8 @@ def _share_tasks(results: Results, pair: tuple[Entrant, Entrant]) -> bool:
     return not one.isdisjoint(other)
 
 
-def _arm_effect(
-    results: Results, arms: Sequence[tuple[Entrant, Entrant]], seed: int
-) -> ArmEffect | None:
-    both: Both = {one.agent: (results[one], results[other]) for one, other in arms}
-    return arm_effect(both, generator(seed, "arms")) if both else None
+def _setting_effect(
+    results: Results, settings: Sequence[tuple[Entrant, Entrant]], seed: int
+) -> SettingEffect | None:
+    both: Both = {one.agent: (results[one], results[other]) for one, other in settings}
+    return setting_effect(both, generator(seed, "arms")) if both else None

@@ -32,7 +32,7 @@ class ContraryRows(ProbeError):
 
     def __init__(self, row: Row, reason: str) -> None:
         super().__init__(
-            f"Run {row.run} of {row.agent} ({row.arm}) at {row.task}: {reason}. "
+            f"Run {row.run} of {row.agent} ({row.setting}) at {row.task}: {reason}. "
             "Take the rows of one suite, each run once."
         )
 
@@ -42,12 +42,12 @@ class Unit:
     """One task, as one entrant fared at it.
 
     Attributes:
-        task, kind: Its id and its question type.
+        task, question_type: Its id and its question type.
         runs: What each run was worth, 0 to 1; at least one.
     """
 
     task: str
-    kind: str
+    question_type: str
     runs: tuple[float, ...]
 
     @property
@@ -65,7 +65,7 @@ def units_of(rows: Iterable[Row], worth: Worth = is_correct) -> list[Unit]:
     """Gather the rows of one entrant into tasks, in the order in which these first appear.
 
     Args:
-        rows: Of one agent in one arm, none missing.
+        rows: Of one agent in one setting, none missing.
         worth: What counts as right.
 
     Raises:
@@ -80,23 +80,26 @@ def units_of(rows: Iterable[Row], worth: Worth = is_correct) -> list[Unit]:
         if row.missing:
             raise MissingRows(row)
         if row.entrant != entrant:
-            raise ContraryRows(row, f"others are by {entrant.agent} ({entrant.arm})")
-        if first.setdefault(row.task, row).kind != row.kind:
+            raise ContraryRows(row, f"others are by {entrant.agent} ({entrant.setting})")
+        if first.setdefault(row.task, row).question_type != row.question_type:
             raise ContraryRows(row, "the task has two types")
         if row.run in runs.setdefault(row.task, {}):
             raise ContraryRows(row, "it is there twice")
         runs[row.task][row.run] = float(worth(row))
-    return [Unit(task, first[task].kind, tuple(runs[task].values())) for task in first]
+    return [Unit(task, first[task].question_type, tuple(runs[task].values())) for task in first]
 
 
 def strata_of(units: Sequence[Unit]) -> dict[str, Array]:
     """Means of tasks by question type, in order of the types' names."""
-    kinds = sorted({unit.kind for unit in units})
-    return {kind: np.array([u.mean for u in units if u.kind == kind]) for kind in kinds}
+    question_types = sorted({unit.question_type for unit in units})
+    return {
+        question_type: np.array([u.mean for u in units if u.question_type == question_type])
+        for question_type in question_types
+    }
 
 
 def by_entrant(rows: Iterable[Row]) -> dict[Entrant, list[Row]]:
-    """Rows by who answered, in order of agent and arm."""
+    """Rows by who answered, in order of agent and setting."""
     found: dict[Entrant, list[Row]] = {}
     for row in rows:
         found.setdefault(row.entrant, []).append(row)

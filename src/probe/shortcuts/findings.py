@@ -28,14 +28,14 @@ class HitCount:
     """How often somebody who only looks was right.
 
     Attributes:
-        kind: Type, or type and part ("find, partly").
+        question_type: Type, or type and part ("find, partly").
         by: Who: a rule's name, or a classifier's with its family ("logistic on areas").
         right, n: Tasks.
         ceiling: What guessing achieves at best.
         allowance: By how much that may be exceeded.
     """
 
-    kind: str
+    question_type: str
     by: str
     right: int
     n: int
@@ -74,17 +74,17 @@ class Finding:
     verdict: Verdict
 
 
-def allowed(kind: str, *, letters_alone: bool = False) -> tuple[float, float]:
+def allowed(question_type: str, *, letters_alone: bool = False) -> tuple[float, float]:
     """Ceiling and allowance of a type.
 
     Args:
-        kind: The type.
+        question_type: The type.
         letters_alone: For somebody who doesn't know what the options say: in Count, too, one
             letter is as good as another.
     """
-    if rules_of(kind).paired:
+    if rules_of(question_type).paired:
         return PAIRED_CEILING, PAIRED_ALLOWANCE
-    if kind == "count" and not letters_alone:
+    if question_type == "count" and not letters_alone:
         return COUNT_CEILING, ALLOWANCE
     return CEILING, ALLOWANCE
 

@@ -13,7 +13,7 @@ import numpy as np
 from probe.assets.spec import ObjectSpec
 from probe.generation.first_look import FirstLook, VisibleThing
 from probe.shortcuts.sample import CatalogueFacts, LabelledSample, Sample
-from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, QuestionKind
+from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, QuestionType
 from probe.tasks.type_rules import Form
 
 _COLOURS = ("red", "green", "blue", "yellow", "white", "black")
@@ -63,7 +63,7 @@ class ImaginaryTask:
     Attributes:
         rng: The task's own.
         right: Place of the right option.
-        options, question, kind, form: As in Sample; the question without its mark.
+        options, question, question_type, form: As in Sample; the question without its mark.
         things, marked: As in FirstLook.
     """
 
@@ -72,7 +72,7 @@ class ImaginaryTask:
     right: int
     question: str
     things: list[VisibleThing]
-    kind: QuestionKind = "find"
+    question_type: QuestionType = "find"
     form: Form = "plain"
     marked: tuple[int, ...] = ()
 
@@ -81,8 +81,10 @@ class ImaginaryTask:
         marked = dict(zip(PAIR, self.marked, strict=False))
         look = FirstLook(tuple(self.things), (), marked)
         question = f"{self.question}?"
-        sample = Sample(self.kind, self.form, question, tuple(self.options), look)
-        return LabelledSample(f"{self.kind}-{number:04}", sample, self.right, number // _BLOCK)
+        sample = Sample(self.question_type, self.form, question, tuple(self.options), look)
+        return LabelledSample(
+            f"{self.question_type}-{number:04}", sample, self.right, number // _BLOCK
+        )
 
 
 Make = Callable[[np.random.Generator, int], ImaginaryTask]
@@ -136,13 +138,15 @@ def compare(rng: np.random.Generator, lot: int) -> ImaginaryTask:
 
 
 def _pair(
-    rng: np.random.Generator, lot: int, kind: QuestionKind, forms: tuple[Form, ...]
+    rng: np.random.Generator, lot: int, question_type: QuestionType, forms: tuple[Form, ...]
 ) -> ImaginaryTask:
     things = [_sight(None, rng) for _ in range(12)]
     form = forms[int(rng.integers(len(forms)))]
     word = f" {rng.choice(_COLOURS)}" if form == "colour" else ""
     right, question = lot % 2, f"{rng.choice(_WORDINGS)}: the {form} one{word}"
-    return ImaginaryTask(rng, ["Object A", "Object B"], right, question, things, kind, form, (0, 1))
+    return ImaginaryTask(
+        rng, ["Object A", "Object B"], right, question, things, question_type, form, (0, 1)
+    )
 
 
 def examples(make: Make, n: int, leak: Leak | None = None, seed: int = 0) -> list[LabelledSample]:

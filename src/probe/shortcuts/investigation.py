@@ -10,7 +10,7 @@ from probe.shortcuts.families import FAMILIES, LETTERS_ALONE, features
 from probe.shortcuts.findings import Finding, HitCount, allowed, judge
 from probe.shortcuts.rules import rules_for
 from probe.shortcuts.sample import CatalogueFacts, LabelledSample
-from probe.tasks.task import KINDS
+from probe.tasks.task import QUESTION_TYPES
 
 
 def investigate(
@@ -22,8 +22,8 @@ def investigate(
         MissingExtra: Classifiers are wanted, and scikit-learn isn't installed.
     """
     tallies: list[HitCount] = []
-    for kind in KINDS:
-        mine = [example for example in examples if example.sample.kind == kind]
+    for question_type in QUESTION_TYPES:
+        mine = [example for example in examples if example.sample.question_type == question_type]
         if not mine:
             continue
         tallies += _by_rules(mine, catalogue)
@@ -60,11 +60,11 @@ def _tallies(
     examples: Sequence[LabelledSample], by: str, said: Mapping[int, int], *, letters_alone: bool
 ) -> Iterator[HitCount]:
     """Of the type, and of each of its parts; `said` has places of options by those of examples."""
-    kind = examples[0].sample.kind
-    ceiling, allowance = allowed(kind, letters_alone=letters_alone)
+    question_type = examples[0].sample.question_type
+    ceiling, allowance = allowed(question_type, letters_alone=letters_alone)
     for part in ("", *sorted({example.part for example in examples} - {""})):
         mine = [n for n in said if part in ("", examples[n].part)]
         hits = sum(examples[n].right == said[n] for n in mine)
-        name = f"{kind}, {part}" if part else kind
+        name = f"{question_type}, {part}" if part else question_type
         if mine:
             yield HitCount(name, by, hits, len(mine), ceiling, allowance)

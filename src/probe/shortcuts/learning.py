@@ -10,7 +10,7 @@ from probe.agents.question_classifier import (
     question_features,
 )
 from probe.shortcuts.classifiers import is_right, linear_weights, table
-from probe.tasks.task import KINDS, LETTERS, Task
+from probe.tasks.task import LETTERS, QUESTION_TYPES, Task
 
 _DIGITS = 3
 
@@ -23,8 +23,13 @@ def learn(tasks: Sequence[Task]) -> QuestionClassifierDocument:
     """
     # By id, so that the order of files makes no difference.
     once = sorted({task.id: task for task in tasks}.values(), key=lambda task: task.id)
-    kinds = {kind: [task for task in once if task.kind == kind] for kind in KINDS}
-    return QuestionClassifierDocument({kind: _learnt(mine) for kind, mine in kinds.items() if mine})
+    question_types = {
+        question_type: [task for task in once if task.question_type == question_type]
+        for question_type in QUESTION_TYPES
+    }
+    return QuestionClassifierDocument(
+        {question_type: _learnt(mine) for question_type, mine in question_types.items() if mine}
+    )
 
 
 def _learnt(tasks: Sequence[Task]) -> QuestionClassifier:

@@ -22,7 +22,9 @@ def rules_for(sample: Sample) -> Mapping[str, Rule]:
         f"always {letter}": _always(place)
         for place, letter in enumerate(LETTERS[: len(sample.options)])
     }
-    special = _PAIRED if sample.paired else _NUMBERS if sample.kind == "count" else _OBJECTS
+    special = (
+        _PAIRED if sample.paired else _NUMBERS if sample.question_type == "count" else _OBJECTS
+    )
     return {**letters, **special, OBSERVER: _observer}
 
 
@@ -31,7 +33,9 @@ def _always(place: int) -> Rule:
 
 
 def _observer(sample: Sample, catalogue: CatalogueFacts) -> Sequence[int]:
-    letter = observe(sample.kind, sample.form, sample.question, sample.options, sample.look)
+    letter = observe(
+        sample.question_type, sample.form, sample.question, sample.options, sample.look
+    )
     return (LETTERS.index(letter),)
 
 
@@ -95,8 +99,10 @@ def _bare(sample: Sample) -> float:
 
 def _tells_a(sample: Sample) -> float:
     """Positive where the observer, who goes by patches in Compare, says A."""
-    if sample.kind == "compare":
-        told = observe(sample.kind, sample.form, sample.question, sample.options, sample.look)
+    if sample.question_type == "compare":
+        told = observe(
+            sample.question_type, sample.form, sample.question, sample.options, sample.look
+        )
         return 1.0 if told == "A" else -1.0
     a, b = marked(sample.look)
     return b.lab[0] - a.lab[0]

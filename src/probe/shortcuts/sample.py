@@ -12,7 +12,7 @@ from probe.generation.first_look import FirstLook
 from probe.generation.observer import says
 from probe.generation.plan import block_of
 from probe.tasks.english import plural
-from probe.tasks.task import LETTERS, PAIR, QuestionKind, Task
+from probe.tasks.task import LETTERS, PAIR, QuestionType, Task
 from probe.tasks.type_rules import Form
 
 
@@ -21,13 +21,13 @@ class Sample:
     """What a rule or classifier gets of a task.
 
     Attributes:
-        kind, form: What is asked; its words tell as much.
+        question_type, form: What is asked; its words tell as much.
         question: Its words.
         options: Their texts, from A on.
         look: What the first picture shows.
     """
 
-    kind: QuestionKind
+    question_type: QuestionType
     form: Form
     question: str
     options: tuple[str, ...]
@@ -91,14 +91,14 @@ def example_of(task: Task, look: FirstLook) -> LabelledSample:
     return LabelledSample(
         task=task.id,
         sample=Sample(
-            task.kind,
+            task.question_type,
             task.form,
             task.question,
             tuple(option.text for option in task.options),
             look,
         ),
         right=LETTERS.index(task.answer),
-        block=block_of(task.kind, task.seed),
+        block=block_of(task.question_type, task.seed),
         part="" if partly is None else "partly" if partly else "hidden",
     )
 

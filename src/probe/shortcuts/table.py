@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from probe.shortcuts.findings import LEVEL, Finding, detectable
-from probe.tasks.task import KINDS
+from probe.tasks.task import QUESTION_TYPES
 
 _HEAD = """\
 | by | right | of n | 95 % (Wilson) | limit | p | corrected | verdict |
@@ -16,10 +16,12 @@ _HEAD = """\
 def markdown(findings: Sequence[Finding]) -> str:
     """All findings, by type, after what they amount to."""
     parts = [_summary(findings)]
-    for kind in dict.fromkeys(finding.hits.kind for finding in _in_order(findings)):
-        mine = [finding for finding in findings if finding.hits.kind == kind]
+    for question_type in dict.fromkeys(
+        finding.hits.question_type for finding in _in_order(findings)
+    ):
+        mine = [finding for finding in findings if finding.hits.question_type == question_type]
         mine.sort(key=lambda finding: finding.hits.limit - finding.hits.accuracy)
-        parts.append("\n".join([f"### {kind}", "", _HEAD, *map(_row, mine)]))
+        parts.append("\n".join([f"### {question_type}", "", _HEAD, *map(_row, mine)]))
     return "\n\n".join(parts) + "\n"
 
 
@@ -29,11 +31,11 @@ def leaks(findings: Sequence[Finding]) -> list[Finding]:
 
 
 def _in_order(findings: Sequence[Finding]) -> list[Finding]:
-    return sorted(findings, key=lambda f: (_place(f.hits.kind), f.hits.kind))
+    return sorted(findings, key=lambda f: (_place(f.hits.question_type), f.hits.question_type))
 
 
-def _place(kind: str) -> int:
-    return [name for name, known in enumerate(KINDS) if kind.startswith(known)][0]
+def _place(question_type: str) -> int:
+    return [name for name, known in enumerate(QUESTION_TYPES) if question_type.startswith(known)][0]
 
 
 def _summary(findings: Sequence[Finding]) -> str:
@@ -44,13 +46,15 @@ def _summary(findings: Sequence[Finding]) -> str:
     )
     rows = ["| type | n | by classifiers | limit | true accuracy called a leak (80 % power) |"]
     rows.append("|---|---|---|---|---|")
-    for kind in dict.fromkeys(finding.hits.kind for finding in _in_order(findings)):
-        mine = [finding.hits for finding in findings if finding.hits.kind == kind]
+    for question_type in dict.fromkeys(
+        finding.hits.question_type for finding in _in_order(findings)
+    ):
+        mine = [finding.hits for finding in findings if finding.hits.question_type == question_type]
         hits = max(mine, key=lambda t: t.ceiling)
         # Classifiers predict fewer than rules do.
         fewest, most = min(t.n for t in mine), max(t.n for t in mine)
         least = detectable(fewest, hits.ceiling, hits.allowance, len(findings))
-        rows.append(f"| {kind} | {most} | {fewest} | {hits.limit:.0%} | {least:.0%} |")
+        rows.append(f"| {question_type} | {most} | {fewest} | {hits.limit:.0%} | {least:.0%} |")
     return head + "\n\n" + "\n".join(rows)
 
 

@@ -88,7 +88,9 @@ def grade(task: Task, answer: FinalAnswer, last: LastView) -> Score:
 
 def looks_at_end(task: Task, answer: FinalAnswer) -> bool:
     """Whether an answer's worth depends on the last view: a letter that has to be pointed at."""
-    return rules_of(task.kind).pointed and answer.letter == task.answer and task.answer != "E"
+    return (
+        rules_of(task.question_type).pointed and answer.letter == task.answer and task.answer != "E"
+    )
 
 
 def whereabouts(pose: Pose) -> Whereabouts:

@@ -21,7 +21,7 @@ from probe.scene.visibility import Visibility
 from probe.tasks.look_alike import look_alike
 from probe.tasks.reserved import Difference, difference, unlike
 from probe.tasks.suite import Suite
-from probe.tasks.task import LETTERS, Certificate, Letter, Mark, Option, QuestionKind, Task
+from probe.tasks.task import LETTERS, Certificate, Letter, Mark, Option, QuestionType, Task
 from probe.tasks.type_rules import Form, rules_of
 from probe.texts import plain
 
@@ -57,11 +57,13 @@ class MarkDocument(pydantic.BaseModel, extra="forbid"):
     point: tuple[_Pixel, _Pixel]
 
 
-class TaskDocument(pydantic.BaseModel, extra="forbid"):
+class TaskDocument(
+    pydantic.BaseModel, extra="forbid", validate_by_name=True, serialize_by_alias=True
+):
     """One task."""
 
     id: str = pydantic.Field(pattern=r"^[a-z0-9-]+$")
-    kind: QuestionKind
+    question_type: Annotated[QuestionType, pydantic.Field(alias="kind")]
     form: Form
     seed: int = pydantic.Field(ge=0)
     version: int
@@ -85,8 +87,8 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
             raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
         if self.answer not in LETTERS[: len(self.options)]:
             raise ValueError(f"its answer {self.answer} is none of its options")
-        if len(self.targets) < (fewest := rules_of(self.kind).fewest_targets):
-            raise ValueError(f"{self.kind} is about {fewest} targets or more")
+        if len(self.targets) < (fewest := rules_of(self.question_type).fewest_targets):
+            raise ValueError(f"{self.question_type} is about {fewest} targets or more")
         return self
 
     @staticmethod
@@ -99,7 +101,7 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
         }
         return TaskDocument(
             id=task.id,
-            kind=task.kind,
+            question_type=task.question_type,
             form=task.form,
             seed=task.seed,
             version=task.version,
@@ -132,7 +134,7 @@ class TaskDocument(pydantic.BaseModel, extra="forbid"):
         }
         return Task(
             id=self.id,
-            kind=self.kind,
+            question_type=self.question_type,
             form=self.form,
             seed=self.seed,
             subject=self.subject,

@@ -11,15 +11,15 @@ from probe.scene.visibility import Visibility
 from probe.tasks.registry import question_types
 from probe.tasks.type_rules import Form
 
-KINDS: tuple[str, ...] = question_types()
+QUESTION_TYPES: tuple[str, ...] = question_types()
 """Names of the question types there are."""
 
 if TYPE_CHECKING:
-    QuestionKind = str
-    """Name of a question type; one of KINDS."""
+    QuestionType = str
+    """Name of a question type; one of QUESTION_TYPES."""
 else:
     # At run time a Literal, so that files and options with other names are refused.
-    QuestionKind = Literal[KINDS]
+    QuestionType = Literal[QUESTION_TYPES]
 
 Letter = Literal["A", "B", "C", "D", "E"]
 LETTERS: tuple[Letter, ...] = get_args(Letter)
@@ -79,7 +79,7 @@ class Task:
 
     Attributes:
         id: Says nothing of the answer.
-        kind: Its type.
+        question_type: Its type.
         form: What exactly it asks.
         seed: What it was made from, or in a private suite a number that leads to it by the salt
             alone; never shown to an agent.
@@ -99,7 +99,7 @@ class Task:
     """
 
     id: str
-    kind: QuestionKind
+    question_type: QuestionType
     form: Form
     seed: int
     subject: str

@@ -39,11 +39,11 @@ class TypeRules:
         return self.answers == "marks"
 
 
-def rules_of(kind: str) -> TypeRules:
+def rules_of(question_type: str) -> TypeRules:
     """The rules of a question type.
 
     Raises:
         UnknownName: There is no such type.
         IncompleteType: Its rules can't be used.
     """
-    return part_of(kind, "rules", TypeRules)
+    return part_of(question_type, "rules", TypeRules)

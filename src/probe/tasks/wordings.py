@@ -13,7 +13,7 @@ import yaml
 
 from probe.errors import BadData
 from probe.tasks.registry import WORDINGS, folder_of
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 from probe.tasks.type_rules import Form, rules_of
 
 FEWEST = 20
@@ -45,7 +45,7 @@ def _sentence(wording: str) -> str:
 class WordingsDocument(pydantic.BaseModel, extra="forbid", frozen=True):
     """One file of wordings."""
 
-    kind: QuestionKind
+    question_type: QuestionType
     forms: dict[Form, list[Annotated[str, pydantic.AfterValidator(_sentence)]]]
 
     @pydantic.field_validator("forms")
@@ -61,13 +61,13 @@ class WordingsDocument(pydantic.BaseModel, extra="forbid", frozen=True):
 
 
 @lru_cache
-def wordings(kind: QuestionKind) -> tuple[Wording, ...]:
+def wordings(question_type: QuestionType) -> tuple[Wording, ...]:
     """All wordings of a type.
 
     Raises:
         BadData: The file breaks its schema; the message names the line.
     """
-    path = folder_of(kind) / WORDINGS
+    path = folder_of(question_type) / WORDINGS
     return parse_wordings(path.read_text("utf-8"), path)
 
 
@@ -89,10 +89,10 @@ def parse_wordings(text: str, path: object) -> tuple[Wording, ...]:
     except pydantic.ValidationError as error:
         first = error.errors()[0]
         raise _broken(path, root, first["loc"], first["msg"]) from error
-    known = rules_of(document.kind).forms
+    known = rules_of(document.question_type).forms
     if set(document.forms) != set(known):
         wanted = ", ".join(known)
-        raise _broken(path, root, ("forms",), f"the forms of {document.kind} are {wanted}")
+        raise _broken(path, root, ("forms",), f"the forms of {document.question_type} are {wanted}")
     for form, texts in document.forms.items():
         for number, wording in enumerate(texts):
             fault = _slot_fault(wording, known[form])

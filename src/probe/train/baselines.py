@@ -21,7 +21,7 @@ from probe.tasks.suite import Suite
 from probe.tasks.task import LETTERS, Task
 from probe.toolshed.result import Answer
 
-ARM = "blind"
+SETTING = "blind"
 QUESTION_ONLY = "question-only"
 
 
@@ -38,7 +38,7 @@ def floors(
     Raises:
         BadData: No type is left that was trained.
     """
-    if {task.kind for task in suite.tasks} <= {*held_out}:
+    if {task.question_type for task in suite.tasks} <= {*held_out}:
         reason = f"leaves no type of {suite.name} that was trained"
         raise BadData("--types", reason, "Name fewer, or compare runs of a suite with more types")
     constants: dict[str, Rule] = {f"always-{letter}": always(letter) for letter in LETTERS}
@@ -50,9 +50,10 @@ def floors(
     best = max(sorted(played), key=lambda name: _macro(played[name], held_out))
     if not learnt:
         return played[best]
-    rules = {kind: most_likely(known.weights) for kind, known in learnt.items()}
+    rules = {question_type: most_likely(known.weights) for question_type, known in learnt.items()}
     blind = [
-        _row(suite, task, QUESTION_ONLY, rules.get(task.kind, _silent)) for task in suite.tasks
+        _row(suite, task, QUESTION_ONLY, rules.get(task.question_type, _silent))
+        for task in suite.tasks
     ]
     return [*played[best], *blind]
 
@@ -69,9 +70,12 @@ def _row(suite: Suite, task: Task, name: str, rule: Rule) -> Row:
         record = replace(record, answer=Answer(letter), end="answered")
     # No place is pointed at, so that no labels are needed.
     score = grade_episode(task, record, np.zeros((0, 0), np.int32))
-    return row_of(task, record, score, suite=suite.name, arm=ARM)
+    return row_of(task, record, score, suite=suite.name, setting=SETTING)
 
 
 def _macro(rows: Sequence[Row], held_out: Collection[str]) -> float:
-    kinds = {row.kind for row in rows} - set(held_out)
-    return fmean(fmean(row.correct for row in rows if row.kind == kind) for kind in kinds)
+    question_types = {row.question_type for row in rows} - set(held_out)
+    return fmean(
+        fmean(row.correct for row in rows if row.question_type == question_type)
+        for question_type in question_types
+    )

@@ -17,7 +17,7 @@ class EntrantResult:
     """How one entrant fared.
 
     Attributes:
-        entrant: Who, in which arm.
+        entrant: Who, in which setting.
         trained: Over the types of the training; None where the suite has none of them.
         held_out: Over the others; None where the suite has none of them.
     """
@@ -39,7 +39,7 @@ def standings(
         seed: Of the bootstrap.
     """
     kept = settled(rows)
-    trained = {it.kind for it in roster.values()} - {*held_out}
+    trained = {it.question_type for it in roster.values()} - {*held_out}
     order = list(dict.fromkeys(row.entrant for row in kept))
     entrants = by_entrant(kept)
     return [
@@ -54,34 +54,39 @@ def standings(
 
 def markdown(found: Sequence[EntrantResult]) -> str:
     """A table: shares of right answers in per cent with 95 % intervals (t), and n tasks."""
-    kinds = _types(it.trained for it in found)
+    question_types = _types(it.trained for it in found)
     others = _types(it.held_out for it in found)
-    head = ["", "episodes", "n", "macro, trained types", *kinds]
-    head += [f"**{kind}**, held out (n)" for kind in others]
+    head = ["", "episodes", "n", "macro, trained types", *question_types]
+    head += [f"**{question_type}**, held out (n)" for question_type in others]
     lines = [f"| {' | '.join(head)} |", f"|{'---|' * len(head)}"]
-    lines += [f"| {' | '.join(_cells(each, kinds, others))} |" for each in found]
+    lines += [f"| {' | '.join(_cells(each, question_types, others))} |" for each in found]
     return "\n".join(lines) + "\n"
 
 
-def _cells(each: EntrantResult, kinds: Sequence[str], others: Sequence[str]) -> list[str]:
+def _cells(each: EntrantResult, question_types: Sequence[str], others: Sequence[str]) -> list[str]:
     runs = max(card.macro.runs for card in (each.trained, each.held_out) if card)
-    cells = [f"{each.entrant.agent}, {each.entrant.arm}", str(runs)]
+    cells = [f"{each.entrant.agent}, {each.entrant.setting}", str(runs)]
     trained = each.trained
     cells += [str(trained.macro.tasks), _share(trained.macro)] if trained else ["0", ""]
-    told = {figure.name: figure for figure in trained.kinds} if trained else {}
-    cells += [_share(told[kind], short=True) if kind in told else "" for kind in kinds]
-    held = {figure.name: figure for figure in each.held_out.kinds} if each.held_out else {}
+    told = {figure.name: figure for figure in trained.question_types} if trained else {}
+    cells += [
+        _share(told[question_type], short=True) if question_type in told else ""
+        for question_type in question_types
+    ]
+    held = {figure.name: figure for figure in each.held_out.question_types} if each.held_out else {}
     return cells + [f"{_share(held[it])} ({held[it].tasks})" if it in held else "" for it in others]
 
 
 def _types(cards: Iterable[Scorecard | None]) -> list[str]:
-    return list(dict.fromkeys(figure.name for card in cards if card for figure in card.kinds))
+    return list(
+        dict.fromkeys(figure.name for card in cards if card for figure in card.question_types)
+    )
 
 
 def _card(
-    rows: Sequence[Row], roster: Roster, kinds: Collection[str], seed: int
+    rows: Sequence[Row], roster: Roster, question_types: Collection[str], seed: int
 ) -> Scorecard | None:
-    listed = {task: it for task, it in roster.items() if it.kind in kinds}
+    listed = {task: it for task, it in roster.items() if it.question_type in question_types}
     mine = [row for row in rows if row.task in listed]
     return scorecard(mine, listed, seed) if mine else None
 

@@ -16,7 +16,7 @@ from probe.episodes.turns import Call, Question
 from probe.errors import ProbeError
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import as_said, told
-from probe.transcripts.prompts import Arm, arm_named, reminder, system_prompt
+from probe.transcripts.prompts import Setting, reminder, setting_named, system_prompt
 from probe.types import Array
 
 Picture = Array | bytes
@@ -59,12 +59,14 @@ class Message:
 
 
 def opening(
-    arm: Arm, points: Points, question: Question, pictures: Sequence[Picture]
+    setting: Setting, points: Points, question: Question, pictures: Sequence[Picture]
 ) -> tuple[Message, Message]:
     """What a model gets first: the rules, then the question with its pictures."""
     lines = [question.text, *(f"{letter}: {text}" for letter, text in question.options)]
     asked = told("\n".join(lines), points)
-    return Message("system", system_prompt(arm, points)), Message("user", asked, tuple(pictures))
+    return Message("system", system_prompt(setting, points)), Message(
+        "user", asked, tuple(pictures)
+    )
 
 
 def messages(
@@ -76,7 +78,7 @@ def messages(
 
     Args:
         record: What happened.
-        first: Pictures that came with the question: one; none in the arm "blind"; two in
+        first: Pictures that came with the question: one; none in the setting "blind"; two in
             "oracle-view".
         later: Of each step, the picture that its result came with; None where there was none.
 
@@ -86,24 +88,24 @@ def messages(
     seat = record.seat or _plain(record)
     if len(later) != len(record.steps):
         raise OtherPictures(record.task, len(record.steps), len(later))
-    arm = arm_named(seat.arm)
-    told_first = opening(arm, seat.points, record.question, first)
-    return [*told_first, *_conversation(record, seat, arm, later)]
+    setting = setting_named(seat.setting)
+    told_first = opening(setting, seat.points, record.question, first)
+    return [*told_first, *_conversation(record, seat, setting, later)]
 
 
 def _plain(record: EpisodeRecord) -> Participation:
-    return Participation(PLAIN.arm, PLAIN.points, tuple(ModelReply(1) for _ in record.steps))
+    return Participation(PLAIN.setting, PLAIN.points, tuple(ModelReply(1) for _ in record.steps))
 
 
 def _conversation(
-    record: EpisodeRecord, seat: Participation, arm: Arm, later: Sequence[Picture | None]
+    record: EpisodeRecord, seat: Participation, setting: Setting, later: Sequence[Picture | None]
 ) -> Iterator[Message]:
     at = 0
     for number, reply in enumerate(seat.replies, start=1):
         if reply.calls == 0:
             yield Message("assistant", reply.words)
             if number < len(seat.replies):
-                yield Message("user", reminder(arm, answered=_answered(reply, record, seat)))
+                yield Message("user", reminder(setting, answered=_answered(reply, record, seat)))
             continue
         steps = list(enumerate(record.steps[at : at + reply.calls], start=at + 1))
         calls = tuple((f"call_{n}", _as_sent(step.call, seat.points)) for n, step in steps)

@@ -1,4 +1,4 @@
-"""What a model is told of an arm, and how it is reminded: product text, kept as data."""
+"""What a model is told of a setting, and how it is reminded: product text, kept as data."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from probe.files import fault
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 from probe.transcripts.coordinates import IN_WORDS
 
-Arm = Literal["agentic", "direct", "blind", "oracle-view"]
+Setting = Literal["agentic", "direct", "blind", "oracle-view"]
 """How a model may answer: with tools, from one picture, none, or pictures of the evidence."""
 
 
@@ -33,38 +33,40 @@ class _Prompts(pydantic.BaseModel, extra="forbid", frozen=True):
     remind_point: str
 
 
-def arm_named(name: str) -> Arm:
-    """The arm of that name; what follows a comma ("agentic, pointer self") doesn't matter.
+def setting_named(name: str) -> Setting:
+    """The setting of that name; what follows a comma ("agentic, pointer self") doesn't matter.
 
     Raises:
         UnknownName: There is none.
     """
-    for arm in get_args(Arm):
-        if arm == name.split(",")[0]:
-            return arm
-    raise UnknownName("arm", name, list(get_args(Arm)))
+    for setting in get_args(Setting):
+        if setting == name.split(",")[0]:
+            return setting
+    raise UnknownName("setting", name, list(get_args(Setting)))
 
 
-def check_arm(name: str) -> None:
-    """Refuse what no run calls an arm: after its name only who points for perception may stand.
+def check_setting(name: str) -> None:
+    """Refuse what no run calls a setting: after its name only who points for perception may stand.
 
     Raises:
-        UnknownName: There is no such arm, or another text follows.
+        UnknownName: There is no such setting, or another text follows.
     """
-    arm, comma, more = name.partition(", ")
-    if arm_named(name) != arm or (comma and not (arm == "agentic" and _POINTING.fullmatch(more))):
-        raise UnknownName("arm", name, [*get_args(Arm), "agentic, pointer NAME"])
+    setting, comma, more = name.partition(", ")
+    if setting_named(name) != setting or (
+        comma and not (setting == "agentic" and _POINTING.fullmatch(more))
+    ):
+        raise UnknownName("setting", name, [*get_args(Setting), "agentic, pointer NAME"])
 
 
-def system_prompt(arm: Arm, points: Points) -> str:
+def system_prompt(setting: Setting, points: Points) -> str:
     """What a model is told before the question."""
-    text: str = getattr(_prompts(), arm.replace("-", "_"))
+    text: str = getattr(_prompts(), setting.replace("-", "_"))
     return text.format(turns=TURNS, manipulations=MANIPULATIONS, places=IN_WORDS[points])
 
 
-def reminder(arm: Arm, *, answered: bool = False) -> str:
+def reminder(setting: Setting, *, answered: bool = False) -> str:
     """What a model is told that neither called a tool nor answered, or only left out the point."""
-    if arm == "agentic":
+    if setting == "agentic":
         return _prompts().remind_call
     return _prompts().remind_point if answered else _prompts().remind_answer
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
-from probe.tasks.task import KINDS, LETTERS, PAIR, QuestionKind, Task
+from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, QuestionType, Task
 
 
 @dataclass(frozen=True)
@@ -15,12 +15,12 @@ class Balance:
     """How often each value of something occurs among a type's tasks.
 
     Attributes:
-        kind: The type.
+        question_type: The type.
         of: What is counted.
         counts: By value; values that should occur as often as each other.
     """
 
-    kind: QuestionKind
+    question_type: QuestionType
     of: str
     counts: dict[str, int]
 
@@ -32,18 +32,20 @@ class Balance:
 
 def balances(tasks: Sequence[Task]) -> Iterator[Balance]:
     """Letters of all types, and what the types cross or share out."""
-    for kind in KINDS:
-        mine = [task for task in tasks if task.kind == kind]
+    for question_type in QUESTION_TYPES:
+        mine = [task for task in tasks if task.question_type == question_type]
         if not mine:
             continue
         letters = PAIR if mine[0].marks else LETTERS
-        yield _balance(kind, "letter", letters, [task.answer for task in mine])
-        for of, values, value_of in _CROSSED.get(kind, ()):
-            yield _balance(kind, of, values, [value_of(task) for task in mine])
+        yield _balance(question_type, "letter", letters, [task.answer for task in mine])
+        for of, values, value_of in _CROSSED.get(question_type, ()):
+            yield _balance(question_type, of, values, [value_of(task) for task in mine])
 
 
-def _balance(kind: QuestionKind, of: str, values: Sequence[str], found: Sequence[str]) -> Balance:
-    return Balance(kind, of, {**dict.fromkeys(values, 0), **Counter(found)})
+def _balance(
+    question_type: QuestionType, of: str, values: Sequence[str], found: Sequence[str]
+) -> Balance:
+    return Balance(question_type, of, {**dict.fromkeys(values, 0), **Counter(found)})
 
 
 def _patches(task: Task) -> str:
@@ -77,7 +79,7 @@ _LETTER_AREA: _Crossing = (
     _area,
 )
 
-_CROSSED: dict[QuestionKind, tuple[_Crossing, ...]] = {
+_CROSSED: dict[QuestionType, tuple[_Crossing, ...]] = {
     "compare": (
         (
             "letter x patches",

@@ -46,7 +46,10 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
     """
     if broken := tuple(makeup_problems(task, library)):
         return TaskVerdict(
-            task=task.id, kind=task.kind, digest=digest_of(task), problems={"text": broken}
+            task=task.id,
+            question_type=task.question_type,
+            digest=digest_of(task),
+            problems={"text": broken},
         )
     anew = Remeasurement(task.scene, library, renderer)
     problems = {
@@ -68,7 +71,7 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
         problems["solvable"] = tuple(_unsolved(task, library, table, renderer))
     return TaskVerdict(
         task=task.id,
-        kind=task.kind,
+        question_type=task.question_type,
         digest=digest_of(task),
         problems=problems,
         solved=depth.solve,
@@ -92,7 +95,7 @@ def _observed(task: Task, library: Library, renderer: Renderer) -> bool:
     """Whether somebody who only looks, and follows a rule, is right."""
     options = [option.text for option in task.options]
     look = look_at(task, library, renderer)
-    return observe(task.kind, task.form, task.question, options, look) == task.answer
+    return observe(task.question_type, task.form, task.question, options, look) == task.answer
 
 
 def rebuild_problem(
@@ -111,7 +114,7 @@ def rebuild_problem(
         tables: Ids of table materials that it was made with.
         attempt: That made it; where it isn't given, its seed tells.
     """
-    attempt = attempt or Attempt.of_seed(task.kind, task.seed)
+    attempt = attempt or Attempt.of_seed(task.question_type, task.seed)
     result = make(attempt, library, renderer, tables)
     if not isinstance(result, TaskCandidate):
         return f"its seed now fails {result.check}: {result.detail}"

@@ -9,7 +9,7 @@ from probe.assets.library import Library
 from probe.errors import UnknownName
 from probe.scene.layout import top_camera
 from probe.tasks.options import CANDIDATES
-from probe.tasks.task import PAIR, QuestionKind, Task
+from probe.tasks.task import PAIR, QuestionType, Task
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class _Makeup:
     named: bool = False
 
 
-_MAKEUPS: dict[QuestionKind, _Makeup] = {
+_MAKEUPS: dict[QuestionType, _Makeup] = {
     "beneath": _Makeup(1, cover=True),
     "compare": _Makeup(len(PAIR), 2 * len(PAIR), ("patch_lead",)),
     "count": _Makeup(None, measures=("clear", "hidden")),
@@ -43,7 +43,7 @@ _MAKEUPS: dict[QuestionKind, _Makeup] = {
 
 def makeup_problems(task: Task, library: Library) -> Iterator[str]:
     """What a task lacks, or has too much of; other checks rely on what this lets pass."""
-    makeup, proof = _MAKEUPS[task.kind], task.certificate
+    makeup, proof = _MAKEUPS[task.question_type], task.certificate
     if makeup.targets not in (None, len(task.targets)):
         yield f"it has {len(task.targets)} targets, not {makeup.targets}"
     if len(proof.candidates) != makeup.candidates:
@@ -53,16 +53,16 @@ def makeup_problems(task: Task, library: Library) -> Iterator[str]:
     if strange := set(proof.visibility) - {placed.instance for placed in task.scene.objects}:
         yield f"its certificate measures objects {sorted(strange)}, which aren't there"
     if (task.cover is not None) != makeup.cover or bool(task.named) != makeup.named:
-        yield f"what it names isn't what {task.kind} names"
+        yield f"what it names isn't what {task.question_type} names"
     yield from _marks(task, paired=makeup.targets == len(PAIR))
     unknown = list(_unknown(task, library))
     yield from unknown
-    if task.kind == "compare" and not unknown:
+    if task.question_type == "compare" and not unknown:
         yield from _compare(task, library)
 
 
 def _unknown(task: Task, library: Library) -> Iterator[str]:
-    listed = () if task.kind == "count" else task.certificate.candidates
+    listed = () if task.question_type == "count" else task.certificate.candidates
     for object_id in (*(placed.object_id for placed in task.scene.objects), *listed):
         try:
             library[object_id]

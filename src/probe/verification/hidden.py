@@ -25,7 +25,7 @@ from probe.generation.visibility_rules import (
     is_partly_visible,
     is_seen,
 )
-from probe.tasks.task import PAIR, Mark, QuestionKind, Task
+from probe.tasks.task import PAIR, Mark, QuestionType, Task
 from probe.verification.remeasure import Remeasurement
 
 _SAME = 0.02
@@ -42,7 +42,7 @@ def hidden_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
         found = anew.seen[number].visible_px
         if abs(found - stated.visible_px) > max(_SAME * stated.visible_px, _SAME_PX):
             yield f"{found} px of object {number} show, not {stated.visible_px}"
-    yield from _RULES[task.kind](task, anew)
+    yield from _RULES[task.question_type](task, anew)
 
 
 def _beneath(task: Task, anew: Remeasurement) -> Iterator[str]:
@@ -164,7 +164,7 @@ def _right_first(task: Task) -> Sequence[Mark]:
     return sorted(task.marks, key=lambda mark: mark.letter != task.answer)
 
 
-_RULES: dict[QuestionKind, Callable[[Task, Remeasurement], Iterator[str]]] = {
+_RULES: dict[QuestionType, Callable[[Task, Remeasurement], Iterator[str]]] = {
     "beneath": _beneath,
     "compare": _compare,
     "count": _count,

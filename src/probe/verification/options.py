@@ -24,7 +24,7 @@ def option_problems(task: Task, library: Library) -> Iterator[str]:
         if texts != [f"Object {letter}" for letter in PAIR]:
             yield f"it offers {_shown(texts)}"
         return
-    if task.kind == "count":
+    if task.question_type == "count":
         yield from _numbers(task)
         drawn, truth = task.certificate.candidates, str(len(task.targets))
     else:

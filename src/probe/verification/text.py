@@ -10,7 +10,7 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.alike import told_apart
 from probe.generation.task_writer import asked
 from probe.tasks.english import listed, plural
-from probe.tasks.task import PAIR, QuestionKind, Task
+from probe.tasks.task import PAIR, QuestionType, Task
 from probe.tasks.wordings import wordings
 from probe.verification.completeness import instances_called, makeup_problems
 from probe.verification.options import option_problems
@@ -28,17 +28,17 @@ def text_problems(task: Task, library: Library) -> Iterator[str]:
         task: One of which nothing is missing; see makeup_problems().
         library: Has its objects and its candidates.
     """
-    yield from _SUBJECTS[task.kind](task, library)
+    yield from _SUBJECTS[task.question_type](task, library)
     yield from _question(task, library)
     yield from option_problems(task, library)
 
 
 def _question(task: Task, library: Library) -> Iterator[str]:
     slots = _slots(task, library)
-    ways = [w.text for w in wordings(task.kind) if w.form == task.form]
+    ways = [w.text for w in wordings(task.question_type) if w.form == task.form]
     texts = [asked(way, slots, task.marks) for way in ways]
     if not texts:
-        yield f"{task.kind} has no form {task.form!r}"
+        yield f"{task.question_type} has no form {task.form!r}"
     elif task.question not in texts:
         (nearest,) = difflib.get_close_matches(task.question, texts, n=1, cutoff=0.0)
         # ascii() shows what can't be seen, or looks like something else.
@@ -47,11 +47,11 @@ def _question(task: Task, library: Library) -> Iterator[str]:
 
 def _slots(task: Task, library: Library) -> Mapping[str, str]:
     """What fills a wording's slots, from the table where it can be."""
-    if task.kind == "beneath" and task.cover is not None:
+    if task.question_type == "beneath" and task.cover is not None:
         return {"cover": _spec(task, task.cover, library).name}
-    if task.kind == "count":
+    if task.question_type == "count":
         return {"names": str(plural(task.subject))}
-    if task.kind == "reduce":
+    if task.question_type == "reduce":
         return {"names": listed(_named(task, library))}
     return {"colour": task.subject, "name": task.subject}
 
@@ -145,7 +145,7 @@ def _find(task: Task, library: Library) -> Iterator[str]:
     yield from _is_called(task, "")
 
 
-_SUBJECTS: dict[QuestionKind, Callable[[Task, Library], Iterator[str]]] = {
+_SUBJECTS: dict[QuestionType, Callable[[Task, Library], Iterator[str]]] = {
     "beneath": _beneath,
     "compare": _compare,
     "count": _count,

@@ -40,22 +40,22 @@ def truth_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
 def _true_text(task: Task, anew: Remeasurement) -> str:
     """The option that is true, by the truth functions of the starting scene alone."""
     scene, library, drawn = task.scene, anew.library, task.certificate.candidates
-    if task.kind == "count":
+    if task.question_type == "count":
         named = [o.object_id for o in scene.objects if library[o.object_id].name == task.subject]
         return str(how_many(scene, named[0]) if named else 0)
-    if task.kind == "beneath":
+    if task.question_type == "beneath":
         assert task.cover is not None
         known = [o.instance for o in scene.objects if o.object_id in drawn]
         shapes = anew.view.silhouettes(scene, [*known, task.cover])
         return library[which_beneath(scene, drawn, task.cover, shapes).object_id].name
-    if task.kind in ("find", "reduce"):
+    if task.question_type in ("find", "reduce"):
         return library[which_on_table(scene, drawn).object_id].name
     return f"Object {_pair(task, anew)}"
 
 
 def _pair(task: Task, anew: Remeasurement) -> str:
     ids = [task.scene[mark.instance].object_id for mark in task.marks]
-    if task.kind == "size":
+    if task.question_type == "size":
         return which_size(task.form, *(extent_of(anew.library, id) for id in ids))
     a, b = (main_colour(anew.library, id) for id in ids)
     if task.form == "darker":
@@ -77,13 +77,13 @@ def clarity_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
         yield "two kinds of things share a name, or category and main colour"
     copies = Counter(o.object_id for o in task.scene.objects)
     several = {anew.library[id].name for id, count in copies.items() if count > 1}
-    if several - ({task.subject} if task.kind == "count" else set()):
+    if several - ({task.subject} if task.question_type == "count" else set()):
         yield f"there are several of {', '.join(sorted(several))}"
-    if task.kind in ("beneath", "find", "reduce"):
+    if task.question_type in ("beneath", "find", "reduce"):
         present = {spec.name for spec in specs} & set(texts)
         if len(present) > 1:
             yield f"several options are on the table: {', '.join(sorted(present))}"
-    if task.kind == "compare":
+    if task.question_type == "compare":
         a, b = (
             main_colour(anew.library, task.scene[mark.instance].object_id) for mark in task.marks
         )

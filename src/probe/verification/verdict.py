@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Annotated
 
 import pydantic
 
@@ -13,11 +14,13 @@ CHECKS = ("text", "at rest", "hidden", "invariant", "unambiguous", "solvable")
 """In the order in which they are made."""
 
 
-class TaskVerdict(pydantic.BaseModel, frozen=True, extra="forbid"):
+class TaskVerdict(
+    pydantic.BaseModel, frozen=True, extra="forbid", validate_by_name=True, serialize_by_alias=True
+):
     """The checks of one task.
 
     Attributes:
-        task, kind, digest: Which, and its hash then.
+        task, question_type, digest: Which, and its hash then.
         problems: What is wrong, by check; a check that was made and found nothing has none.
         solved: Whether scripted agents were let try.
         histories: Random histories that were played.
@@ -26,7 +29,7 @@ class TaskVerdict(pydantic.BaseModel, frozen=True, extra="forbid"):
     """
 
     task: str
-    kind: str
+    question_type: Annotated[str, pydantic.Field(alias="kind")]
     digest: str
     problems: Mapping[str, tuple[str, ...]]
     solved: bool = False

@@ -110,8 +110,8 @@ def test_nothing_that_we_have_open_is_open_there(outsider, tmp_path):
         )
     finally:
         os.close(ours)
-    kinds = sorted(link.split(":")[0] for link in links)
-    assert kinds == ["/dev/null", "pipe", "pipe", "socket"]
+    question_types = sorted(link.split(":")[0] for link in links)
+    assert question_types == ["/dev/null", "pipe", "pipe", "socket"]
 
 
 @needs_landlock

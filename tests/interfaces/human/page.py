@@ -65,9 +65,14 @@ class AtPage:
         box = json.loads(self.browser.run("JSON.stringify(picture.getBoundingClientRect())"))
         x = box["left"] + (u + 0.5) / 1024 * box["width"]
         y = box["top"] + (v + 0.5) / 1024 * box["height"]
-        for kind in ("mousePressed", "mouseReleased"):
+        for question_type in ("mousePressed", "mouseReleased"):
             self.browser.call(
-                "Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1
+                "Input.dispatchMouseEvent",
+                type=question_type,
+                x=x,
+                y=y,
+                button="left",
+                clickCount=1,
             )
 
     def told(self) -> str:

@@ -16,7 +16,7 @@ if __name__ == "__main__":
 
 from interfaces.painted import BLOCKS, SPECS, Slow  # noqa: E402
 from probe.episodes.episode import Episode  # noqa: E402
-from probe.episodes.folder import claim_arm, start_folder  # noqa: E402
+from probe.episodes.folder import claim_setting, start_folder  # noqa: E402
 from probe.episodes.grading import question_of  # noqa: E402
 from probe.interfaces.human.session_manager import SessionManager  # noqa: E402
 from probe.perception.oracle import Oracle  # noqa: E402
@@ -29,7 +29,7 @@ from task_examples import FIND, SCENE  # noqa: E402
 COUNT = replace(
     FIND,
     id="count-4567cdef",
-    kind="count",
+    question_type="count",
     question='How many <b>mugs</b> & "balls" lie here?',
     options=(Option("A", "2"), Option("B", "3"), Option("C", "<script>4</script>")),
     answer="A",
@@ -75,7 +75,7 @@ class _Hand(Slow):
 def hall_in(out: Path, room: Room, seats: int = 4) -> SessionManager:
     """A hall over a folder that is started if it isn't yet."""
     start_folder(out, SUITE)
-    claim_arm(out, "human")
+    claim_setting(out, "human")
     return SessionManager(SUITE, out, room.furnish, seats)
 
 

@@ -179,14 +179,14 @@ def test_no_reply_tells_more_than_the_tools(visitor):
     visitor.state()
     counts = ("content-length", "etag", "date", "last-modified")
     for reply in visitor.heard:
-        kind = reply.headers["content-type"]
+        question_type = reply.headers["content-type"]
         said = json.dumps({k: v for k, v in reply.headers.items() if k not in counts})
-        if kind == "image/png":
+        if question_type == "image/png":
             assert not Image.open(io.BytesIO(reply.body)).info
         else:
             said += reply.body.decode()
         wary = ('answer"', "correct", "seed", "instance", "target")
-        for secret in (*secrets(), *(wary if kind == "application/json" else ())):
+        for secret in (*secrets(), *(wary if question_type == "application/json" else ())):
             assert secret not in said, (secret, said[:200])
 
 
@@ -203,18 +203,20 @@ def test_a_right_and_a_wrong_answer_are_told_alike(tmp_path):
 
 def test_only_our_own_pages_may_ask(visitor):
     said = json.dumps({"name": "Eve"}).encode()
-    kind = {"content_type": "application/json"}
+    question_type = {"content_type": "application/json"}
     assert visitor.send("GET", "/", host="evil.example").status == 400
     assert visitor.send("GET", "/", host="evil.example:8137").status == 400
     assert visitor.send("GET", "/", host=f"localhost:{visitor.port}").status == 200
-    refused = visitor.send("POST", "/seat/enter", said, origin="http://evil.example", **kind)
+    refused = visitor.send(
+        "POST", "/seat/enter", said, origin="http://evil.example", **question_type
+    )
     assert refused.status == 403
     assert visitor.send("POST", "/seat/enter", said, content_type="text/plain").status == 415
-    assert visitor.send("POST", "/seat/enter", b" " * 30_000, **kind).status == 413
+    assert visitor.send("POST", "/seat/enter", b" " * 30_000, **question_type).status == 413
     assert visitor.send("GET", "/seat/enter").status == 405
     assert visitor.get("/seat/state", name="Eve").status == 409
     own = f"http://127.0.0.1:{visitor.port}"
-    assert visitor.send("POST", "/seat/enter", said, origin=own, **kind).status == 200
+    assert visitor.send("POST", "/seat/enter", said, origin=own, **question_type).status == 200
 
 
 @pytest.mark.parametrize("path", ["/", "/seat?name=Ada", "/static/seat.js", "/nowhere"])

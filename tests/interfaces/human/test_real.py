@@ -30,7 +30,7 @@ pytestmark = [
 ]
 
 V1 = packaged_suite("v1")
-TASKS = tuple({task.kind: task for task in reversed(V1.tasks)}.values())[::-1]
+TASKS = tuple({task.question_type: task for task in reversed(V1.tasks)}.values())[::-1]
 """The first of each type."""
 
 
@@ -56,7 +56,7 @@ def server(cache, tmp_path, monkeypatch):
 
 
 def scripted(task):
-    return Scripted(task.kind, task.subject, generator(task.seed, "run", "scripted", 0))
+    return Scripted(task.question_type, task.subject, generator(task.seed, "run", "scripted", 0))
 
 
 def solve(page, task):
@@ -89,13 +89,13 @@ def test_a_person_can_do_what_an_agent_can(server, cache, tmp_path):
             near = play(task, scripted(task), "Ada", things, top, renderer)
             correct = score(task, record, renderer).correct
             assert correct == score(task, near, renderer).correct
-            solved |= {task.kind} if correct else set()
+            solved |= {task.question_type} if correct else set()
             # A click is a pixel or so off, and the page sends whole numbers without a point.
             assert [_seen(step) for step in record.steps[:-1]] == [
                 _seen(step) for step in near.steps[:-1]
             ]
     # Without noise the agent fails at v1's first Compare; page and agent have to agree there, too.
-    assert solved >= {task.kind for task in TASKS} - {"compare"}
+    assert solved >= {task.question_type for task in TASKS} - {"compare"}
 
 
 def _seen(step):

@@ -149,7 +149,7 @@ FORGERIES = {
         with_step(HONEST, 3, after=TableState(moved(AFTER.scene, TASK.targets[0]), AFTER.joints)),
         r"step 4 \(answer_question\): the table is another one afterwards",
     ),
-    "an answer moves the arm": (
+    "an answer moves the setting": (
         with_step(HONEST, 3, after=TableState(AFTER.scene, (0.2,) * 6)),
         r"step 4 \(answer_question\): the table is another one afterwards",
     ),
@@ -198,29 +198,29 @@ FORGERIES = {
         replace(HONEST, conditions=Conditions(camera="moved")),
         "its camera isn't where its conditions put it",
     ),
-    "free words after an arm": (
-        replace(WITH_TOOLS, seat=replace(CALLED, arm="agentic, pointing self")),
-        "There is no arm called 'agentic, pointing self'",
+    "free words after a setting": (
+        replace(WITH_TOOLS, seat=replace(CALLED, setting="agentic, pointing self")),
+        "There is no setting called 'agentic, pointing self'",
     ),
     "nobody who points": (
-        replace(WITH_TOOLS, seat=replace(CALLED, arm="agentic, pointer ")),
-        "There is no arm called 'agentic, pointer '",
+        replace(WITH_TOOLS, seat=replace(CALLED, setting="agentic, pointer ")),
+        "There is no setting called 'agentic, pointer '",
     ),
-    "an arm without a space": (
-        replace(WITH_TOOLS, seat=replace(CALLED, arm="agentic,pointer self")),
-        "There is no arm called 'agentic,pointer self'",
+    "a setting without a space": (
+        replace(WITH_TOOLS, seat=replace(CALLED, setting="agentic,pointer self")),
+        "There is no setting called 'agentic,pointer self'",
     ),
     "a pointer without tools": (
-        replace(IN_WORDS, seat=replace(SPOKEN, arm="direct, pointer self")),
-        "There is no arm called 'direct, pointer self'",
+        replace(IN_WORDS, seat=replace(SPOKEN, setting="direct, pointer self")),
+        "There is no setting called 'direct, pointer self'",
     ),
-    "an unknown arm": (
-        replace(WITH_TOOLS, seat=replace(CALLED, arm="agentical")),
-        "There is no arm called 'agentical'",
+    "an unknown setting": (
+        replace(WITH_TOOLS, seat=replace(CALLED, setting="agentical")),
+        "There is no setting called 'agentical'",
     ),
-    "tools in an arm without": (
+    "tools in a setting without": (
         replace(HONEST, seat=SPOKEN),
-        "it has calls, and nobody has tools in the arm 'direct'",
+        "it has calls, and nobody has tools in the setting 'direct'",
     ),
     "calls that no reply made": (
         replace(WITH_TOOLS, seat=replace(CALLED, replies=(ModelReply(3),))),

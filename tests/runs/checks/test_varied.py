@@ -12,7 +12,7 @@ from probe.tasks.suite_file import packaged_suite
 from probe.tasks.task import Task
 
 V1 = packaged_suite("v1")
-TASK = next(task for task in V1.tasks if task.kind == "size")
+TASK = next(task for task in V1.tasks if task.question_type == "size")
 MOVED, JITTER = Conditions(camera="moved"), Conditions(pose_jitter=0.003)
 
 

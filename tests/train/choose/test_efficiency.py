@@ -36,9 +36,9 @@ def test_too_many_and_useless_calls():
     assert waste(useless, 1) == "a call or reply that did nothing"
 
 
-@pytest.mark.parametrize("arm", ["agentic", "direct"])
-def test_a_reply_that_needed_a_reminder_did_nothing(arm):
-    it = lesson(TASK, arm=arm)
+@pytest.mark.parametrize("setting", ["agentic", "direct"])
+def test_a_reply_that_needed_a_reminder_did_nothing(setting):
+    it = lesson(TASK, setting=setting)
     assert waste(it.record, 1) is None
     assert waste(reminded(it).record, 1) == "a call or reply that did nothing"
 

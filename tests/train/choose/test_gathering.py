@@ -14,9 +14,9 @@ from probe.train.collect.batches import GRADES, batches, collected
 from probe.train.collect.settings import claim, read_settings
 
 LESSONS = [
-    lesson(training_task(1), arm="direct", right=False),
+    lesson(training_task(1), setting="direct", right=False),
     lesson(training_task(1)),
-    lesson(training_task(2), arm="direct"),
+    lesson(training_task(2), setting="direct"),
     lesson(training_task(3, "count"), right=False),
 ]
 
@@ -42,8 +42,10 @@ def test_what_was_brought_is_counted_by_task(tmp_path):
 
 def test_what_was_right_without_tools_but_once_is_no_success(tmp_path):
     """It isn't learnt from either."""
-    lucky = [lesson(training_task(1), arm="direct", run=run, right=run == 1) for run in range(3)]
-    sure = [lesson(training_task(2, "count"), arm="direct", run=run) for run in range(2)]
+    lucky = [
+        lesson(training_task(1), setting="direct", run=run, right=run == 1) for run in range(3)
+    ]
+    sure = [lesson(training_task(2, "count"), setting="direct", run=run) for run in range(2)]
     write_batch(begin_collection(tmp_path), [*lucky, *sure, lesson(training_task(1), right=False)])
     assert collected(batches(tmp_path)).successes == {"count": 1}
 
@@ -58,7 +60,7 @@ def test_an_unfinished_batch_is_left_out(tmp_path):
 
 def test_a_record_that_is_cut_off_is_named(tmp_path):
     batch = write_batch(begin_collection(tmp_path), LESSONS)
-    path = batch.arm("agentic") / "records.jsonl"
+    path = batch.setting("agentic") / "records.jsonl"
     path.write_bytes(path.read_bytes()[:-40])
     with pytest.raises(BadData, match=r"agentic/records.jsonl, line 2: .*run the episode again"):
         candidates_of([tmp_path], {})
@@ -79,7 +81,7 @@ def test_a_fault_that_was_made_good_since_is_no_episode(tmp_path):
     batch = write_batch(begin_collection(tmp_path), LESSONS)
     good = LESSONS[1].record
     fault = replace(good, seat=None, end="fault", fault="gone", answer=None, steps=good.steps[:-1])
-    path = batch.arm("agentic") / RECORDS
+    path = batch.setting("agentic") / RECORDS
     records = read_records(path)
     path.unlink()
     write_records(path, [fault, *records])
@@ -123,7 +125,7 @@ def test_one_id_for_two_objects_is_told_with_both_folders(tmp_path):
         batch = write_batch(begin_collection(tmp_path / name), [lesson(task)])
     suite = suite_of([task])
     changed = {**suite.objects, "thing_find_1_1": (1.0, 3.0)}
-    write_suite(batch.arm("agentic") / SUITE, replace(suite, objects=changed))
+    write_suite(batch.setting("agentic") / SUITE, replace(suite, objects=changed))
     words = r"c2/.*: thing_find_1_1 is another object here than in .*c1/"
     with pytest.raises(BadData, match=words):
         candidates_of([tmp_path / "c1", tmp_path / "c2"], {})

@@ -20,7 +20,7 @@ def chosen(lessons, **recipe):
 
 
 def ids(selection):
-    return [(it.task.id, it.record.arm) for it in selection.chosen]
+    return [(it.task.id, it.record.setting) for it in selection.chosen]
 
 
 def test_only_what_was_right_is_learnt():
@@ -33,29 +33,31 @@ def test_only_what_was_right_is_learnt():
 
 def test_where_no_tools_were_needed_the_answer_at_once_is_learnt():
     task = training_task(1)
-    found = chosen([lesson(task), lesson(task, arm="direct")], direct_share=1.0)
+    found = chosen([lesson(task), lesson(task, setting="direct")], direct_share=1.0)
     assert ids(found) == [(task.id, "direct")]
 
 
 def test_a_lucky_answer_is_not_learnt():
     task = training_task(1)
-    tries = [lesson(task, arm="direct"), lesson(task, arm="direct", right=False, run=1)]
+    tries = [lesson(task, setting="direct"), lesson(task, setting="direct", right=False, run=1)]
     found = chosen([*tries, lesson(task)], direct_share=1.0)
     assert ids(found) == [(task.id, "agentic")]
     assert found.dropped["right without tools, but not each time"] == 1
 
 
 def test_no_more_than_the_share_is_without_tools():
-    direct = [lesson(training_task(n), arm="direct") for n in range(10)]
+    direct = [lesson(training_task(n), setting="direct") for n in range(10)]
     agentic = [lesson(training_task(n)) for n in range(10, 16)]
-    arms = Counter(arm for _, arm in ids(chosen([*direct, *agentic], direct_share=0.25)))
-    assert arms == {"direct": 2, "agentic": 6}
+    settings = Counter(
+        setting for _, setting in ids(chosen([*direct, *agentic], direct_share=0.25))
+    )
+    assert settings == {"direct": 2, "agentic": 6}
 
 
 def test_beyond_the_share_a_task_is_shown_with_tools_if_it_was_solved_so():
     tasks = [training_task(n) for n in range(4)]
-    both = [lesson(task, arm=arm) for task in tasks for arm in ("direct", "agentic")]
-    assert Counter(arm for _, arm in ids(chosen(both, direct_share=0.0))) == {"agentic": 4}
+    both = [lesson(task, setting=setting) for task in tasks for setting in ("direct", "agentic")]
+    assert Counter(setting for _, setting in ids(chosen(both, direct_share=0.0))) == {"agentic": 4}
 
 
 def test_the_shortest_of_several_is_taken():
@@ -85,9 +87,13 @@ def test_the_same_task_in_two_collections_counts_once():
 
 
 def test_counts_hold_for_each_type_and_an_empty_one_is_told():
-    lessons = [lesson(training_task(n, kind)) for n in range(3) for kind in ("find", "count")]
+    lessons = [
+        lesson(training_task(n, question_type))
+        for n in range(3)
+        for question_type in ("find", "count")
+    ]
     found = chosen(lessons, counts={"find": 1, "count": 2, "beneath": 0})
-    assert Counter(it.task.kind for it in found.chosen) == {"find": 1, "count": 2}
+    assert Counter(it.task.question_type for it in found.chosen) == {"find": 1, "count": 2}
     words = r"size: 5 examples are wanted, .*--counts size 0"
     with pytest.raises(BadData, match=words):
         chosen(lessons, counts={"size": 5})
@@ -95,7 +101,7 @@ def test_counts_hold_for_each_type_and_an_empty_one_is_told():
 
 def test_evaluation_is_refused_and_reported():
     leaked = replace(training_task(1), seed=5)
-    selection = chosen([lesson(leaked), lesson(leaked, arm="direct"), lesson(training_task(2))])
+    selection = chosen([lesson(leaked), lesson(leaked, setting="direct"), lesson(training_task(2))])
     assert [it.task for it in selection.refused] == [leaked.id]
     assert selection.dropped == {"of evaluation": 2}
     assert len(selection.chosen) == 1
@@ -114,31 +120,34 @@ def test_a_verdict_holds_for_a_task_and_not_for_its_id(right, last):
 
 
 def test_a_type_that_was_solved_without_tools_alone_is_told():
-    direct = [lesson(training_task(n), arm="direct") for n in range(4)]
+    direct = [lesson(training_task(n), setting="direct") for n in range(4)]
     counted = [lesson(training_task(n, "count")) for n in range(4)]
     words = r"find: 2 examples are wanted, .*without tools alone.*--direct-share 1, .*counts.find 0"
     with pytest.raises(BadData, match=words):
         chosen([*direct, *counted], counts={"find": 2})
     # Who didn't ask for it is told how many there were.
     found = chosen([*direct, *counted])
-    assert Counter(it.task.kind for it in found.chosen) == {"count": 4}
+    assert Counter(it.task.question_type for it in found.chosen) == {"count": 4}
     assert found.dropped == {"without tools, beyond --direct-share": 4}
     assert len(chosen([*direct, *counted], counts={"find": 2}, direct_share=1.0).chosen) == 6
 
 
 def test_what_is_not_wanted_is_not_laid_to_the_share():
-    direct = [lesson(training_task(n), arm="direct") for n in range(6)]
+    direct = [lesson(training_task(n), setting="direct") for n in range(6)]
     agentic = [lesson(training_task(n)) for n in range(10, 16)]
     found = chosen([*direct, *agentic], counts={"find": 4})
     assert len(found.chosen) == 4
     assert found.dropped == {"another of its task, or more than wanted": 8}
 
 
-@pytest.mark.parametrize("arm", ["agentic", "direct"])
-def test_an_episode_with_a_reminder_is_not_learnt(arm):
-    plain, other = lesson(training_task(1), arm=arm), lesson(training_task(2), arm=arm)
+@pytest.mark.parametrize("setting", ["agentic", "direct"])
+def test_an_episode_with_a_reminder_is_not_learnt(setting):
+    plain, other = (
+        lesson(training_task(1), setting=setting),
+        lesson(training_task(2), setting=setting),
+    )
     found = chosen([plain, reminded(other)], direct_share=1.0)
-    assert ids(found) == [(plain.task.id, arm)]
+    assert ids(found) == [(plain.task.id, setting)]
     assert found.dropped == {"a call or reply that did nothing": 1}
 
 

@@ -39,18 +39,18 @@ def test_a_batch_follows_what_is_lacking_and_the_rate():
     so_far = CollectedBatches(
         Counter(find=8, count=8), Counter(find=2, count=8), last={"find": FIRST + 7, "count": FIRST}
     )
-    kinds = Counter(place.kind for place in aim.next_places(so_far))
+    question_types = Counter(place.question_type for place in aim.next_places(so_far))
     # 8 are lacking at a rate of 3 in 10, 2 at 9 in 10; a tenth more.
-    assert kinds == {"find": 30, "count": 3}
-    assert min(p.episode for p in aim.next_places(so_far) if p.kind == "find") == FIRST + 8
+    assert question_types == {"find": 30, "count": 3}
+    assert min(p.episode for p in aim.next_places(so_far) if p.question_type == "find") == FIRST + 8
 
 
 def test_a_batch_is_no_larger_than_allowed_and_lacks_no_type():
     aim = Aim({"find": 1000, "count": 10}, FIRST, batch=10)
     places = aim.next_places(CollectedBatches())
-    assert len(places) == 10 and {place.kind for place in places} == {"find"}
+    assert len(places) == 10 and {place.question_type for place in places} == {"find"}
     late = CollectedBatches(Counter(find=1000), Counter(find=1000), last={"find": FIRST + 999})
-    assert {place.kind for place in aim.next_places(late)} == {"count"}
+    assert {place.question_type for place in aim.next_places(late)} == {"count"}
 
 
 def test_budgets():

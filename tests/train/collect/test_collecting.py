@@ -30,7 +30,7 @@ class World:
     Attributes:
         made, played: What was done, in order.
         stop_after: Episodes after which it is killed; None to go on.
-        lost: A task and an arm whose episode leaves no record.
+        lost: A task and a setting whose episode leaves no record.
     """
 
     out: Path
@@ -56,7 +56,7 @@ class World:
                 parts.keep(place, counting_task(place.episode - FIRST), self.things)
             yield place, None
 
-    def play(self, suite, arm, runs, out):
+    def play(self, suite, setting, runs, out):
         write_suite(out / SUITE, suite)
         path = out / RECORDS
         done = {it.task for it in read_records(path)} if path.exists() else set()
@@ -65,12 +65,12 @@ class World:
                 continue
             if self.stop_after is not None and len(self.played) >= self.stop_after:
                 raise KeyboardInterrupt
-            self.played.append((task.id, arm))
-            if (task.id, arm) == self.lost:
+            self.played.append((task.id, setting))
+            if (task.id, setting) == self.lost:
                 continue
             number = (task.seed - FIRST_SEED) // 1000
-            right = number % 2 == 0 if arm == "agentic" else number % 4 == 0
-            append_record(path, lesson(task, arm=arm, right=right).record)
+            right = number % 2 == 0 if setting == "agentic" else number % 4 == 0
+            append_record(path, lesson(task, setting=setting, right=right).record)
             yield task.id
 
 
@@ -103,13 +103,13 @@ def test_it_goes_on_until_enough_are_right(tmp_path, things):
 def test_tools_are_used_only_where_the_picture_was_not_enough(tmp_path, things):
     world = World(tmp_path, things)
     run(world, AIM)
-    direct = [task for task, arm in world.played if arm == "direct"]
-    agentic = [task for task, arm in world.played if arm == "agentic"]
+    direct = [task for task, setting in world.played if setting == "direct"]
+    agentic = [task for task, setting in world.played if setting == "agentic"]
     assert len(set(direct)) == len(direct)
     assert set(agentic) == {task for task in direct if int(task.split("-")[1], 16) % 4}
     always = World(tmp_path / "always", things)
     run(always, Aim({"count": 2}, FIRST, batch=4, always=True))
-    assert {arm for _, arm in always.played} == {"direct", "agentic"}
+    assert {setting for _, setting in always.played} == {"direct", "agentic"}
     assert len({task for task, _ in always.played}) * 2 == len(always.played)
 
 

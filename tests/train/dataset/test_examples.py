@@ -35,12 +35,12 @@ def test_words_and_calls_are_the_assistants(examples):
 def test_tools_come_along_where_there_are_any(examples):
     assert json.loads(examples[0].tools) == as_sent("pixels")
     assert examples[1].tools == ""
-    assert [example.arm for example in examples] == ["agentic", "direct", "agentic"]
+    assert [example.setting for example in examples] == ["agentic", "direct", "agentic"]
 
 
 def test_places_are_counted_as_the_student_counts_them():
     task = training_task(1)
-    it = lesson(task, arm="direct")
+    it = lesson(task, setting="direct")
     seat = it.record.seat
     assert seat is not None
     reply = replace(seat.replies[0], words="There.\nANSWER: B (512, 256)")

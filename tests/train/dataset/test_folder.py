@@ -94,8 +94,8 @@ def test_what_breaks_off_leaves_nothing(tmp_path, ordered, chosen, specs):
     before = sorted(path.name for path in tmp_path.iterdir())
     with pytest.raises(BadData, match="is broken"):
         write_dataset(tmp_path / "data", breaking(), chosen, FORM, specs)
-    with pytest.raises(BadData, match="0 find examples of the arm direct, but 1 were chosen"):
-        keep = [example for example in ordered if example.arm != "direct"]
+    with pytest.raises(BadData, match="0 find examples of the setting direct, but 1 were chosen"):
+        keep = [example for example in ordered if example.setting != "direct"]
         write_dataset(tmp_path / "data", keep, chosen, FORM, specs)
     assert sorted(path.name for path in tmp_path.iterdir()) == before
 

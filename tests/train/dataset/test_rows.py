@@ -13,8 +13,10 @@ def test_trls_parts_stand_where_pictures_are_shown(examples):
     row = trl_row(examples[0])
     roles = [message["role"] for message in row["messages"]]
     assert roles[:6] == ["system", "user", "assistant", "tool", "user", "assistant"]
-    kinds = [[part["type"] for part in message["content"]] for message in row["messages"][:5]]
-    assert kinds == [["text"], ["text", "image"], ["text"], ["text"], ["image"]]
+    question_types = [
+        [part["type"] for part in message["content"]] for message in row["messages"][:5]
+    ]
+    assert question_types == [["text"], ["text", "image"], ["text"], ["text"], ["image"]]
     places = [p for m in row["messages"] for p in m["content"] if p["type"] == "image"]
     assert len(places) == len(row["images"]) == 5
     call = row["messages"][2]["tool_calls"][0]
@@ -54,6 +56,6 @@ def test_vila_has_two_voices_and_the_rules_first(examples):
         assert turns == ["human", "gpt"] * (len(turns) // 2)
         first = row["conversations"][0]["value"]
         assert first.startswith(example.messages[0].text)
-        assert ("<tools>" in first) == (example.arm == "agentic")
+        assert ("<tools>" in first) == (example.setting == "agentic")
         text = "".join(turn["value"] for turn in row["conversations"])
         assert text.count("<image>") == len(row["image"])

@@ -98,7 +98,7 @@ def at_table(state: State, place: int, task: Task, said: Remark | None) -> State
         number=place + 1,
         question=task.question,
         options=tuple((option.letter, option.text) for option in task.options),
-        asks_point=rules_of(task.kind).pointed,
+        asks_point=rules_of(task.question_type).pointed,
         ambiguous=said is not None and said.ambiguous,
         note="" if said is None else said.note,
     )

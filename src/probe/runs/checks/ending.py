@@ -13,7 +13,7 @@ from probe.toolshed.result import Answer
 from probe.toolshed.tools import AnswerQuestion
 from probe.toolshed.toolshed import TURNS
 from probe.transcripts.answers import read_answer
-from probe.transcripts.prompts import arm_named
+from probe.transcripts.prompts import setting_named
 
 _REPLIES = 2
 """Of a model without tools: its answer, and one after it was reminded."""
@@ -42,7 +42,7 @@ def _of_end(record: EpisodeRecord) -> Iterator[str]:
 
 def _has_tools(seat: Participation) -> bool:
     try:
-        return arm_named(seat.arm) == "agentic"
+        return setting_named(seat.setting) == "agentic"
     except UnknownName:  # which is told apart from this; its calls are still to be looked at
         return True
 
@@ -69,9 +69,10 @@ def _with_tools(record: EpisodeRecord) -> Iterator[str]:
 
 def _in_words(record: EpisodeRecord, seat: Participation) -> Iterator[str]:
     if record.steps:
-        yield f"it has calls, and nobody has tools in the arm {seat.arm!r}"
+        yield f"it has calls, and nobody has tools in the setting {seat.setting!r}"
     if len(seat.replies) > _REPLIES or any(reply.calls for reply in seat.replies):
-        yield f"in the arm {seat.arm!r} a model makes {_REPLIES} replies at most, and no calls"
+        most = f"{_REPLIES} replies at most"
+        yield f"in the setting {seat.setting!r} a model makes {most}, and no calls"
     letters = "".join(letter for letter, _ in record.question.options)
     read = [read_answer(reply.words, seat.points, letters) for reply in seat.replies]
     said = next((answer for answer in reversed(read) if answer), None)

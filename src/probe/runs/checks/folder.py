@@ -104,14 +104,14 @@ def _of_folder(records: Sequence[EpisodeRecord], out: Path) -> _Found:
     ordered, variation = read_ordered(out), read_variation(out)
     results = set[tuple[str, str, str, int]]()
     for line, record in enumerate(records, start=1):
-        runs = ordered.get((record.agent, record.arm))
+        runs = ordered.get((record.agent, record.setting))
         if runs is not None and record.run >= runs:
             yield line, f"{runs} runs of each task were ordered, numbered from 0"
         if (record.noise, record.conditions) != (records[0].noise, records[0].conditions):
             yield line, "its noise or its conditions aren't those of the first record"
         if reason := _beside(record.conditions, variation):
             yield line, reason
-        key = record.task, record.agent, record.arm, record.run
+        key = record.task, record.agent, record.setting, record.run
         if key in results:
             yield line, "the same run has a result above"
         if record.end != "fault":

@@ -15,7 +15,7 @@ from probe.runs.viewpoints import camera_of
 from probe.scene.lighting import AMBIENT
 from probe.scene.scene import Scene
 from probe.tasks.task import Task
-from probe.transcripts.prompts import check_arm
+from probe.transcripts.prompts import check_setting
 from probe.types import Pose
 
 _SAME = 1e-9
@@ -67,8 +67,8 @@ def _of_seat(record: EpisodeRecord) -> Iterator[str]:
         return
     try:
         # An agent that isn't a model, but whose own fault is noted, has none.
-        if seat.arm:
-            check_arm(seat.arm)
+        if seat.setting:
+            check_setting(seat.setting)
     except UnknownName as error:
         yield str(error).rstrip(".")
     counted = (seat.tokens_in, seat.tokens_out, seat.cost)

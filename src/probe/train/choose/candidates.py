@@ -29,7 +29,7 @@ class EpisodeCandidate:
     @property
     def direct(self) -> bool:
         """Whether it had no tools."""
-        return self.record.arm.split(",")[0] == "direct"
+        return self.record.setting.split(",")[0] == "direct"
 
 
 Ways = Sequence[EpisodeCandidate]
@@ -67,7 +67,7 @@ def _usable(
         elif it.direct and lucky:
             reason = "right without tools, but not each time"
         else:
-            reason = waste(it.record, most.get(it.task.kind, 0))
+            reason = waste(it.record, most.get(it.task.question_type, 0))
         if reason is None:
             usable.append(it)
         else:

@@ -45,7 +45,7 @@ class SelectionDocument(pydantic.BaseModel, extra="forbid", frozen=True):
         files: SHA-256 of the files beside it.
         sources: Folders it was chosen from.
         suites: That nothing may be of.
-        examples: How many, by type and arm.
+        examples: How many, by type and setting.
         letters: How many by right answer.
         limits: The most manipulations that were let pass, by type.
         direct_share, slack, seed: The recipe's.
@@ -115,11 +115,11 @@ def write_selection(
 
 
 def counts_of(chosen: Sequence[EpisodeCandidate]) -> dict[str, dict[str, int]]:
-    """How many by type and arm."""
+    """How many by type and setting."""
     counts: dict[str, dict[str, int]] = {}
     for it in chosen:
-        arms = counts.setdefault(it.task.kind, {"direct": 0, "agentic": 0})
-        arms["direct" if it.direct else "agentic"] += 1
+        settings = counts.setdefault(it.task.question_type, {"direct": 0, "agentic": 0})
+        settings["direct" if it.direct else "agentic"] += 1
     return counts
 
 
@@ -138,7 +138,11 @@ def read_selection(folder: Path) -> LoadedSelection:
     tasks = {task.id: task for task in suite.tasks}
     records = read_records(folder / RECORDS)
     check_records(records, suite, folder / RECORDS)
-    empty = [kind for kind, arms in document.examples.items() if not sum(arms.values())]
+    empty = [
+        question_type
+        for question_type, settings in document.examples.items()
+        if not sum(settings.values())
+    ]
     if empty or not records:
         what = empty[0] if empty else "any type"
         raise BadData(folder / SELECTION, f"there is no example of {what}", _REMEDY)

@@ -28,9 +28,9 @@ def limits(successes: Iterable[tuple[str, EpisodeRecord]], slack: int = SLACK) -
         slack: Added to each type's median.
     """
     counts: dict[str, list[int]] = {}
-    for kind, record in successes:
-        counts.setdefault(kind, []).append(record.manipulations)
-    return {kind: median_low(values) + slack for kind, values in counts.items()}
+    for question_type, record in successes:
+        counts.setdefault(question_type, []).append(record.manipulations)
+    return {question_type: median_low(values) + slack for question_type, values in counts.items()}
 
 
 def waste(record: EpisodeRecord, limit: int) -> Waste | None:

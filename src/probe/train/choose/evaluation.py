@@ -91,7 +91,7 @@ class Evaluation:
         if self.split is None:
             return
         parts = self.split.parts
-        offered = [] if task.kind == "count" else list(task.certificate.candidates)
+        offered = [] if task.question_type == "count" else list(task.certificate.candidates)
         evaluated = {self.groups.get(id, id) for id, part in parts.items() if part == "evaluation"}
         for id in [*(placed.object_id for placed in task.scene.objects), *offered]:
             if self.groups.get(id, id) in evaluated:

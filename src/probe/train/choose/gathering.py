@@ -14,9 +14,9 @@ from probe.tasks.suite_file import digest_of, read_suite
 from probe.train.choose.candidates import EpisodeCandidate
 from probe.train.collect.batches import Batch, EpisodeGrade, batches
 from probe.train.collect.settings import read_settings
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 
-ARMS: tuple[Arm, ...] = "direct", "agentic"
+SETTINGS: tuple[Setting, ...] = "direct", "agentic"
 
 
 @dataclass(frozen=True)
@@ -80,26 +80,26 @@ def candidates_of(
 
 
 def _of_batch(batch: Batch, known: _Known) -> Iterator[EpisodeCandidate]:
-    grades = {(it.task, it.arm, it.run): it for it in batch.grades()}
-    for arm in ARMS:
-        if (batch.arm(arm) / SUITE).exists():
-            yield from _of_arm(batch, arm, grades, known)
+    grades = {(it.task, it.setting, it.run): it for it in batch.grades()}
+    for setting in SETTINGS:
+        if (batch.setting(setting) / SUITE).exists():
+            yield from _of_setting(batch, setting, grades, known)
     if lost := [task for (task, _, _), grade in grades.items() if grade.correct is not None]:
         reason = f"{lost[0]} is graded but has no record"
         raise BadData(batch.folder, reason, "Delete this batch and collect again")
 
 
-def _of_arm(
-    batch: Batch, arm: Arm, grades: dict[tuple[str, str, int], EpisodeGrade], known: _Known
+def _of_setting(
+    batch: Batch, setting: Setting, grades: dict[tuple[str, str, int], EpisodeGrade], known: _Known
 ) -> Iterator[EpisodeCandidate]:
     """Takes each grade out that belongs to a record."""
-    suite = read_suite(batch.arm(arm) / SUITE)
-    known.add(suite, batch.arm(arm))
+    suite = read_suite(batch.setting(setting) / SUITE)
+    known.add(suite, batch.setting(setting))
     tasks = {task.id: task for task in suite.tasks}
-    for (task, run), record in batch.records(arm, suite).items():
-        grade = grades.pop((task, arm, run), None)
+    for (task, run), record in batch.records(setting, suite).items():
+        grade = grades.pop((task, setting, run), None)
         if grade is None or task not in tasks:
             reason = f"{task}, run {run} isn't graded"
             remedy = "Delete its batch's grades.json and collect again"
-            raise BadData(batch.arm(arm) / RECORDS, reason, remedy)
+            raise BadData(batch.setting(setting) / RECORDS, reason, remedy)
         yield EpisodeCandidate(tasks[task], record, grade.correct)

@@ -64,16 +64,16 @@ def select(
     allowed, refused = _allowed(candidates, evaluation)
     dropped["of evaluation"] = len(candidates) - len(allowed)
     agentic = [it for it in allowed if it.correct and not it.direct]
-    most = limits([(it.task.kind, it.record) for it in agentic], recipe.slack)
+    most = limits([(it.task.question_type, it.record) for it in agentic], recipe.slack)
     tasks = usable_by_task(allowed, most, dropped)
     chosen = list[EpisodeCandidate]()
-    for kind in sorted({*(ways[0].task.kind for ways in tasks), *recipe.counts}):
-        mine = [ways for ways in tasks if ways[0].task.kind == kind]
-        wanted = recipe.counts.get(kind, len(mine))
+    for question_type in sorted({*(ways[0].task.question_type for ways in tasks), *recipe.counts}):
+        mine = [ways for ways in tasks if ways[0].task.question_type == question_type]
+        wanted = recipe.counts.get(question_type, len(mine))
         mixed, left = _mixed(mine, wanted, recipe)
         picked = _balanced(mixed, wanted, recipe)
-        if recipe.counts.get(kind) and not picked:
-            raise _nothing(kind, recipe, without_tools=bool(mine))
+        if recipe.counts.get(question_type) and not picked:
+            raise _nothing(question_type, recipe, without_tools=bool(mine))
         if len(picked) < wanted:
             dropped[BEYOND_SHARE] += sum(map(len, left))
         chosen += picked
@@ -97,17 +97,17 @@ def _allowed(
     return allowed, [verdict for verdict in verdicts.values() if verdict is not None]
 
 
-def _nothing(kind: str, recipe: Recipe, *, without_tools: bool) -> BadData:
+def _nothing(question_type: str, recipe: Recipe, *, without_tools: bool) -> BadData:
     """What is told of a type that was asked for in vain: all of it is without tools, or none."""
-    reason = f"{recipe.counts[kind]} examples are wanted, but "
+    reason = f"{recipe.counts[question_type]} examples are wanted, but "
     if without_tools:
         reason += "it was solved without tools alone, and --direct-share "
         reason += f"{recipe.direct_share:g} wants some with tools beside these"
-        remedy = "Say --direct-share 1, collect with --arms agentic"
+        remedy = "Say --direct-share 1, collect with --settings agentic"
     else:
         reason += "no episode of this type can be learnt from"
         remedy = "Collect more"
-    return BadData(kind, reason, f"{remedy}, or say --counts {kind} 0")
+    return BadData(question_type, reason, f"{remedy}, or say --counts {question_type} 0")
 
 
 def _mixed(

@@ -10,11 +10,11 @@ from typing import Literal
 
 from probe.errors import BadData
 from probe.generation.build_folder import TaskSlot
-from probe.tasks.task import QuestionKind
+from probe.tasks.task import QuestionType
 from probe.train.collect.batches import CollectedBatches, fresh_places
 from probe.types import Shard
 
-PAPER_COUNTS: Mapping[QuestionKind, int] = {
+PAPER_COUNTS: Mapping[QuestionType, int] = {
     "count": 521,
     "find": 800,
     "compare": 785,
@@ -25,7 +25,7 @@ PAPER_COUNTS: Mapping[QuestionKind, int] = {
 """Successful episodes of the paper's fine-tuning, by type; Beneath is held out."""
 
 
-def in_proportion(counts: Mapping[QuestionKind, int], total: int) -> dict[QuestionKind, int]:
+def in_proportion(counts: Mapping[QuestionType, int], total: int) -> dict[QuestionType, int]:
     """Counts of the same proportions that add up to a total; the largest remainders get the rest.
 
     Raises:
@@ -34,11 +34,16 @@ def in_proportion(counts: Mapping[QuestionKind, int], total: int) -> dict[Questi
     whole = sum(counts.values())
     if not whole:
         raise BadData("--counts", "asks for nothing", 'Say "--counts.find 20"')
-    shares: dict[QuestionKind, float] = {k: n * total / whole for k, n in counts.items()}
-    made: dict[QuestionKind, int] = {kind: int(share) for kind, share in shares.items()}
-    by_rest = sorted(shares, key=lambda kind: (made[kind] - shares[kind], kind))
-    for kind in by_rest[: total - sum(made.values())]:
-        made[kind] += 1
+    shares: dict[QuestionType, float] = {k: n * total / whole for k, n in counts.items()}
+    made: dict[QuestionType, int] = {
+        question_type: int(share) for question_type, share in shares.items()
+    }
+    by_rest = sorted(
+        shares,
+        key=lambda question_type: (made[question_type] - shares[question_type], question_type),
+    )
+    for question_type in by_rest[: total - sum(made.values())]:
+        made[question_type] += 1
     return made
 
 
@@ -54,15 +59,15 @@ class Aim:
         counts: Tasks that were answered rightly, by type, all shards together.
         first: Number of the first episode.
         shard: Which part of it.
-        mode: Which arms.
-        always: With both arms, use tools even where the first picture was enough.
+        mode: Which settings.
+        always: With both settings, use tools even where the first picture was enough.
         direct_runs: Episodes of a task without tools.
         batch: Tasks of a batch at most.
         most_episodes: Budget of this shard; None for no end.
         most_cost: Budget of this shard, US dollars; None for no end.
     """
 
-    counts: Mapping[QuestionKind, int]
+    counts: Mapping[QuestionType, int]
     first: int
     shard: Shard = Shard()
     mode: Mode = "both"
@@ -72,14 +77,14 @@ class Aim:
     most_episodes: int | None = None
     most_cost: float | None = None
 
-    def wanted(self, kind: QuestionKind) -> int:
+    def wanted(self, question_type: QuestionType) -> int:
         """This shard's part of a count."""
-        return len(range(self.shard.number, self.counts.get(kind, 0), self.shard.count))
+        return len(range(self.shard.number, self.counts.get(question_type, 0), self.shard.count))
 
     @property
     def total(self) -> int:
         """Of all types."""
-        return sum(self.wanted(kind) for kind in self.counts)
+        return sum(self.wanted(question_type) for question_type in self.counts)
 
     @property
     def episodes_a_task(self) -> int:
@@ -88,7 +93,10 @@ class Aim:
 
     def reached(self, so_far: CollectedBatches) -> int:
         """Successes that count; more of a type than wanted don't."""
-        return sum(min(so_far.successes[kind], self.wanted(kind)) for kind in self.counts)
+        return sum(
+            min(so_far.successes[question_type], self.wanted(question_type))
+            for question_type in self.counts
+        )
 
     def spent(self, so_far: CollectedBatches) -> str | None:
         """Which budget has no room for another task; None if there is room."""
@@ -99,20 +107,25 @@ class Aim:
 
     def next_places(self, so_far: CollectedBatches) -> list[TaskSlot]:
         """What to make next: as much as is lacking by the success rates so far, within a batch."""
-        needs = {kind: self._need(kind, so_far) for kind in self.counts}
+        needs = {question_type: self._need(question_type, so_far) for question_type in self.counts}
         most, total = min(self.batch, self._room(so_far)), sum(needs.values())
         if total > most:
             # Every type that lacks some gets its part, from the largest need on.
-            needs = {kind: math.ceil(need * most / total) for kind, need in needs.items()}
+            needs = {
+                question_type: math.ceil(need * most / total)
+                for question_type, need in needs.items()
+            }
         places = list[TaskSlot]()
-        for kind in sorted(self.counts, key=lambda kind: -needs[kind]):
-            fresh = fresh_places(kind, self.first, self.shard, so_far.last.get(kind))
-            places += islice(fresh, needs[kind])
+        for question_type in sorted(self.counts, key=lambda question_type: -needs[question_type]):
+            fresh = fresh_places(
+                question_type, self.first, self.shard, so_far.last.get(question_type)
+            )
+            places += islice(fresh, needs[question_type])
         return places[:most]
 
-    def _need(self, kind: QuestionKind, so_far: CollectedBatches) -> int:
-        lacking = self.wanted(kind) - so_far.successes[kind]
-        rate = (so_far.successes[kind] + 1) / (so_far.tasks[kind] + 2)
+    def _need(self, question_type: QuestionType, so_far: CollectedBatches) -> int:
+        lacking = self.wanted(question_type) - so_far.successes[question_type]
+        rate = (so_far.successes[question_type] + 1) / (so_far.tasks[question_type] + 2)
         return math.ceil(_MARGIN * lacking / rate) if lacking > 0 else 0
 
     def _room(self, so_far: CollectedBatches) -> int:

@@ -1,6 +1,6 @@
 """The folder that episodes are collected in, batch by batch, and what it holds so far.
 
-A batch is a suite of fresh training tasks and a folder of records for each arm, as `probe run`
+A batch is a suite of fresh training tasks and a folder of records for each setting, as `probe run`
 leaves them. `grades.json` comes last: a batch that has it is whole.
 """
 
@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import pydantic
 
@@ -22,20 +22,27 @@ from probe.generation.build_folder import TaskSlot
 from probe.generation.plan import ATTEMPTS
 from probe.runs.checks.folder import check_records
 from probe.tasks.suite import Suite
-from probe.tasks.task import QuestionKind
-from probe.transcripts.prompts import Arm
+from probe.tasks.task import QuestionType
+from probe.transcripts.prompts import Setting
 from probe.types import Shard
 
 BATCHES, TASKS, GRADES = "batches", "tasks", "grades.json"
 _REMEDY = "Delete it and collect again: the batch's records are graded anew"
 
 
-class EpisodeGrade(pydantic.BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
+class EpisodeGrade(
+    pydantic.BaseModel,
+    extra="forbid",
+    frozen=True,
+    allow_inf_nan=False,
+    validate_by_name=True,
+    serialize_by_alias=True,
+):
     """What came of one episode.
 
     Attributes:
-        task, kind, seed: What it was about.
-        arm, run: How and which.
+        task, question_type, seed: What it was about.
+        setting, run: How and which.
         correct: Whether the answer was right, Find's point included; None for our fault.
         outcome: Why.
         manipulations: How many it took.
@@ -43,9 +50,9 @@ class EpisodeGrade(pydantic.BaseModel, extra="forbid", frozen=True, allow_inf_na
     """
 
     task: str
-    kind: QuestionKind
+    question_type: Annotated[QuestionType, pydantic.Field(alias="kind")]
     seed: int
-    arm: str
+    setting: Annotated[str, pydantic.Field(alias="arm")]
     run: int
     correct: bool | None
     outcome: str
@@ -66,20 +73,20 @@ class Batch:
 
     folder: Path
 
-    def arm(self, arm: Arm) -> Path:
-        """Where the records of an arm are."""
-        return self.folder / arm
+    def setting(self, setting: Setting) -> Path:
+        """Where the records of a setting are."""
+        return self.folder / setting
 
-    def records(self, arm: Arm, suite: Suite) -> dict[tuple[str, int], EpisodeRecord]:
-        """What an arm's records hold of each task and run: no faults that were made good since.
+    def records(self, setting: Setting, suite: Suite) -> dict[tuple[str, int], EpisodeRecord]:
+        """What a setting's records hold of each task and run: no faults that were made good since.
 
         Raises:
             BadData: One can't be read, or can't be of a run of the suite.
         """
-        path = self.arm(arm) / RECORDS
+        path = self.setting(setting) / RECORDS
         records = read_records(path) if path.exists() else []
         check_records(records, suite, path)
-        # Faults of ours may tell no arm; they come before what made them good.
+        # Faults of ours may tell no setting; they come before what made them good.
         return {(it.task, it.run): it for it in in_order(records, suite)}
 
     @property
@@ -110,7 +117,7 @@ class CollectedBatches:
             type.
         episodes: How many in all.
         missing: How many came to nothing by our fault.
-        right: Episodes that were right, by arm, and all, by arm.
+        right: Episodes that were right, by setting, and all, by setting.
         cost: US dollars in all, of the episodes whose cost is known.
         unpriced: Episodes of which it isn't.
         last: The highest episode number, by type.
@@ -150,21 +157,23 @@ def collected(some: Iterable[Batch]) -> CollectedBatches:
     tried = {grade.task: grade for grade in grades}
     ways: dict[tuple[str, str], list[bool]] = {}
     for grade in grades:
-        ways.setdefault((grade.task, grade.arm), []).append(grade.correct is True)
+        ways.setdefault((grade.task, grade.setting), []).append(grade.correct is True)
     # Without tools one right answer of several is luck, and nothing to learn from.
     solved = {
-        task for (task, arm), right in ways.items() if (all if arm == "direct" else any)(right)
+        task
+        for (task, setting), right in ways.items()
+        if (all if setting == "direct" else any)(right)
     }
     last: dict[str, int] = {}
     for grade in grades:
-        last[grade.kind] = max(last.get(grade.kind, 0), grade.seed // ATTEMPTS)
+        last[grade.question_type] = max(last.get(grade.question_type, 0), grade.seed // ATTEMPTS)
     return CollectedBatches(
-        tasks=Counter(grade.kind for grade in tried.values()),
-        successes=Counter(tried[task].kind for task in solved),
+        tasks=Counter(grade.question_type for grade in tried.values()),
+        successes=Counter(tried[task].question_type for task in solved),
         episodes=len(grades),
         missing=sum(grade.correct is None for grade in grades),
-        right=Counter(grade.arm for grade in grades if grade.correct),
-        played=Counter(grade.arm for grade in grades),
+        right=Counter(grade.setting for grade in grades if grade.correct),
+        played=Counter(grade.setting for grade in grades),
         cost=sum(grade.cost or 0.0 for grade in grades),
         unpriced=sum(grade.cost is None for grade in grades),
         last=last,
@@ -172,19 +181,19 @@ def collected(some: Iterable[Batch]) -> CollectedBatches:
 
 
 def fresh_places(
-    kind: QuestionKind, first: int, shard: Shard, after: int | None
+    question_type: QuestionType, first: int, shard: Shard, after: int | None
 ) -> Iterator[TaskSlot]:
     """A shard's places of a type, one after another.
 
     Args:
-        kind: The type.
+        question_type: The type.
         first: Number of the first episode of all shards.
         shard: Which part.
         after: The last one that was used; None if none was.
     """
     episode = first + shard.number if after is None else after + shard.count
     while True:
-        yield TaskSlot(kind, episode)
+        yield TaskSlot(question_type, episode)
         episode += shard.count
 
 

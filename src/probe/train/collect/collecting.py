@@ -31,13 +31,13 @@ from probe.train.collect.batches import (
     collected,
     new_batch,
 )
-from probe.transcripts.prompts import Arm
+from probe.transcripts.prompts import Setting
 
 
 class Play(Protocol):
-    """Lets the teacher work on a suite in an arm; what is done already isn't done again."""
+    """Lets the teacher work on a suite in a setting; what is done already isn't done again."""
 
-    def __call__(self, suite: Suite, arm: Arm, runs: int, out: Path) -> Iterable[str]:
+    def __call__(self, suite: Suite, setting: Setting, runs: int, out: Path) -> Iterable[str]:
         """Yields what became of each episode, in words."""
         ...
 
@@ -123,41 +123,47 @@ def _played(batch: Batch, suite: Suite, aim: Aim, hands: TeacherWorkers) -> Gene
     with hands.scene_renderer(suite) as scene_renderer:
         rest = suite
         if aim.mode != "agentic":
-            yield from hands.play(suite, "direct", aim.direct_runs, batch.arm("direct"))
+            yield from hands.play(suite, "direct", aim.direct_runs, batch.setting("direct"))
             grades += graded(batch, "direct", aim.direct_runs, scene_renderer)
             rest = suite if aim.always else _without(suite, grades)
         if aim.mode != "direct" and rest.tasks:
-            write_suite(batch.arm("agentic") / SUITE, rest)
-            yield from hands.play(rest, "agentic", 1, batch.arm("agentic"))
+            write_suite(batch.setting("agentic") / SUITE, rest)
+            yield from hands.play(rest, "agentic", 1, batch.setting("agentic"))
             grades += graded(batch, "agentic", 1, scene_renderer)
     batch.keep(grades)
 
 
-def graded(batch: Batch, arm: Arm, runs: int, scene_renderer: SceneRenderer) -> list[EpisodeGrade]:
-    """What came of each run of an arm's tasks, also of those that left no record.
+def graded(
+    batch: Batch, setting: Setting, runs: int, scene_renderer: SceneRenderer
+) -> list[EpisodeGrade]:
+    """What came of each run of a setting's tasks, also of those that left no record.
 
     Raises:
         BadData: The suite or a record can't be read.
     """
-    suite = read_suite(batch.arm(arm) / SUITE)
-    found = batch.records(arm, suite)
+    suite = read_suite(batch.setting(setting) / SUITE)
+    found = batch.records(setting, suite)
     return [
-        _grade(task, arm, run, found.get((task.id, run)), scene_renderer)
+        _grade(task, setting, run, found.get((task.id, run)), scene_renderer)
         for task in suite.tasks
         for run in range(runs)
     ]
 
 
 def _grade(
-    task: Task, arm: Arm, run: int, record: EpisodeRecord | None, scene_renderer: SceneRenderer
+    task: Task,
+    setting: Setting,
+    run: int,
+    record: EpisodeRecord | None,
+    scene_renderer: SceneRenderer,
 ) -> EpisodeGrade:
     score = scene_renderer.score(task, record) if record and record.end != "fault" else None
     fault = record.fault if record else "no record was left"
     return EpisodeGrade(
         task=task.id,
-        kind=task.kind,
+        question_type=task.question_type,
         seed=task.seed,
-        arm=arm,
+        setting=setting,
         run=run,
         correct=score and score.correct,
         outcome=score.outcome if score else fault or "fault",

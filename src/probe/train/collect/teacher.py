@@ -52,7 +52,7 @@ def speaker(task: Task, run: int) -> PhraseBook:
 def teacher(task: Task, run: int) -> Agent:
     """The teacher with tools, fresh for one episode; it stops where it isn't sure."""
     rng = generator(task.seed, "teach", run)
-    return Scripted(task.kind, task.subject, rng, form=task.form, say=speaker(task, run))
+    return Scripted(task.question_type, task.subject, rng, form=task.form, say=speaker(task, run))
 
 
 def teacher_for(points: Points) -> _Made:
@@ -79,13 +79,13 @@ class TeacherWorker(WorkerSetup):
     """Where the teacher works: its records tell of a seat, as a model's do."""
 
     def played(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
-        """One episode in the order's arm."""
+        """One episode in the order's setting."""
         order = self.order
-        if order.arm == "direct":
+        if order.setting == "direct":
             return self._told(job, things, renderer)
         record = super().played(job, things, renderer)
         replies = tuple(ModelReply(1) for _ in record.steps)
-        return replace(record, seat=Participation(order.arm, order.points, replies, cost=0.0))
+        return replace(record, seat=Participation(order.setting, order.points, replies, cost=0.0))
 
     def _told(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
         order, task = self.order, job.task
@@ -102,18 +102,18 @@ class TeacherWorker(WorkerSetup):
         )
         graph = read_graph(tools.call("perceive_scene", {}).text)
         asked = FirstLookQuestion(question_of(task), task.subject, task.form, graph)
-        said = at_a_glance(task.kind, asked, speaker(task, job.run))
+        said = at_a_glance(task.question_type, asked, speaker(task, job.run))
         return answered(replace(stopped(job, order), sight=sight), order, said)
 
 
 def answered(record: EpisodeRecord, order: RunOrder, said: FirstLookAnswer | None) -> EpisodeRecord:
     """A record of an episode that was ended at once, with an answer in words, or with none."""
     if said is None:
-        seat = Participation(order.arm, order.points, cost=0.0)
+        seat = Participation(order.setting, order.points, cost=0.0)
         return replace(record, seat=seat)
     place = f" ({said.point[0]}, {said.point[1]})" if said.point else ""
     words = told(f"{said.words}\nANSWER: {said.letter}{place}", order.points)
-    seat = Participation(order.arm, order.points, (ModelReply(0, words),), cost=0.0)
+    seat = Participation(order.setting, order.points, (ModelReply(0, words),), cost=0.0)
     point = (float(said.point[0]), float(said.point[1])) if said.point else None
     answer = Answer(said.letter, point)
     return replace(record, answer=answer, end="answered", seat=seat)

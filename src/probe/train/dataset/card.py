@@ -42,7 +42,9 @@ def card(
         sources=", ".join(document.sources),
         suites=", ".join(document.suites),
         refused=len(document.refused),
-        limits=", ".join(f"{kind} {most}" for kind, most in sorted(document.limits.items())),
+        limits=", ".join(
+            f"{question_type} {most}" for question_type, most in sorted(document.limits.items())
+        ),
         licences=_licences(_shown(chosen), specs),
     )
 
@@ -54,8 +56,8 @@ def _without(words: str, starts: tuple[str, ...]) -> str:
 
 def _counts(examples: Mapping[str, Mapping[str, int]]) -> str:
     rows = [
-        f"| {kind} | {arms.get('agentic', 0)} | {arms.get('direct', 0)} |"
-        for kind, arms in sorted(examples.items())
+        f"| {question_type} | {settings.get('agentic', 0)} | {settings.get('direct', 0)} |"
+        for question_type, settings in sorted(examples.items())
     ]
     return "\n".join(rows)
 

@@ -18,7 +18,7 @@ from probe.tasks.task import Task
 from probe.train.dataset.showing import EpisodePictures
 from probe.transcripts.coordinates import told
 from probe.transcripts.messages import PLAIN, Message, messages
-from probe.transcripts.prompts import arm_named
+from probe.transcripts.prompts import setting_named
 from probe.transcripts.tools import as_sent
 
 
@@ -32,15 +32,15 @@ class TrainingExample:
 
     Attributes:
         id: Of the task and of who acted in which run.
-        kind, arm: Type of the question, and how it was answered.
+        question_type, setting: Type of the question, and how it was answered.
         letter: The right answer.
         messages: From the rules to the last reply; nothing follows that.
         tools: What may be called, as servers get it; JSON, empty without tools.
     """
 
     id: str
-    kind: str
-    arm: str
+    question_type: str
+    setting: str
     letter: str
     messages: tuple[Message, ...]
     tools: str
@@ -73,13 +73,13 @@ def example_of(
     """
     record = _retold(record, points)
     assert record.seat is not None
-    arm = arm_named(record.seat.arm)
+    setting = setting_named(record.seat.setting)
     conversation = _until_last_reply(messages(record, shown.first, shown.later))
-    tools = json.dumps(as_sent(record.seat.points)) if arm == "agentic" else ""
+    tools = json.dumps(as_sent(record.seat.points)) if setting == "agentic" else ""
     made = TrainingExample(
-        id=f"{task.id}-{record.agent}-{arm}-{record.run}".replace("/", "-"),
-        kind=task.kind,
-        arm=arm,
+        id=f"{task.id}-{record.agent}-{setting}-{record.run}".replace("/", "-"),
+        question_type=task.question_type,
+        setting=setting,
         letter=task.answer,
         messages=tuple(conversation),
         tools=tools,

@@ -110,7 +110,10 @@ def write_dataset(
         manifest = Manifest(
             points=form.points,
             side_px=form.side_px,
-            examples={kind: dict(arms) for kind, arms in sorted(written.examples.items())},
+            examples={
+                question_type: dict(settings)
+                for question_type, settings in sorted(written.examples.items())
+            },
             pictures=written.pictures,
             files={path.relative_to(folder).as_posix(): mark_of(path) for path in files},
         )
@@ -124,7 +127,7 @@ def _add(
 ) -> None:
     write_table(folder / name, [trl_row(example) for example in examples])
     for example in examples:
-        written.examples[example.kind][example.arm] += 1
+        written.examples[example.question_type][example.setting] += 1
         written.pictures += len(example.pictures)
         if others:
             paths = [_kept(folder, picture) for picture in example.pictures]
@@ -152,10 +155,11 @@ def _write_others(folder: Path, written: _Written) -> None:
 
 
 def _check(written: _Written, chosen: LoadedSelection, out: Path) -> None:
-    """As many of each type and arm as were chosen."""
-    for kind, arms in chosen.document.examples.items():
-        for arm, count in arms.items():
-            found = written.examples[kind][arm]
+    """As many of each type and setting as were chosen."""
+    for question_type, settings in chosen.document.examples.items():
+        for setting, count in settings.items():
+            found = written.examples[question_type][setting]
             if found != count:
-                reason = f"{found} {kind} examples of the arm {arm}, but {count} were chosen"
+                what = f"{question_type} examples of the setting {setting}"
+                reason = f"{found} {what}, but {count} were chosen"
                 raise BadData(out, reason, "Select anew")

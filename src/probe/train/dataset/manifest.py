@@ -30,7 +30,7 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
     Attributes:
         points: How places are counted in its texts.
         side_px: Width and height of its pictures.
-        examples: How many, by type and arm.
+        examples: How many, by type and setting.
         pictures: How many are shown in all, each as often as it is.
         files: All others, by their path.
     """
@@ -45,7 +45,7 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
     @property
     def total(self) -> int:
         """All examples."""
-        return sum(sum(arms.values()) for arms in self.examples.values())
+        return sum(sum(settings.values()) for settings in self.examples.values())
 
 
 def mark_of(path: Path) -> FileMark:
@@ -89,8 +89,8 @@ def check_dataset(folder: Path, types: Collection[str] = ()) -> Manifest:
             raise BadData(folder / name, reason, _REMEDY)
         if found != known:
             raise BadData(folder / name, "has been changed", _REMEDY)
-    for kind in dict.fromkeys([*types, *manifest.examples]):
-        if not sum(manifest.examples.get(kind, {}).values()):
+    for question_type in dict.fromkeys([*types, *manifest.examples]):
+        if not sum(manifest.examples.get(question_type, {}).values()):
             remedy = "Collect and select some, or train without this type"
-            raise BadData(folder / MANIFEST, f"there is no example of {kind}", remedy)
+            raise BadData(folder / MANIFEST, f"there is no example of {question_type}", remedy)
     return manifest

@@ -24,8 +24,8 @@ def trl_row(example: TrainingExample) -> Row:
     """As TRL takes it; arguments and tools are JSON text, since a table's columns have one form."""
     return {
         "id": example.id,
-        "type": example.kind,
-        "arm": example.arm,
+        "type": example.question_type,
+        "arm": example.setting,
         "answer": example.letter,
         "messages": [_trl_message(message) for message in example.messages],
         "images": [{"bytes": picture, "path": None} for picture in example.pictures],

@@ -18,7 +18,7 @@ from probe.tasks.marks import drawn
 from probe.tasks.task import Task
 from probe.toolshed.pictures import outlined
 from probe.transcripts.pictures import jpeg
-from probe.transcripts.prompts import arm_named
+from probe.transcripts.prompts import setting_named
 from probe.types import Array
 
 _NOTHING = Words(None, "", (), "")
@@ -32,7 +32,7 @@ class OtherPerception(ProbeError):
         super().__init__(
             f"{record.task}, {record.agent}, run {record.run}: its pictures can't be drawn from "
             f"the record, since {why}. Collect with --pointer oracle and without --dials, in the "
-            "arms direct and agentic."
+            "settings direct and agentic."
         )
 
 
@@ -66,7 +66,7 @@ def shown(
         side_px: Width and height; by default as models are sent them.
 
     Raises:
-        OtherPerception: Perception wasn't the oracle's, or the arm is another.
+        OtherPerception: Perception wasn't the oracle's, or the setting is another.
     """
     _check(record)
     start = _picture(task, record, record.start.scene, scene_renderer)
@@ -80,12 +80,12 @@ def shown(
 
 
 def _check(record: EpisodeRecord) -> None:
-    if "," in record.arm:
+    if "," in record.setting:
         raise OtherPerception(record, "a model pointed for perception")
     if record.conditions.dials != NO_DIALS:
         raise OtherPerception(record, "perception made errors")
-    if record.arm and arm_named(record.arm) not in ("agentic", "direct"):
-        raise OtherPerception(record, f"its arm is {record.arm}")
+    if record.setting and setting_named(record.setting) not in ("agentic", "direct"):
+        raise OtherPerception(record, f"its setting is {record.setting}")
 
 
 def _result(

@@ -34,7 +34,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
 
     Attributes:
         begun: What it was begun with.
-        examples: By type and arm.
+        examples: By type and setting.
         versions: Of libraries, ours included.
         hardware: What it ran on, in words.
         weights: Type of the numbers that were trained, such as "float32".
@@ -115,8 +115,8 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         mark=run.begun.dataset_sha256,
         total=manifest.total,
         counts="\n".join(
-            f"| {kind} | {arms.get('agentic', 0)} | {arms.get('direct', 0)} |"
-            for kind, arms in sorted(run.examples.items())
+            f"| {question_type} | {settings.get('agentic', 0)} | {settings.get('direct', 0)} |"
+            for question_type, settings in sorted(run.examples.items())
         ),
         settings=json.dumps(run.begun.tuning, indent=1),
         versions=", ".join(f"{name} {number}" for name, number in run.versions.items()),

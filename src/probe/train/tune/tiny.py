@@ -52,9 +52,9 @@ def _texts(dataset: Path) -> Iterator[str]:
             for message in row["messages"]:
                 yield from ((part["text"] or "") + "\n" for part in message["content"])
                 yield from map(_called, message["tool_calls"] or ())
-    for arm in ("agentic", "direct", "blind", "oracle-view"):
-        yield system_prompt(arm, "0-1000")
-        yield reminder(arm)
+    for setting in ("agentic", "direct", "blind", "oracle-view"):
+        yield system_prompt(setting, "0-1000")
+        yield reminder(setting)
 
 
 def _called(call: dict[str, Any]) -> str:

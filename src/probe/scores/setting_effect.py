@@ -1,4 +1,4 @@
-"""Whether an arm does better than another over several agents and question types."""
+"""Whether a setting does better than another over several agents and question types."""
 
 from __future__ import annotations
 
@@ -14,28 +14,28 @@ from probe.scores.units import Unit
 from probe.types import Array
 
 Both = Mapping[str, tuple[Sequence[Unit], Sequence[Unit]]]
-"""By agent, its units in the one arm and in the other."""
+"""By agent, its units in the one setting and in the other."""
 
 
-class NoAgentInBothArms(ProbeError):
-    """Two arms can't be compared."""
+class NoAgentInBothSettings(ProbeError):
+    """Two settings can't be compared."""
 
     def __init__(self) -> None:
-        super().__init__("No agent has a task in both arms. Run at least one agent in both.")
+        super().__init__("No agent has a task in both settings. Run at least one agent in both.")
 
 
 @dataclass(frozen=True)
-class ArmEffect:
-    """An arm against another, over agents and question types.
+class SettingEffect:
+    """A setting against another, over agents and question types.
 
     Attributes:
         statistic: Cochran-Mantel-Haenszel, without continuity correction.
-        p: From swapping the arms of whole tasks, for all agents and runs at once.
+        p: From swapping the settings of whole tasks, for all agents and runs at once.
         plain_p: From the chi-squared distribution, which takes all episodes for independent.
-        odds_ratio: Mantel and Haenszel's, over 1 if the first arm is better; None where it is no
-            number.
-        agents, tasks, episodes: In both arms together; tasks that an agent has in one arm only
-            are left out for it.
+        odds_ratio: Mantel and Haenszel's, over 1 if the first setting is better; None where it is
+            no number.
+        agents, tasks, episodes: In both settings together; tasks that an agent has in one setting
+            only are left out for it.
         left_out: How often that was so.
     """
 
@@ -57,13 +57,13 @@ class _Counts:
     runs: tuple[Array, Array]
 
 
-def arm_effect(both: Both, rng: np.random.Generator, draws: int = FLIPS) -> ArmEffect:
-    """Test one arm against another, with strata of agent and question type.
+def setting_effect(both: Both, rng: np.random.Generator, draws: int = FLIPS) -> SettingEffect:
+    """Test one setting against another, with strata of agent and question type.
 
     The statistic is Cochran's (Biometrics 10(4), 1954) as Mantel and Haenszel have it (JNCI 22(4),
     1959). The test's own p takes episodes for independent, but runs of a task resemble each other,
-    and so do agents at a task. If the arms don't differ, a task's results could as well have come
-    from the other arm, all of them together: that gives the p to rely on.
+    and so do agents at a task. If the settings don't differ, a task's results could as well have
+    come from the other setting, all of them together: that gives the p to rely on.
 
     Args:
         both: Results.
@@ -71,12 +71,12 @@ def arm_effect(both: Both, rng: np.random.Generator, draws: int = FLIPS) -> ArmE
         draws: Of the test.
 
     Raises:
-        NoAgentInBothArms: Nothing can be compared.
+        NoAgentInBothSettings: Nothing can be compared.
     """
     counts = _count(both)
     found = _statistic(counts, np.zeros((1, len(counts.runs[0]))))
     tasks = len(counts.runs[0])
-    return ArmEffect(
+    return SettingEffect(
         statistic=float(found[0]),
         p=flip_p(lambda swaps: _statistic(counts, swaps), tasks, rng, draws),
         plain_p=float(stats.chi2.sf(found[0], df=1)),
@@ -96,14 +96,14 @@ def _shared(ones: Sequence[Unit], others: Sequence[Unit]) -> list[tuple[Unit, Un
 def _count(both: Both) -> _Counts:
     pairs = [(agent, one, other) for agent in both for one, other in _shared(*both[agent])]
     if not pairs:
-        raise NoAgentInBothArms
+        raise NoAgentInBothSettings
     row = {task: i for i, task in enumerate(dict.fromkeys(one.task for _, one, _ in pairs))}
-    keys = dict.fromkeys((agent, one.kind) for agent, one, _ in pairs)
+    keys = dict.fromkeys((agent, one.question_type) for agent, one, _ in pairs)
     column = {key: i for i, key in enumerate(keys)}
     right, runs = np.zeros((2, len(row), len(column))), np.zeros((2, len(row), len(column)))
     for agent, *sides in pairs:
-        for arm, unit in enumerate(sides):
-            place = arm, row[unit.task], column[agent, unit.kind]
+        for setting, unit in enumerate(sides):
+            place = setting, row[unit.task], column[agent, unit.question_type]
             right[place], runs[place] = sum(unit.runs), len(unit.runs)
     return _Counts((right[0], right[1]), (runs[0], runs[1]))
 
@@ -111,7 +111,7 @@ def _count(both: Both) -> _Counts:
 def _statistic(counts: _Counts, swaps: Array) -> Array:
     """Of each way to swap tasks, shape (m, tasks), the statistic, shape (m,).
 
-    (sum(a - E a))^2 / sum(Var a), where a is the first arm's right answers in a stratum and its
+    (sum(a - E a))^2 / sum(Var a), where a is the first setting's right answers in a stratum and its
     distribution is hypergeometric; 0 where nothing varies.
     """
     first = (1 - swaps) @ counts.right[0] + swaps @ counts.right[1]
