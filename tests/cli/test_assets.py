@@ -13,7 +13,7 @@ import trimesh
 
 from data_sets import box, obj_folder
 from glb_files import textured, write_glb
-from probe.assets.gltf.glb_writer import glb_bytes
+from probe.assets.gltf.glb import glb_bytes
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import normalised
 from probe.assets.importers.options import ImportOptions

@@ -7,7 +7,7 @@ import pytest
 from data_sets import box
 from glb_files import textured, write_glb
 from probe.api.resources import everything
-from probe.assets.gltf.glb_writer import glb_bytes
+from probe.assets.gltf.glb import glb_bytes
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import normalised
 from probe.assets.importers.options import ImportOptions

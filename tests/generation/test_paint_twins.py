@@ -12,8 +12,8 @@ import trimesh
 
 from probe.assets.colour.names import lab
 from probe.assets.library import Library
+from probe.assets.mesh.lattice import spots
 from probe.assets.mesh.mesh import Material, TexturedMesh
-from probe.assets.mesh.sampling import spots
 from probe.generation.paint_twins import alike, paint_twins
 from tabletops import spec
 

@@ -112,4 +112,4 @@ def test_the_document_is_plain_json(tmp_path):
     assert written["cards"][0]["entrant"] == ["anna", "agentic"]
     assert written["cards"][0]["macro"]["headline"]["value"] == 1
     assert written["cards"][0]["icc"] is None
-    assert written["settings"]["odds_ratio"] is None or written["settings"]["odds_ratio"] > 1
+    assert written["arms"]["odds_ratio"] is None or written["arms"]["odds_ratio"] > 1

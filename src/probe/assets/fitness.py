@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
+from probe.assets.mesh.lattice import places, spots
 from probe.assets.mesh.resting import STEADY_DEG, Rest
-from probe.assets.mesh.sampling import places, spots
 from probe.types import Array
 
 LONGEST = 0.45

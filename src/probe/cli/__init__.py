@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
+import os
 import resource
 import sys
 from collections.abc import Callable
@@ -10,9 +12,16 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import NoReturn
 
-from probe.cli.output import silence
 from probe.errors import ProbeError
 from probe.texts import visible
+
+
+def silence() -> None:
+    """Let nothing more come out: what is left would be tried again when the interpreter ends."""
+    with contextlib.suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,8 @@ import numpy as np
 from probe.assets.colour.difference import ciede2000
 from probe.assets.colour.names import lab
 from probe.assets.library import Library
+from probe.assets.mesh.lattice import colours_at, places, spots, topmost
 from probe.assets.mesh.mesh import TexturedMesh
-from probe.assets.mesh.sampling import colours_at, places, spots, topmost
 from probe.assets.spec import ObjectSpec
 from probe.generation.covers import lies_on_side, on_side
 from probe.generation.palettes import shades

@@ -9,7 +9,7 @@ import numpy as np
 
 from probe.assets.colour.names import lab, nearest_colours
 from probe.assets.library import Library
-from probe.assets.mesh.sampling import colours_at, spots
+from probe.assets.mesh.lattice import colours_at, spots
 from probe.types import Array
 
 _SPOTS = 4000

@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterable
 import numpy as np
 
 from probe.assets.library import Library
+from probe.assets.mesh.lattice import places, spots, topmost
 from probe.assets.mesh.mesh import Material, TexturedMesh
-from probe.assets.mesh.sampling import places, spots, topmost
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
 from probe.scene.layout import TABLE_SIZE, top_camera

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
+import pydantic
 
 from probe.scores.row import Row
 
@@ -18,7 +20,7 @@ class Outcomes:
         missing: Failures of ours, in none of the four.
     """
 
-    question_type: str
+    question_type: Annotated[str, pydantic.Field(serialization_alias="kind")]
     used_right: int
     used_wrong: int
     unused_right: int

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Annotated
+
+import pydantic
 
 from probe.scores.estimates import macro
 from probe.scores.roster import Listed, Roster
@@ -16,7 +19,7 @@ class Gap:
     """A run of a task that gave no result, and why."""
 
     task: str
-    question_type: str
+    question_type: Annotated[str, pydantic.Field(serialization_alias="kind")]
     run: int
     reason: str
 

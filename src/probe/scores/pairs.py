@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
+import pydantic
 
 from probe.errors import ProbeError
 from probe.scene.seeds import generator
@@ -52,7 +54,7 @@ class Pair:
     first: Entrant
     second: Entrant
     difference: float
-    question_types: Mapping[str, float]
+    question_types: Annotated[Mapping[str, float], pydantic.Field(serialization_alias="kinds")]
     student: Interval
     bootstrap: Interval
     p: float

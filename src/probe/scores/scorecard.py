@@ -3,18 +3,55 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+import pydantic
 
 from probe.scores.breakdown import Effort, Execution, Outcomes, effort, execution, outcomes
 from probe.scores.estimates import corrected, macro_chance
-from probe.scores.icc import icc
 from probe.scores.intervals import Interval, bootstrap, standard_error, student, wilson
 from probe.scores.missing import Gap, Headline, gaps_of, headline, present, runs_of
 from probe.scores.power import detectable_gap
 from probe.scores.roster import Listed, Roster, chance_by_type, naive_by_type
 from probe.scores.row import Entrant, Row
-from probe.scores.units import Worth, is_correct, strata_of, units_of
+from probe.scores.units import Unit, Worth, is_correct, strata_of, units_of
+
+
+def icc(units: Iterable[Unit]) -> float | None:
+    """Intraclass correlation of runs within question types, one-way random effects.
+
+    That is ICC(1, 1) of Shrout and Fleiss (Psychol. Bull. 86(2), 1979), with mean squares pooled
+    over types. Where tasks were run unequally often, the mean number of runs is the one that keeps
+    the estimate of variance unbiased (Donner, Int. Stat. Rev. 54(1), 1986). It may be a little
+    below 0 where runs are unrelated.
+
+    Returns:
+        None if no task was run twice, no type has two tasks, or nothing varies.
+    """
+    question_types: dict[str, list[Sequence[float]]] = {}
+    for unit in units:
+        question_types.setdefault(unit.question_type, []).append(unit.runs)
+    between = within = repeats = 0.0
+    freedom = spare = 0
+    for tasks in question_types.values():
+        sizes = np.array([len(runs) for runs in tasks])
+        means = np.array([np.mean(runs) for runs in tasks])
+        middle = float(sizes @ means) / int(sizes.sum())
+        between += float(sizes @ (means - middle) ** 2)
+        within += sum(len(runs) * float(np.var(runs)) for runs in tasks)
+        freedom += len(tasks) - 1
+        spare += int(sizes.sum()) - len(tasks)
+        repeats += float(sizes.sum() - (sizes**2).sum() / sizes.sum())
+    if not freedom or not spare or between + within == 0:
+        return None
+    return _from_squares(between / freedom, within / spare, repeats / freedom)
+
+
+def _from_squares(between: float, within: float, runs: float) -> float:
+    return (between - within) / (between + (runs - 1) * within)
 
 
 @dataclass(frozen=True)
@@ -65,7 +102,7 @@ class Scorecard:
 
     entrant: Entrant
     macro: Figure
-    question_types: tuple[Figure, ...]
+    question_types: Annotated[tuple[Figure, ...], pydantic.Field(serialization_alias="kinds")]
     parts: tuple[Figure, ...]
     gaps: tuple[Gap, ...]
     icc: float | None

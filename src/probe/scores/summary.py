@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
+from typing import Annotated
 
 import pydantic
 
@@ -48,7 +49,7 @@ class Scores:
     all_pairs: tuple[Pair, ...]
     apart: tuple[tuple[Entrant, Entrant], ...]
     ties: tuple[tuple[Entrant, ...], ...]
-    settings: SettingEffect | None
+    settings: Annotated[SettingEffect | None, pydantic.Field(serialization_alias="arms")]
 
 
 def summarise(
@@ -100,7 +101,7 @@ def write_scores(path: Path, scores: Scores) -> None:
     Raises:
         OutputFailed: It can't be written; nothing half-written is left.
     """
-    text = pydantic.TypeAdapter(Scores).dump_json(scores, indent=1).decode()
+    text = pydantic.TypeAdapter(Scores).dump_json(scores, indent=1, by_alias=True).decode()
     write_text(path, text + "\n")
 
 

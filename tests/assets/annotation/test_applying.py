@@ -8,8 +8,7 @@ from glb_files import textured, write_glb
 from probe.assets.annotation.applying import apply_notes
 from probe.assets.annotation.notes import changed_by_hand, from_entry, from_source, said
 from probe.assets.annotation.words import Described
-from probe.assets.gltf.glb import load_glb
-from probe.assets.gltf.glb_writer import glb_bytes
+from probe.assets.gltf.glb import glb_bytes, load_glb
 from probe.assets.importers.adding import find_sources
 from probe.assets.importers.normalised import normalised
 from probe.assets.importers.options import ImportOptions

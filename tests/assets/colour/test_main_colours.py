@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from probe.assets.colour.main_colours import said_colours
-from probe.assets.mesh.sampling import colours_at, spots
+from probe.assets.mesh.lattice import colours_at, spots
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,7 @@ import pytest
 from data_sets import box, gso_folder, obj_folder
 from glb_files import textured, write_glb
 from probe.assets.cache import Cache
-from probe.assets.gltf.glb import load_glb
-from probe.assets.gltf.glb_writer import glb_bytes
+from probe.assets.gltf.glb import glb_bytes, load_glb
 from probe.assets.importers.adding import ImportTarget, add, find_sources
 from probe.assets.importers.normalised import normalised
 from probe.assets.importers.options import ImportOptions

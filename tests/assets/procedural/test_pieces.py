@@ -7,7 +7,7 @@ import pytest
 import trimesh
 from scipy.spatial import ConvexHull, cKDTree
 
-from probe.assets.procedural.assembly import assemble, rng_of
+from probe.assets.procedural.catalogue import assemble, rng_of
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.parts.hollow import Hollow
 from probe.assets.procedural.tables import ProceduralEntry, entries

@@ -6,8 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from probe.assets.annotation.notes import FIELDS, Note
-from probe.assets.gltf.glb import load_glb
-from probe.assets.gltf.glb_writer import glb_bytes
+from probe.assets.gltf.glb import glb_bytes, load_glb
 from probe.assets.importers.reposing import reposed
 from probe.assets.pools.entry import read_entry
 from probe.assets.pools.own import ENTRY, MESH, replace_object

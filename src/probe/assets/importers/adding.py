@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from probe.assets.cache import Cache
-from probe.assets.gltf.glb_writer import glb_bytes
+from probe.assets.gltf.glb import glb_bytes
 from probe.assets.importers import IMPORTERS
 from probe.assets.importers.entries import object_id, remarks_on
 from probe.assets.importers.limits import limited

@@ -21,8 +21,8 @@ from probe.assets.importers.wording import (
     shortened,
 )
 from probe.assets.mesh.hollow import is_hollow
+from probe.assets.mesh.lattice import colours_at, spots
 from probe.assets.mesh.mesh import TexturedMesh
-from probe.assets.mesh.sampling import colours_at, spots
 from probe.assets.pools.entry import LibraryEntry, Provenance, TurningSymmetry
 from probe.types import Array, Vector3, quaternion_of
 

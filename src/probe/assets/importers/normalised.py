@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import trimesh
@@ -15,17 +16,52 @@ from probe.assets.importers.density import typical_mass
 from probe.assets.importers.entries import entry_of, words_of
 from probe.assets.importers.options import ImportOptions
 from probe.assets.importers.source import Source, SourceFacts, SourceFrame
-from probe.assets.importers.units import check_unit
 from probe.assets.importers.upright import Reading, likely_up, other_axis
 from probe.assets.mesh.mesh import TexturedMesh
 from probe.assets.mesh.resting import Rest, rest_of
-from probe.assets.mesh.shaping import check_geometry, placed, textured
+from probe.assets.mesh.shaping import LARGEST, SMALLEST, check_geometry, placed, textured
 from probe.assets.mesh.squared import squaring_turn
 from probe.assets.mesh.wholeness import broken_parts
 from probe.assets.pools.entry import LibraryEntry
 from probe.errors import BadMesh
 from probe.reading import MESH, contents
 from probe.types import Array
+
+UNITS = {"m": (1.0, "metres"), "cm": (0.01, "centimetres"), "mm": (0.001, "millimetres")}
+SHORT, LONG = 0.015, 0.45
+"""Longest sides, metres, of what is at home on a table."""
+
+
+def check_unit(path: Path, longest: float, unit: float) -> None:
+    """Refuse what is absurdly large or small in its unit if another one would fit.
+
+    Args:
+        path: For the message.
+        longest: Of the sides along the file's axes, in the file's numbers.
+        unit: Metres per unit, as the file is read.
+
+    Raises:
+        BadMesh: It is over 2 m or under 5 mm long, and would be 1.5 to 45 cm in another unit.
+    """
+    if SMALLEST <= longest * unit <= LARGEST:
+        return
+    fitting = {
+        name: (metres * longest, word)
+        for name, (metres, word) in UNITS.items()
+        if SHORT <= metres * longest <= LONG
+    }
+    if not fitting:
+        return
+    size = longest * unit
+    told = f"{size:.3g} m" if size >= 1 else f"{1000 * size:.3g} mm"
+    taken = next((word for metres, word in UNITS.values() if metres == unit), f"units of {unit} m")
+    meant = " or ".join(word for _, word in fitting.values())
+    reason = f"its longest side is {told}. It looks like {meant} taken for {taken}"
+    ways = " or ".join(
+        f"--unit {name} ({100 * side:.3g} cm)" for name, (side, _) in fitting.items()
+    )
+    raise BadMesh(path, reason, f"Say {ways}.")
+
 
 IMPORT_VERSION = 1
 """To be raised when the same files give another object: what was added before isn't skipped."""

@@ -11,8 +11,8 @@ from scipy.spatial.distance import pdist
 
 from probe.assets.colour.names import lab
 from probe.assets.mesh.alignment import misfit
+from probe.assets.mesh.lattice import colours_at, places, spots
 from probe.assets.mesh.mesh import TexturedMesh
-from probe.assets.mesh.sampling import colours_at, places, spots
 from probe.types import Array
 
 SAME_FIT = 0.05

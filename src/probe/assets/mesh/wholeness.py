@@ -8,9 +8,9 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from probe.assets.collision.hulls import hull_of
+from probe.assets.mesh.lattice import places, spots
 from probe.assets.mesh.mesh import TexturedMesh
 from probe.assets.mesh.normals import weld
-from probe.assets.mesh.sampling import places, spots
 from probe.types import Array
 
 BARE = 0.45
