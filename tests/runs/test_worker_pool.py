@@ -13,7 +13,8 @@ import pytest
 
 from crew_jobs import Bench
 from probe.errors import WorkerDied
-from probe.runs.worker_pool import LostJob, WorkerUnfit, carry_out
+from probe.processes.serving import WorkerUnfit
+from probe.runs.worker_pool import LostJob, carry_out
 
 HERE = Path(__file__).resolve().parents[1]
 

@@ -41,7 +41,7 @@ class Claim:
 
 @dataclass(frozen=True)
 class Replayer:
-    """All that a worker is told; see probe.runs.worker.Opening.
+    """All that a worker is told; see probe.processes.serving.Opening.
 
     Attributes:
         suite: The folder's.

@@ -10,6 +10,7 @@ from anyio import CapacityLimiter, Semaphore
 from probe.bench.process import SILENCE, AskPointer, EpisodeProcess, EpisodeProcessDied
 from probe.episodes.turns import Call
 from probe.errors import ProbeError, WorkerDied
+from probe.processes.serving import WorkerUnfit
 from probe.runs.episode_worker import EpisodeWorkerSetup
 from probe.runs.plan import Job
 from probe.runs.worker_messages import (
@@ -23,7 +24,7 @@ from probe.runs.worker_messages import (
     Response,
     StartEpisode,
 )
-from probe.runs.worker_pool import TRIES, WorkerUnfit
+from probe.runs.worker_pool import TRIES
 
 
 class EpisodeProcessLost(ProbeError):

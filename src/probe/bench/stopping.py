@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from probe.errors import BadData, ModelFailed, OutputFailed, ProbeError, WorkerDied
-from probe.runs.worker_pool import WorkerUnfit
+from probe.processes.serving import WorkerUnfit
 
 MUTE = 8
 """After so many episodes one after another in which a model said nothing at all, a run stops."""

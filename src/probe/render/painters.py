@@ -7,13 +7,16 @@ neither harm. The worker itself never touches the driver: that is what makes for
 
 from __future__ import annotations
 
+from collections.abc import Generator
+from contextlib import contextmanager
 from multiprocessing.connection import Connection
-from typing import Protocol
+from typing import Protocol, cast
 
+from probe.processes.starting import fork, start_module
+from probe.processes.worker_process import WorkerProcess, WorkerSilent
 from probe.render.filament import Drawer
 from probe.render.light_packing import LightPacker
 from probe.render.packing import PackedMesh
-from probe.render.processes import Child, start_module
 from probe.render.protocol import DrawRequest, Load
 from probe.types import Array
 
@@ -42,7 +45,7 @@ class FilamentPainter:
         self._client = client
         self._lights = lights
         self._packed: Packed | None = None
-        self._child: Child | None = None
+        self._child: WorkerProcess | None = None
 
     def load(self, load: Load, packed: Packed) -> None:
         self._packed = packed
@@ -56,36 +59,38 @@ class FilamentPainter:
             drawer = Drawer(packed.meshes, packed.table, light)
             pipe.send(drawer.rgb(request.objects, request.camera))
 
-        self._child = Child(self._client, paint)
+        self._child = fork(self._client, paint)
 
     def finish(self) -> Array:
         assert self._child is not None
-        picture = self._child.pipe.recv()
-        self._child.stop()
-        return picture
+        picture = self._child.receive()
+        self._child.end(patience=None)
+        return cast(Array, picture)
 
 
 class BlenderPainter:
     """One process of Blender's for all pictures: starting it takes seconds, and it forgets all."""
 
     def __init__(self) -> None:
-        self._process, self._pipe = start_module("probe.render.blender")
+        self._process = start_module("probe.render.blender")
 
     def load(self, load: Load, packed: Packed) -> None:
-        self._send(load)
+        with _end_alike():
+            self._process.send(load)
 
     def begin(self, request: DrawRequest) -> None:
-        self._send(request)
+        with _end_alike():
+            self._process.send(request)
 
     def finish(self) -> Array:
-        try:
-            return self._pipe.recv()
-        except EOFError:
-            raise SystemExit(1) from None
+        with _end_alike():
+            return cast(Array, self._process.receive())
 
-    def _send(self, request: Load | DrawRequest) -> None:
-        """Hand on; if Blender has died, end as well: its last words are the ones to be read."""
-        try:
-            self._pipe.send(request)
-        except OSError:
-            raise SystemExit(1) from None
+
+@contextmanager
+def _end_alike() -> Generator[None]:
+    """If Blender has died, end as well: its last words are the ones to be read."""
+    try:
+        yield
+    except WorkerSilent:
+        raise SystemExit(1) from None

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import subprocess
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
+from typing import cast
 
 from probe.assets.mesh.mesh import TexturedMesh
 from probe.errors import RenderFailed
+from probe.processes.starting import start_module
+from probe.processes.worker_process import WorkerSilent
 from probe.render.driver import require_blender, require_driver
 from probe.render.illumination import AMBIENT, Illumination
-from probe.render.processes import start_module
 from probe.render.protocol import (
     Answer,
     DrawReply,
@@ -133,8 +134,8 @@ class Renderer:
         for _ in range(2):
             try:
                 return (self._worker or self._start()).ask(request)
-            except (EOFError, OSError) as error:
-                reasons.append((self._worker and self._worker.last_words()) or repr(error))
+            except (WorkerSilent, OSError) as error:
+                reasons.append((self._worker and self._worker.last_words()) or str(error))
                 self.close()
         raise RenderFailed(
             f"The render worker died twice on the same request: {reasons[-1]}. "
@@ -157,7 +158,7 @@ class _Worker:
         folder = [] if cache is None else [str(cache)]
         # The engines report their set-up on stdout and their faults on stderr.
         self._errors = tempfile.TemporaryFile("w+")  # noqa: SIM115 - closed in stop()
-        self._process, self._pipe = start_module(
+        self._process = start_module(
             "probe.render.worker", engine, *folder, stderr=self._errors.fileno()
         )
         self._timeout = TIMEOUTS[engine]
@@ -167,24 +168,16 @@ class _Worker:
         return self._process.pid
 
     def ask(self, request: Request) -> Answer:
-        self._pipe.send(request)
-        if not self._pipe.poll(self._timeout):
-            raise TimeoutError(f"no answer in {self._timeout:.0f} s")
-        return self._pipe.recv()
+        self._process.send(request)
+        return cast(Answer, self._process.receive(self._timeout))
 
     def last_words(self) -> str:
         self._process.kill()
-        self._process.wait()
         self._errors.seek(0)
         lines = [line.strip() for line in self._errors.read().splitlines() if line.strip()]
         faults = [line for line in lines if "reason:" in line or "ERROR" in line] or lines
         return faults[-1] if faults else ""
 
     def stop(self) -> None:
-        self._pipe.close()
-        try:
-            self._process.wait(timeout=5)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+        self._process.end()
         self._errors.close()

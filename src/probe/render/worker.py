@@ -9,17 +9,19 @@ import sys
 from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 
 from probe.assets.cache import Cache
 from probe.assets.mesh.mesh import Material
+from probe.processes.starting import fork
+from probe.processes.worker_process import WorkerProcess
 from probe.render.filament import Drawer
 from probe.render.illumination import AMBIENT
 from probe.render.light_packing import LightPacker
 from probe.render.packing import PackedMesh, pack, table_quad
 from probe.render.painters import BlenderPainter, FilamentPainter, Painter
-from probe.render.processes import Child
 from probe.render.protocol import (
     Answer,
     DrawReply,
@@ -43,7 +45,7 @@ class _Loaded:
         self._client = client
         self.meshes = {name: pack(mesh) for name, mesh in load.meshes.items()}
         self.table = pack(table_quad(load.table))
-        self._labeller: Child | None = None
+        self._labeller: WorkerProcess | None = None
 
     def draw(self, request: DrawRequest, painter: Painter) -> DrawReply:
         if request.light is not None:
@@ -60,12 +62,12 @@ class _Loaded:
 
     def stop(self) -> None:
         if self._labeller:
-            self._labeller.stop()
+            self._labeller.end(patience=None)
 
     def _ask_labeller(self, request: DrawRequest | Label | Outline):  # noqa: ANN202 - what the pipe carries
-        self._labeller = self._labeller or Child(self._client, self._serve_labels)
-        self._labeller.pipe.send(request)
-        return self._labeller.pipe.recv()
+        self._labeller = self._labeller or fork(self._client, self._serve_labels)
+        self._labeller.send(request)
+        return cast(Any, self._labeller.receive())
 
     def _serve_labels(self, pipe: Connection) -> None:
         meshes = {name: _untextured(mesh) for name, mesh in self.meshes.items()}

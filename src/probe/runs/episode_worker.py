@@ -51,7 +51,7 @@ from probe.types import Array
 
 @dataclass(frozen=True)
 class EpisodeWorkerSetup:
-    """All that a worker is told before its first table; see probe.runs.worker.Opening.
+    """All that a worker is told before its first table; see probe.processes.serving.Opening.
 
     Attributes:
         order: Who acts, and under which conditions.

@@ -6,18 +6,17 @@ moment, even while it sends, takes nobody with it.
 
 from __future__ import annotations
 
-import signal
 from collections import deque
 from collections.abc import Generator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from multiprocessing import get_context
-from multiprocessing.connection import Connection, wait
-from multiprocessing.process import BaseProcess
+from multiprocessing.connection import wait
 from typing import Generic, TypeVar, cast
 
-from probe.errors import ProbeError, WorkerDied
-from probe.runs.worker import Opening, WorkerReady, serve
+from probe.errors import WorkerDied
+from probe.processes.serving import Opening, WorkerReady
+from probe.processes.starting import spawn
+from probe.processes.worker_process import WorkerProcess, WorkerSilent
 
 Job = TypeVar("Job")
 
@@ -26,12 +25,6 @@ TRIES = 3
 
 _PATIENCE = 20.0
 """Seconds that a worker without jobs may take to close its renderer."""
-
-_SPAWN = get_context("spawn")
-
-
-class WorkerUnfit(ProbeError):
-    """A worker couldn't be set up; the message is the reason."""
 
 
 @dataclass(frozen=True)
@@ -49,8 +42,7 @@ class LostJob:
 class _Worker(Generic[Job]):
     """A worker process, the job that it is at and how often that was begun."""
 
-    process: BaseProcess
-    pipe: Connection
+    process: WorkerProcess
     job: Job | None = None
     tries: int = 0
 
@@ -88,25 +80,21 @@ class _Crew(Generic[Job]):
 
     def hire(self) -> None:
         """Start one more worker."""
-        ours, theirs = _SPAWN.Pipe()
-        process = _SPAWN.Process(target=serve, args=(self._opening, theirs), daemon=True)
-        process.start()
-        theirs.close()
-        self.workers.append(_Worker(process, ours))
+        self.workers.append(_Worker(spawn(self._opening)))
 
     def speaking(self) -> list[_Worker[Job]]:
         """Workers that have said something, or died; waits until there is one."""
-        said = wait([worker.pipe for worker in self.workers])
-        return [worker for worker in self.workers if worker.pipe in said]
+        said = wait([worker.process.pipe for worker in self.workers])
+        return [worker for worker in self.workers if worker.process.pipe in said]
 
     def hear(self, worker: _Worker[Job]) -> tuple[Job, bytes | LostJob] | None:
         """Take in what one has to say and give it the next job; a job and its result, if any."""
         try:
-            message = worker.pipe.recv()
-        except (EOFError, OSError):
-            return self._bury(worker)
-        if isinstance(message, WorkerReady) and message.problem:
-            raise WorkerUnfit(message.problem)
+            message = worker.process.receive()
+        except WorkerSilent as death:
+            return self._bury(worker, death)
+        if isinstance(message, WorkerReady):
+            message.require()
         self._stillborn = 0
         job, worker.job = worker.job, None
         self._occupy(worker)
@@ -116,9 +104,6 @@ class _Crew(Generic[Job]):
         """End all workers, whatever they are at."""
         for worker in self.workers:
             worker.process.kill()
-        for worker in self.workers:
-            worker.process.join()
-            worker.pipe.close()
         self.workers.clear()
 
     def _occupy(self, worker: _Worker[Job]) -> None:
@@ -126,15 +111,14 @@ class _Crew(Generic[Job]):
         if self._waiting:
             worker.job, worker.tries = self._waiting.popleft()
             # One that is dead by now is noticed when nothing comes back.
-            with suppress(OSError):
-                worker.pipe.send(worker.job)
+            with suppress(WorkerSilent):
+                worker.process.send(worker.job)
         else:
             self._part_with(worker)
 
-    def _bury(self, worker: _Worker[Job]) -> tuple[Job, LostJob] | None:
+    def _bury(self, worker: _Worker[Job], death: WorkerSilent) -> tuple[Job, LostJob] | None:
         """Replace a dead worker; its job is begun anew, or lost."""
         self._part_with(worker)
-        how = death(worker.process.exitcode)
         job = worker.job
         if job is None:
             self._stillborn += 1
@@ -146,19 +130,8 @@ class _Crew(Generic[Job]):
             self.hire()
         if job is None or worker.tries < TRIES:
             return None
-        return job, LostJob(f"A worker process {how} at it, {TRIES} times in all")
+        return job, LostJob(f"A worker process {death} at it, {TRIES} times in all")
 
     def _part_with(self, worker: _Worker[Job]) -> None:
         self.workers.remove(worker)
-        worker.pipe.close()
-        worker.process.join(_PATIENCE)
-        if worker.process.is_alive():
-            worker.process.kill()
-            worker.process.join()
-
-
-def death(exitcode: int | None) -> str:
-    """How a process ended, in words that follow "a process"."""
-    if exitcode is None or exitcode >= 0:
-        return f"ended with status {exitcode}"
-    return f"was killed by signal {-exitcode} ({signal.Signals(-exitcode).name})"
+        worker.process.end(_PATIENCE)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import signal
 import socket
 import subprocess
 import sys
@@ -26,12 +25,12 @@ from probe.agents.external.sandbox import START_SECONDS
 from probe.agents.external.wire import TooLate, TooLong, Wire, WireCut
 from probe.errors import WorkerDied
 from probe.files import fault
+from probe.processes.worker_process import PATIENCE, ChildProcess, death
 
 PRINTED = 65_536
 """Bytes of what an agent prints in an episode that are kept."""
 
 _MODULE = "probe.agents.external.supervisor"
-_PATIENCE = 5.0
 _KILLED = 128
 
 Said = TypeVar("Said", Confinement, AgentReady, AgentReply)
@@ -58,10 +57,11 @@ class AgentProcess:
         )
         ours, theirs = socket.socketpair()
         with theirs:
-            self._process = _started(theirs.fileno(), self._folder.name, network=opening.network)
+            started = _started(theirs.fileno(), self._folder.name, network=opening.network)
+        self._process = ChildProcess(started, leads_session=True)
         self._wire = Wire(ours)
-        assert self._process.stdout is not None
-        self._prints = _Prints(self._process.stdout)
+        assert started.stdout is not None
+        self._prints = _Prints(started.stdout)
         try:
             self.confined, self.ready = self._met(opening)
         except BaseException:
@@ -90,12 +90,8 @@ class AgentProcess:
     def close(self) -> bytes:
         """End it and all that it has started; gives what was printed, the first part of it."""
         self._wire.close()
-        self._process.send_signal(signal.SIGTERM)
-        try:
-            self._process.wait(_PATIENCE)
-        except subprocess.TimeoutExpired:
-            os.killpg(self._process.pid, signal.SIGKILL)
-            self._process.wait()
+        self._process.ask_to_end()
+        self._process.end()
         self._folder.cleanup()
         return self._prints.kept()
 
@@ -124,13 +120,11 @@ class AgentProcess:
 
     def _death(self) -> str:
         """How the process ended, which has hung up."""
-        try:
-            status = self._process.wait(_PATIENCE)
-        except subprocess.TimeoutExpired:
-            return "hung up"
+        status = self._process.exit_code()
+        if status is None or status < 0:
+            return death(status)
         if status > _KILLED:
-            number = status - _KILLED
-            return f"was killed by signal {number} ({signal.Signals(number).name})"
+            return death(_KILLED - status)
         return f"ended its process with status {status}"
 
 
@@ -145,7 +139,7 @@ class _Prints:
 
     def kept(self) -> bytes:
         """What there is when it has ended."""
-        self._reader.join(_PATIENCE)
+        self._reader.join(PATIENCE)
         return bytes(self._first)
 
     def _read(self) -> None:

@@ -44,7 +44,7 @@ class Training:
 
 @dataclass(frozen=True)
 class TaskWorker:
-    """A worker that makes tasks; see probe.runs.worker.Opening.
+    """A worker that makes tasks; see probe.processes.serving.Opening.
 
     Attributes:
         parts: Where tasks and logs go.

@@ -36,7 +36,7 @@ class NotDrawn(ProbeError):
 
 @dataclass(frozen=True)
 class DrawingWorker:
-    """A worker that draws; see probe.runs.worker.Opening.
+    """A worker that draws; see probe.processes.serving.Opening.
 
     Attributes:
         suite: All tasks, and what their objects looked like.

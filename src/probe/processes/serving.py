@@ -21,8 +21,11 @@ Opening = Callable[[], AbstractContextManager[Callable[[Job], Result]]]
 """Sets a worker up and gives what does a job; it is sent to the worker, so it has to be of a
 module or a value of such a class. What the doing raises is a fault of this program."""
 
-
 _MEMORY = "Raise the limit (ulimit -v), leave other programs, or say --workers 1."
+
+
+class WorkerUnfit(ProbeError):
+    """A worker couldn't be set up; the message is the reason."""
 
 
 @dataclass(frozen=True)
@@ -30,6 +33,15 @@ class WorkerReady:
     """A worker's first message, with the reason if it can't work; later ones are results."""
 
     problem: str | None = None
+
+    def require(self) -> None:
+        """Go on if it can work.
+
+        Raises:
+            WorkerUnfit: It can't.
+        """
+        if self.problem:
+            raise WorkerUnfit(self.problem)
 
 
 def serve(opening: Opening[Job, Result], pipe: Connection) -> None:
