@@ -10,9 +10,9 @@ import pydantic
 from probe.episodes.conditions import Conditions, Ideal, LightKind, TableKind
 from probe.perception.dials import Dials
 from probe.scene.document import Position, Rotation
-from probe.scene.layout import top_camera
 from probe.scene.lighting import Lighting
 from probe.scene.perturb import CameraName
+from probe.scene.setup import UR5_TABLE
 from probe.scene.viewpoint import Viewpoint
 from probe.types import Pose
 
@@ -80,5 +80,5 @@ class SightDocument(_Document):
 
     def sight(self) -> Viewpoint:
         """The sight it describes."""
-        camera = replace(top_camera(), world_from_camera=Pose(self.position, self.wxyz))
+        camera = replace(UR5_TABLE.camera(), world_from_camera=Pose(self.position, self.wxyz))
         return Viewpoint(camera, Lighting(self.lighting, self.yaw))

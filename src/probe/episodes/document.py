@@ -12,11 +12,11 @@ from probe.episodes.participation_document import ParticipationDocument
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question
 from probe.scene.document import SceneDocument
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup_file import MOST_PX
 from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.result import Answer, Status
 
-Pixel = Annotated[int, pydantic.Field(ge=0, lt=PICTURE_PX)]
+Pixel = Annotated[int, pydantic.Field(ge=0, lt=MOST_PX)]
 
 
 class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):

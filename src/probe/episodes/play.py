@@ -20,7 +20,6 @@ from probe.perception.choice import Perceiver, dialled, ideal
 from probe.render.lighting import light_of
 from probe.render.photograph import labels_of, load_scene
 from probe.render.renderer import Renderer
-from probe.scene.layout import BASKET_POSITION
 from probe.scene.viewpoint import Viewpoint
 from probe.station.simulated import SimulatedStation
 from probe.tasks.grading import Score
@@ -75,7 +74,7 @@ def set_table(
         station,
         perception.detector,
         skills,
-        BASKET_POSITION,
+        task.scene.setup,
         pictures=pictures,
         finder=perception.finder,
         teller=perception.teller,

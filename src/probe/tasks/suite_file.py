@@ -16,7 +16,7 @@ from probe.checksum import with_sum
 from probe.errors import BadData, UnknownName
 from probe.files import read_document, write_bytes
 from probe.scene.document import SceneDocument
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup_file import MOST_PX
 from probe.scene.visibility import Visibility
 from probe.tasks.look_alike import look_alike
 from probe.tasks.reserved import Difference, difference, unlike
@@ -31,7 +31,7 @@ CANARY = "PROBE SUITE; NOT FOR TRAINING; canary 6d0f1c52-6c0e-4e7c-9a53-0b6f2f8f
 _REMEDY = "Fetch the suite again, or build it with `probe suite build`"
 
 
-_Pixel = Annotated[int, pydantic.Field(ge=0, lt=PICTURE_PX)]
+_Pixel = Annotated[int, pydantic.Field(ge=0, lt=MOST_PX)]
 
 
 class VisibilityDocument(pydantic.BaseModel, extra="forbid"):
@@ -87,7 +87,11 @@ class TaskDocument(
             raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
         if self.answer not in LETTERS[: len(self.options)]:
             raise ValueError(f"its answer {self.answer} is none of its options")
-        if len(self.targets) < (fewest := rules_of(self.question_type).fewest_targets):
+        rules = rules_of(self.question_type)
+        if self.form not in rules.forms:
+            known = ", ".join(rules.forms)
+            raise ValueError(f"the forms of {self.question_type} are {known}, not {self.form!r}")
+        if len(self.targets) < (fewest := rules.fewest_targets):
             raise ValueError(f"{self.question_type} is about {fewest} targets or more")
         return self
 

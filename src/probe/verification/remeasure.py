@@ -22,7 +22,9 @@ class Remeasurement:
         self.scene = scene
         self.library = library
         self._renderer = renderer
-        self.view = SceneView(renderer, library, [placed.object_id for placed in scene.objects])
+        self.view = SceneView(
+            renderer, library, [placed.object_id for placed in scene.objects], scene.setup
+        )
 
     @cached_property
     def restaged(self) -> RestoredStage:

@@ -1,0 +1,3 @@
+"""A Setup on disk."""
+
+MOST_PX = 4096
