@@ -25,12 +25,12 @@ class TableSight:
 
     scene: Scene
     renderer: Renderer
-    camera: Camera | None = None
+    camera: Camera
 
     @cached_property
     def outlines(self) -> dict[int, Array]:
         """Where each object would show if it stood alone, bool, shape (h, w), by instance."""
-        return self.renderer.outlines(self.scene.objects, self.camera or self.scene.setup.camera())
+        return self.renderer.outlines(self.scene.objects, self.camera)
 
     def labels(self, gone: Collection[int] = ()) -> Array:
         """Instance numbers of the picture without some instances, shape (h, w)."""

@@ -44,7 +44,7 @@ def oracle_view(
     task: Task, library: Library, renderer: Renderer, sight: Viewpoint | None = None
 ) -> OracleView:
     """Draw a task's evidence, as always or in another sight; replaces what was loaded before."""
-    sight = sight or Viewpoint()
+    sight = sight or task.viewpoint
     load_scene(renderer, task.scene, library, library.table(task.scene.table))
     light = light_of(sight.lighting, library.assets)
     first = photograph(renderer, task.scene, camera=sight.camera, light=light)
@@ -61,4 +61,4 @@ def oracle_view(
 def vanishing(task: Task, renderer: Renderer, camera: Camera | None = None) -> set[int]:
     """Instances without which a task's evidence shows; the renderer must have them loaded."""
     rule = part_of(task.question_type, "oracle_view", OracleRule)
-    return rule.vanishing(task, TableSight(task.scene, renderer, camera))
+    return rule.vanishing(task, TableSight(task.scene, renderer, camera or task.viewpoint.camera))

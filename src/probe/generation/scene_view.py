@@ -35,6 +35,7 @@ class SceneView:
         setup: Setup,
         view: View = "top",
     ) -> None:
+        self.view: View = view
         self.camera = setup.camera(view)
         self._renderer = renderer
         self._meshes = {id: library.body(id).mesh for id in dict.fromkeys(object_ids)}

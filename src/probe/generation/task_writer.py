@@ -69,6 +69,7 @@ def write_task(draft: Draft, plan: TaskPlan, view: SceneView) -> Task:
         named=draft.named,
         marks=draft.marks,
         certificate=Certificate(visibility, draft.measures, draft.drawn_from),
+        camera=view.view,
     )
 
 

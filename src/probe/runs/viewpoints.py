@@ -23,8 +23,8 @@ def sight_of(task: Task, conditions: Conditions, assets: Path | None) -> Viewpoi
 
 
 def camera_of(task: Task, name: CameraName) -> Camera:
-    """The fixed camera, or one that strayed by what the task's seed draws."""
-    fixed = task.scene.setup.camera()
+    """The task's fixed camera, or one that strayed by what the task's seed draws."""
+    fixed = task.viewpoint.camera
     if name == "fixed":
         return fixed
     return moved_view(fixed, generator(task.seed, "camera"), VIEW_RANGES[name])

@@ -129,4 +129,5 @@ def stopped(job: Job, order: RunOrder) -> EpisodeRecord:
         end="stopped",
         noise=order.noise,
         conditions=order.conditions,
+        sight=job.task.viewpoint,
     )

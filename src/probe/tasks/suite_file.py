@@ -15,6 +15,7 @@ from probe import reading
 from probe.checksum import with_sum
 from probe.errors import BadData, UnknownName
 from probe.files import read_document, write_bytes
+from probe.scene.cameras import View
 from probe.scene.document import SceneDocument
 from probe.scene.setup_file import MOST_PX
 from probe.scene.visibility import Visibility
@@ -77,6 +78,8 @@ class TaskDocument(
     marks: tuple[MarkDocument, ...]
     certificate: CertificateDocument
     scene: SceneDocument
+    # Left out where it is the top one, as files of before there was a choice do.
+    camera: View = pydantic.Field(default="top", exclude_if=lambda it: it == "top")
 
     @pydantic.model_validator(mode="after")
     def _names_what_is_there(self) -> TaskDocument:
@@ -126,6 +129,7 @@ class TaskDocument(
                 candidates=proof.candidates,
             ),
             scene=SceneDocument.of(task.scene),
+            camera=task.camera,
         )
 
     def task(self) -> Task:
@@ -151,6 +155,7 @@ class TaskDocument(
             named=self.named,
             marks=tuple(Mark(mark.letter, mark.instance, mark.point) for mark in self.marks),
             certificate=Certificate(visibility, proof.measures, proof.candidates),
+            camera=self.camera,
             version=self.version,
         )
 

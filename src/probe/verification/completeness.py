@@ -45,7 +45,7 @@ def _marks(task: Task, *, paired: bool) -> Iterator[str]:
     letters = [mark.letter for mark in task.marks]
     if letters != (list(PAIR) if paired else []):
         yield f"its marks are {letters or 'none'}"
-    camera = task.scene.setup.camera()
+    camera = task.viewpoint.camera
     for mark in task.marks:
         u, v = mark.point
         if not (0 <= u < camera.width_px and 0 <= v < camera.height_px):
