@@ -6,9 +6,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from probe.generation.build_folder import TaskSlot
-from probe.generation.plan import ATTEMPTS, TaskPlan, plan_of
+from probe.generation.plan import ATTEMPTS, plan_of
 from probe.generation.result import TaskCandidate
 from probe.generation.salt import Salt
+from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import task_id
 from probe.scene.scene import Scene
 from probe.scene.setup import UR5_TABLE, Setup

@@ -90,7 +90,11 @@ class TaskDocument(
             raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
         if self.answer not in LETTERS[: len(self.options)]:
             raise ValueError(f"its answer {self.answer} is none of its options")
-        if len(self.targets) < (fewest := rules_of(self.question_type).fewest_targets):
+        rules = rules_of(self.question_type)
+        if self.form not in rules.forms:
+            known = ", ".join(rules.forms)
+            raise ValueError(f"the forms of {self.question_type} are {known}, not {self.form!r}")
+        if len(self.targets) < (fewest := rules.fewest_targets):
             raise ValueError(f"{self.question_type} is about {fewest} targets or more")
         return self
 

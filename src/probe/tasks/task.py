@@ -94,7 +94,7 @@ class Task:
         scene: The table at the start.
         targets: Instances that decide: the hidden one, all that are counted, or the two that are
             marked.
-        cover: Instance of Beneath's cover, else None.
+        cover: Instance of the one thing that the question names and that hides the target, or None.
         named: Instances that Reduce wants removed, else empty.
         marks: Of Compare and Size, else empty.
         certificate: Why it can't be answered by looking.
