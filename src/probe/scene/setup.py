@@ -82,7 +82,8 @@ class Setup:
         gripper: The hand's sizes.
         top: The camera that looks straight down. Whatever settles has to lie in its view.
         front: The oblique camera, before the edge that the top camera's picture shows below.
-        basket: Beside the table's middle, out of both cameras' pictures.
+        basket: Beside the table's middle, out of the top camera's picture. Tasks that the front
+            camera shows need it out of that one's, too.
         work_area: Edge of the square around the origin in which objects are dropped.
         table_size: Extent of the table's top along x and y.
         picture_px: Edge of the pictures in pixels.
