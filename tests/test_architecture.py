@@ -104,6 +104,28 @@ def test_forbidden_directions_are_refused(checkout: Path, module: str, imported:
     assert f"-> {imported}" in output
 
 
+@pytest.mark.parametrize(
+    ("part", "imported"),
+    [
+        ("rules", "probe.toolshed.result"),
+        ("rules", "probe.agents.moves"),
+        ("oracle_view", "probe.agents.moves"),
+        ("plan", "probe.generation.plan"),
+        ("generator", "probe.verification.truth"),
+        ("observer", "probe.verification.truth"),
+        ("verifier", "probe.scores.row"),
+        ("rules", "probe.question_types.find.rules"),
+    ],
+)
+def test_a_part_of_a_type_knows_no_more_than_its_layer(checkout: Path, part: str, imported: str):
+    path = checkout / "src" / "probe" / "question_types" / "beneath" / f"{part}.py"
+    path.write_text(f"{path.read_text()}\nimport {imported}  # noqa: E402, F401\n")
+    status, output = run(checkout, "lint-imports")
+    assert status != 0
+    assert f"probe.question_types.beneath.{part}" in output
+    assert imported in output
+
+
 def test_questions_get_no_physics_through_others(checkout: Path):
     plant(checkout, "world/engine", "import mujoco")
     plant(checkout, "tasks/planted", "import probe.world.engine")

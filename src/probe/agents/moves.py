@@ -19,13 +19,13 @@ from probe.agents.reading import (
 )
 from probe.agents.text_features import is_none
 from probe.episodes.turns import Call, Question
-from probe.scene.layout import PICTURE_PX, VIEW_SIZE
+from probe.scene.setup import UR5_TABLE
 
 T = TypeVar("T")
 Plan = Generator[Call, str, T]
 Way = Literal["grasp", "push"]
 
-_PX_PER_CM = PICTURE_PX / (100 * VIEW_SIZE)
+_PX_PER_CM = UR5_TABLE.picture_px / (100 * UR5_TABLE.view_size)
 _STEPS = {"up": (0, -1), "down": (0, 1), "left": (-1, 0), "right": (1, 0)}
 _SHORTEST_CM, _LONGEST_CM = 6.0, 15.0
 
@@ -104,7 +104,7 @@ def _cost(seen: Seen, graph: Graph, direction: str) -> float:
         max(bottom, bottom + dv * reach),
     )
     whole = (path[2] - path[0] + 1) * (path[3] - path[1] + 1)
-    outside = whole - _overlap(path, (0, 0, PICTURE_PX - 1, PICTURE_PX - 1))
+    outside = whole - _overlap(path, (0, 0, UR5_TABLE.picture_px - 1, UR5_TABLE.picture_px - 1))
     others = (other for other in graph.objects if other.number != seen.number)
     return 2 * outside + sum(_overlap(path, other.box) for other in others)
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from probe.agents.reading import read_graph, read_handle
 from probe.episodes.turns import Call, Question, Turn
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import UR5_TABLE
 
 _FEWEST, _MOST = 2, 12
 _DIRECTIONS = ("up", "down", "left", "right")
@@ -46,7 +46,7 @@ class Random:
         return Call.of("push", arguments)
 
     def _anywhere(self) -> tuple[int, int]:
-        u, v = self._rng.integers(PICTURE_PX, size=2).tolist()
+        u, v = self._rng.integers(UR5_TABLE.picture_px, size=2).tolist()
         return u, v
 
 

@@ -12,7 +12,7 @@ from probe.render.photograph import load_scene
 from probe.render.photograph import measure as _measure
 from probe.render.photograph import photograph as _photograph
 from probe.render.renderer import Renderer
-from probe.scene.layout import View, view_camera
+from probe.scene.cameras import View
 from probe.scene.lighting import AMBIENT, Lighting
 from probe.scene.sampling import DEFAULT_COUNT
 from probe.scene.scene import Scene
@@ -68,7 +68,7 @@ def photograph(
         NoGraphicsDriver: The machine has no Vulkan driver.
         UnknownName: No surroundings have this name.
     """
-    seen_from = view_camera(camera) if isinstance(camera, str) else camera
+    seen_from = scene.setup.camera(camera) if isinstance(camera, str) else camera
     light = Lighting(lighting) if isinstance(lighting, str) else lighting
     with running(renderer) as drawing:
         load_scene(drawing, scene, library, library.table(scene.table))
@@ -98,7 +98,7 @@ def visibility(
     Raises:
         NoGraphicsDriver: The machine has no Vulkan driver.
     """
-    seen_from = view_camera(camera) if isinstance(camera, str) else camera
+    seen_from = scene.setup.camera(camera) if isinstance(camera, str) else camera
     with running(renderer) as drawing:
         load_scene(drawing, scene, library, library.table(scene.table))
         return _measure(drawing, scene, seen_from)

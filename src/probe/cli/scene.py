@@ -22,13 +22,12 @@ from probe.render.protocol import Engine
 from probe.render.renderer import Renderer
 from probe.report.gallery import GalleryEntry, write_gallery
 from probe.report.pictures import depth_image, label_image
+from probe.scene.cameras import View
 from probe.scene.document import write_scene
-from probe.scene.layout import View, view_camera
 from probe.scene.lighting import AMBIENT, Lighting
 from probe.scene.sampling import DEFAULT_COUNT, TIGHT, PileSettings
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
-from probe.types import Camera
 from probe.world.scenes import SettledScene, draw_scene
 
 _MANY = 40
@@ -71,7 +70,7 @@ def scene(
         raise BadData("--buried", reason, "Say at most half of --objects")
     things, pile = library(pool), PileSettings(reach, buried)
     with Renderer(cache_folder() / "light", renderer) as drawing:
-        studio = _Studio(drawing, view_camera(camera), light_of(Lighting(lighting), things.assets))
+        studio = _Studio(drawing, camera, light_of(Lighting(lighting), things.assets))
         if gallery == 0:
             if objects > _MANY:
                 say(f"Settling {objects} objects; over {_MANY} may take minutes.")
@@ -93,7 +92,7 @@ class _Studio:
     """What takes the pictures: a renderer, where it looks from, and in which light."""
 
     renderer: Renderer
-    camera: Camera
+    camera: View
     light: Illumination
 
 
@@ -117,7 +116,7 @@ def _settle(seed: int, things: Library, count: int, pile: PileSettings) -> Settl
 
 def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> dict[int, Visibility]:
     """Draw one scene and write its files; the scene comes last and so marks a complete folder."""
-    renderer, camera = studio.renderer, studio.camera
+    renderer, camera = studio.renderer, settled.setup.camera(studio.camera)
     load_scene(renderer, settled, things, things.table(settled.table))
     frame = photograph(renderer, settled, camera=camera, light=studio.light)
     assert frame.rgb is not None and frame.labels is not None

@@ -21,13 +21,13 @@ from probe.generation.build_folder import (
     TaskSlot,
 )
 from probe.generation.generate import make
-from probe.generation.needs import NEEDS
 from probe.generation.plan import ATTEMPTS
 from probe.generation.restored_stage import RestoredStage
 from probe.generation.result import Rejection, TaskCandidate
 from probe.generation.salt import Salt
 from probe.generation.salt_file import salt_of
 from probe.generation.solve import SolveAttempt, noted, trials
+from probe.generation.task_generator import generator_of
 from probe.render.renderer import Renderer
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
@@ -111,7 +111,7 @@ def fill(place: TaskSlot, parts: BuildFolder, resources: BuildResources) -> Iter
     raise Unsatisfiable(
         f"No {place.question_type} task in {ATTEMPTS} candidates for place {place.episode}: "
         f"{why_none(parts.log(place))}. "
-        f"{place.question_type.capitalize()} needs {NEEDS[place.question_type]}."
+        f"{place.question_type.capitalize()} needs {generator_of(place.question_type).needs}."
     )
 
 

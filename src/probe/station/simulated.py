@@ -10,7 +10,6 @@ import numpy as np
 from probe.errors import ArmInView
 from probe.render.illumination import AMBIENT, Illumination
 from probe.render.renderer import Renderer
-from probe.scene.layout import top_camera
 from probe.scene.scene import PlacedObject, Scene
 from probe.station.motion import smooth
 from probe.station.station import Arm, Hand
@@ -51,11 +50,11 @@ class SimulatedStation:
         camera: Camera | None = None,
         light: Illumination = AMBIENT,
     ) -> None:
-        self.arm: Arm = Ur5()
-        self.hand: Hand = Gripper()
+        self.arm: Arm = Ur5(world.setup.mount)
+        self.hand: Hand = Gripper(world.setup.gripper)
         self._world = world
         self._renderer = renderer
-        self._camera = camera or top_camera()
+        self._camera = camera or world.setup.camera()
         self._light = light
         self._goal = world.joints
         self._alone_px: dict[PlacedObject, int] = {}

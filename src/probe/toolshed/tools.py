@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 import pydantic
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import UR5_TABLE
 
 ObjectId = Annotated[
     str,
@@ -16,7 +16,7 @@ ObjectId = Annotated[
         max_length=40, description='What find_object called the object, such as "object_1".'
     ),
 ]
-Coordinate = Annotated[float, pydantic.Field(ge=0, lt=PICTURE_PX)]
+Coordinate = Annotated[float, pydantic.Field(ge=0, lt=UR5_TABLE.picture_px)]
 
 
 _Letter = Literal["A", "B", "C", "D", "E"]

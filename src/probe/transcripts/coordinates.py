@@ -8,18 +8,18 @@ from typing import Any, TypeGuard, cast
 
 from probe.episodes.participation import Points
 from probe.episodes.turns import Call
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import UR5_TABLE
 
 IN_WORDS: dict[Points, str] = {
-    "pixels": f"in pixels from the top left corner of the picture, which is {PICTURE_PX} wide "
-    "and high",
+    "pixels": f"in pixels from the top left corner of the picture, which is "
+    f"{UR5_TABLE.picture_px} wide and high",
     "0-1000": "in thousandths of the picture's width and height from its top left corner, each "
     "from 0 to 1000",
 }
 """How a model is told which one is meant."""
 
 _WHOLE = 1000.0
-_LAST_PX = PICTURE_PX - 0.001
+_LAST_PX = UR5_TABLE.picture_px - 0.001
 """The far edge of a picture, counted in thousandths, still means its last pixel."""
 
 _NUMBER = r"-?\d{1,6}(?:\.\d{1,6})?"
@@ -35,33 +35,33 @@ def told(text: str, points: Points) -> str:
     """
     if points == "pixels":
         return text
-    counted = _scaled(text, _WHOLE / PICTURE_PX, digits=0)
+    counted = _scaled(text, _WHOLE / UR5_TABLE.picture_px, digits=0)
     counted = counted.replace("in pixels", "in thousandths of the picture's width and height")
-    return counted.replace(f"less than {PICTURE_PX}", f"at most {_WHOLE:.0f}")
+    return counted.replace(f"less than {UR5_TABLE.picture_px}", f"at most {_WHOLE:.0f}")
 
 
 def meant(call: Call, points: Points) -> Call:
     """A model's call with its places in pixels; one that fits no tool is left as it is."""
-    return call if points == "pixels" else _converted(call, PICTURE_PX / _WHOLE, 3)
+    return call if points == "pixels" else _converted(call, UR5_TABLE.picture_px / _WHOLE, 3)
 
 
 def as_said(call: Call, points: Points) -> Call:
     """A recorded call as its model made it: what meant() did, undone."""
-    return call if points == "pixels" else _converted(call, _WHOLE / PICTURE_PX, 2)
+    return call if points == "pixels" else _converted(call, _WHOLE / UR5_TABLE.picture_px, 2)
 
 
 def as_whole(call: Call, points: Points) -> Call:
     """A call whose places are whole numbers in the way in which an agent counts them."""
     if points == "pixels":
         return call
-    return meant(_converted(call, _WHOLE / PICTURE_PX, 0), points)
+    return meant(_converted(call, _WHOLE / UR5_TABLE.picture_px, 0), points)
 
 
 def place_meant(point: tuple[float, float], points: Points) -> tuple[float, float]:
     """A place that a model wrote down, in pixels."""
     if points == "pixels":
         return point
-    u, v = (_tidy(_pixel(number * PICTURE_PX / _WHOLE), 3) for number in point)
+    u, v = (_tidy(_pixel(number * UR5_TABLE.picture_px / _WHOLE), 3) for number in point)
     return float(u), float(v)
 
 
@@ -106,7 +106,7 @@ def _clipped(number: float, factor: float) -> float:
 
 
 def _pixel(number: float) -> float:
-    return _LAST_PX if number == PICTURE_PX else number
+    return _LAST_PX if number == UR5_TABLE.picture_px else number
 
 
 def _tidy(number: float, digits: int) -> float | int:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any, cast
 
 from probe.episodes.participation import Points
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import UR5_TABLE
 from probe.toolshed.tools import ToolSchema, tool_schemas
 from probe.transcripts.coordinates import told
 
@@ -29,7 +29,7 @@ def _in_thousandths(schema: Any) -> Any:
     if not isinstance(schema, dict):
         return schema
     parts = dict(cast("dict[str, Any]", schema))
-    if parts.get("exclusiveMaximum") == PICTURE_PX:
+    if parts.get("exclusiveMaximum") == UR5_TABLE.picture_px:
         del parts["exclusiveMaximum"]
         parts = {"maximum": 1000, **parts}
     return {name: _in_thousandths(part) for name, part in parts.items()}
