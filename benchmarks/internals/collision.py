@@ -25,6 +25,7 @@ from probe.assets.collision.pieces import convex_pieces
 from probe.assets.mesh.lattice import lattice_points
 from probe.assets.mesh.mesh import Body, ConvexPiece, TexturedMesh
 from probe.assets.spec import ObjectSpec
+from probe.cli.shards import parse_shard
 from probe.errors import Unsatisfiable
 from probe.scene.sampling import draw_drop
 from probe.types import Array
@@ -131,11 +132,18 @@ def measured(
 
 
 def spread(specs: Sequence[ObjectSpec], count: int) -> list[ObjectSpec]:
-    """So many of them, evenly over the list."""
-    return [specs[int(at)] for at in np.linspace(0, len(specs) - 1, min(count, len(specs)))]
+    """So many of them, each of another category, evenly over the list."""
+    kinds = list({spec.category: spec for spec in reversed(specs)}.values())[::-1]
+    return [kinds[int(at)] for at in np.linspace(0, len(kinds) - 1, min(count, len(kinds)))]
 
 
-def main(procedural: int = 30, scans: int = 10, seeds: int = 3, quick: bool = False) -> None:
+def main(
+    procedural: int = 30,
+    scans: int = 10,
+    seeds: int = 3,
+    quick: bool = False,
+    shard: str = "0/1",
+) -> None:
     """Print a line for each object and method, and the methods' ratios.
 
     Args:
@@ -143,6 +151,7 @@ def main(procedural: int = 30, scans: int = 10, seeds: int = 3, quick: bool = Fa
         scans: Real scans.
         seeds: Piles of each object.
         quick: Have CoACD search less, on a coarser mesh.
+        shard: "0/2" and "1/2" in two processes share the work; each sums up its own.
     """
     settings = QUICK if quick else {}
 
@@ -155,7 +164,7 @@ def main(procedural: int = 30, scans: int = 10, seeds: int = 3, quick: bool = Fa
         if not count:
             continue
         things = library(pool)
-        for spec in spread(things.specs, count):
+        for spec in parse_shard(shard).of(spread(things.specs, count)):
             mesh = things.body(spec.id).mesh
             ours = measured(spec, mesh, convex_pieces, seeds)
             other = measured(spec, mesh, other_pieces, seeds)
