@@ -36,7 +36,8 @@ class ModelChoice:
     """A model that acts instead of an agent.
 
     Attributes:
-        model: Model that acts instead of an agent: a name of docs/how-to/models.md or the harness's own.
+        model: Model that acts instead of an agent: a name of docs/how-to/models.md or the
+            harness's own.
         setting: How the model may answer: with tools (the default), or at once from what it is
             shown.
         epochs: Episodes of each task, for a model; by default 3.
