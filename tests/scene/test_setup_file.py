@@ -42,7 +42,6 @@ def test_only_what_differs_needs_to_be_said(tmp_path):
         ({"gripper": {"max_opening": 0.3}}, "gripper.max_opening"),
         ({"gripper": {"width": 0.1}}, "gripper.width"),
         ({"basket": {"position": [0.3, 0.2, 0.0]}}, "basket"),
-        ({"basket": {"position": [-0.55, 0.44, 0.0]}}, "the front camera sees it"),
         ({"work_area": 0.6}, "work_area"),
         ({"table_size": [0.5, 0.5]}, "table_size"),
         ({"front": {"eye": [0.0, 0.9, 0.5]}}, "front"),

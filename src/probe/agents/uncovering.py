@@ -44,7 +44,9 @@ def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[
         why: The reason.
     """
     question = asked.question
-    search = Search(lambda seen: False, asked.first, asked.rng, say=asked.say)
+    search = Search(
+        lambda seen: False, asked.first, asked.rng, say=asked.say, scale=asked.question.scale
+    )
     yield from search.begin()
     known = {seen.name for seen in search.graph.named}
     place = _around([seen.box for name in names for seen in search.graph.called(name)])

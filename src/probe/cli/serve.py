@@ -32,7 +32,7 @@ def serve(
 ) -> None:
     """Let another program use the tools on one task, over MCP on standard input and output.
 
-    One process is one session: one client, one table, one episode. See docs/serve.md.
+    One process is one session: one client, one table, one episode. See docs/how-to/serve.md.
 
     Args:
         suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
@@ -57,7 +57,7 @@ def serve(
         # Standard output is the protocol's. Some clients show no instructions to their model.
         warn(*question_text(question).splitlines())
         try:
-            serve_mcp(session, question)
+            serve_mcp(session, question, chosen.scale)
         finally:
             session.close()
 

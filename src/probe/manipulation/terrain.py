@@ -12,7 +12,7 @@ import numpy as np
 from scipy import ndimage
 
 from probe.scene.setup import Basket, Setup
-from probe.types import Array, Frame
+from probe.types import Array, Camera, Frame
 
 CELL = 0.002
 """Edge of a cell in metres; a pixel of the fixed camera covers about a quarter of that."""
@@ -70,7 +70,7 @@ def survey(frame: Frame, setup: Setup) -> Terrain:
     Cells in the shadow of something tall are as low as the lowest ones near them.
 
     Args:
-        frame: From a camera above the table.
+        frame: From a camera that looks down on the table, straight or obliquely.
         setup: The table's.
     """
     middle = np.array(setup.basket.position[:2])
@@ -80,15 +80,22 @@ def survey(frame: Frame, setup: Setup) -> Terrain:
     high = np.maximum(reach, middle + half) + _MARGIN
     shape = np.ceil((high - low) / CELL).astype(int)
     empty = Terrain(np.full(tuple(shape.tolist()), -np.inf), low)
-    pixel = frame.camera.world_from_camera.position[2] / frame.camera.focal_px
     everything = np.ones_like(frame.depth, bool)
-    seen = raster(empty, lifted(frame, everything, step=max(1, int(_DENSITY * CELL / pixel))))
+    seen = raster(empty, lifted(frame, everything, step=_step(frame.camera)))
     heights = np.maximum(_shadows_filled(seen), 0.0)
     terrain = replace(empty, heights=heights)
     _stamp_basket(terrain, setup.basket)
     heights[[0, -1], :] = 0.0
     heights[:, [0, -1]] = 0.0
     return terrain
+
+
+def _step(camera: Camera) -> int:
+    """Of how many pixels one will do; seen obliquely, the table shows in few enough."""
+    if not camera.looks_down:
+        return 1
+    pixel = camera.world_from_camera.position[2] / camera.focal_px
+    return max(1, int(_DENSITY * CELL / pixel))
 
 
 def lifted(frame: Frame, mask: Array, step: int = 1) -> Array:

@@ -82,7 +82,8 @@ class Setup:
         gripper: The hand's sizes.
         top: The camera that looks straight down. Whatever settles has to lie in its view.
         front: The oblique camera, before the edge that the top camera's picture shows below.
-        basket: Beside the table's middle, out of both cameras' pictures.
+        basket: Beside the table's middle, out of the top camera's picture. Tasks that the front
+            camera shows need it out of that one's, too.
         work_area: Edge of the square around the origin in which objects are dropped.
         table_size: Extent of the table's top along x and y.
         picture_px: Edge of the pictures in pixels.
@@ -116,3 +117,30 @@ class Setup:
 
 UR5_TABLE = Setup()
 """The set-up of the packaged suites."""
+
+
+@dataclass(frozen=True)
+class PictureScale:
+    """What agents have to know to read lengths off a picture.
+
+    Attributes:
+        side_px: Edge of the picture, pixels.
+        width: How much table it shows across its middle, metres.
+        oblique: Whether it is seen from the front rather than from straight above.
+        opening: How far the gripper opens, metres.
+    """
+
+    side_px: int
+    width: float
+    oblique: bool
+    opening: float
+
+
+def picture_scale(setup: Setup, camera: Camera) -> PictureScale:
+    """The scale of a camera's pictures, by its set-up; one that strayed a little doesn't count."""
+    oblique = not camera.looks_down
+    placed = setup.front if oblique else setup.top
+    return PictureScale(camera.width_px, placed.width, oblique, setup.gripper.max_opening)
+
+
+USUAL_SCALE = picture_scale(UR5_TABLE, UR5_TABLE.camera())

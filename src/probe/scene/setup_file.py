@@ -11,7 +11,7 @@ import numpy as np
 import pydantic
 
 from probe.files import read_document
-from probe.scene.cameras import CameraPlacement
+from probe.scene.cameras import CameraPlacement, View
 from probe.scene.pose_document import Rotation
 from probe.scene.setup import UR5_TABLE, ArmMount, Basket, GripperSize, Setup
 from probe.types import Pose
@@ -19,7 +19,7 @@ from probe.types import Pose
 MOST_PX = 4096
 """Edge of the largest pictures, pixels."""
 
-_REMEDY = "See docs/extend/add-a-setup.md"
+_REMEDY = "See docs/how-to/extend/add-a-setup.md"
 
 _Near = Annotated[float, pydantic.Field(ge=-3, le=3)]
 _Place = tuple[_Near, _Near, _Near]
@@ -99,8 +99,8 @@ class SetupDocument(_Document):
             raise ValueError("top.width: the top camera sees beyond the table, table_size")
         if self.name == UR5_TABLE.name and self.setup() != UR5_TABLE:
             raise ValueError(f"name: {self.name} is the usual set-up's, and this one differs")
-        if view := _sees_basket(self.setup()):
-            raise ValueError(f"basket: the {view} camera sees it; move one of them")
+        if sees_basket(self.setup(), "top"):
+            raise ValueError("basket: the top camera sees it; move one of them")
         return self
 
     @staticmethod
@@ -148,13 +148,10 @@ def read_setup(path: Path) -> Setup:
     return read_document(path, SetupDocument, _REMEDY).setup()
 
 
-def _sees_basket(setup: Setup) -> str | None:
-    """A camera in whose picture what lies in the basket would show."""
+def sees_basket(setup: Setup, view: View) -> bool:
+    """Whether what lies in the basket would show in a camera's picture."""
     middle, size = np.array(setup.basket.position), np.array(setup.basket.size)
     steps = np.linspace(-0.5, 0.5, 9)
     inside = np.array([middle + size * (x, y, z + 0.5) for x, y, z in product(steps, repeat=3)])
-    for view in ("top", "front"):
-        pixels = setup.camera(view).project(inside)
-        if ((pixels >= 0) & (pixels < setup.picture_px)).all(axis=1).any():
-            return view
-    return None
+    pixels = setup.camera(view).project(inside)
+    return bool(((pixels >= 0) & (pixels < setup.picture_px)).all(axis=1).any())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -74,7 +75,18 @@ class SimulatedStation:
         outlines = self._alone([placed for placed in objects if placed.instance in shown])
         counts = np.bincount(frame.labels.ravel())
         shares = {number: counts[number] / size for number, size in outlines.items()}
-        return replace(frame, shares=shares)
+        return replace(self._measured(frame), shares=shares)
+
+    def _measured(self, frame: Frame) -> Frame:
+        """A frame with the noise of its depth; the same table gives the same noise again."""
+        noise = self._world.setup.depth_noise
+        if noise == 0:
+            return frame
+        scene = self._world.scene()
+        poses = np.array([(*o.pose.position, *o.pose.wxyz) for o in scene.objects])
+        rng = np.random.default_rng([scene.seed, zlib.crc32(poses.tobytes())])
+        errors = rng.standard_normal(frame.depth.shape) * noise
+        return replace(frame, depth=(frame.depth + errors).astype(np.float32))
 
     def snapshot(self) -> Scene:
         """The table as it really is."""

@@ -17,7 +17,7 @@ from probe.errors import BadData, UnknownName
 from probe.files import read_document, write_bytes
 from probe.scene.cameras import View
 from probe.scene.document import SceneDocument
-from probe.scene.setup_file import MOST_PX
+from probe.scene.setup_file import MOST_PX, sees_basket
 from probe.scene.visibility import Visibility
 from probe.tasks.look_alike import look_alike
 from probe.tasks.reserved import Difference, difference, unlike
@@ -94,6 +94,8 @@ class TaskDocument(
         if self.form not in rules.forms:
             known = ", ".join(rules.forms)
             raise ValueError(f"the forms of {self.question_type} are {known}, not {self.form!r}")
+        if self.scene.setup and sees_basket(self.scene.setup.setup(), self.camera):
+            raise ValueError(f"its camera, {self.camera}, sees the basket of its set-up")
         if len(self.targets) < (fewest := rules.fewest_targets):
             raise ValueError(f"{self.question_type} is about {fewest} targets or more")
         return self

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 from probe.scene.cameras import View
 from probe.scene.scene import Scene
-from probe.scene.setup import Setup
+from probe.scene.setup import PictureScale, Setup, picture_scale
 from probe.scene.viewpoint import Viewpoint
 from probe.scene.visibility import Visibility
 from probe.tasks.registry import question_types
@@ -128,3 +128,8 @@ class Task:
     def viewpoint(self) -> Viewpoint:
         """From where, and in which light, it is seen as it was made."""
         return Viewpoint(self.setup.camera(self.camera))
+
+    @property
+    def scale(self) -> PictureScale:
+        """What its pictures show."""
+        return picture_scale(self.setup, self.viewpoint.camera)

@@ -105,7 +105,7 @@ class Toolshed:
             if self.ended:
                 raise EpisodeOver
             self.turns += 1
-            result = self._run(parse(name, arguments))
+            result = self._run(parse(name, arguments, self._view.frame.camera.width_px))
         except Refusal as refusal:
             result = ToolResult(str(refusal), status=refusal.status)
         except UnusableReply as failure:

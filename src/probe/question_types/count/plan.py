@@ -20,7 +20,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     def counts(seen: Seen) -> bool:
         return same(seen.name or "", name)
 
-    search = Search(counts, asked.first, asked.rng, say=asked.say)
+    search = Search(counts, asked.first, asked.rng, say=asked.say, scale=asked.question.scale)
     yield from search.begin()
     most, now, gone = 0, len(search.graph.called(name)), 0
     while True:

@@ -18,7 +18,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     def offered(seen: Seen) -> bool:
         return any(same(seen.name or "", option) for option in options)
 
-    search = Search(offered, asked.first, asked.rng, say=say)
+    search = Search(offered, asked.first, asked.rng, say=say, scale=asked.question.scale)
     yield from search.begin()
     while not (shown := _shown_options(question, search.graph)) and not search.complete:
         if not (yield from search.clear_one()):
