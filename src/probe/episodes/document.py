@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 import pydantic
 
-from probe.episodes.conditions_document import ConditionsDocument, SightDocument
+from probe.episodes.conditions_document import ConditionsDocument, ViewpointDocument
 from probe.episodes.noise import Noise
 from probe.episodes.participation_document import ParticipationDocument
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
@@ -71,7 +71,7 @@ class NoiseDocument(_Document):
     push: float = pydantic.Field(ge=0)
 
 
-class EpisodeDocument(_Document):
+class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True):
     """One episode."""
 
     version: Literal[2] = 2
@@ -89,9 +89,9 @@ class EpisodeDocument(_Document):
     noise: NoiseDocument
     # Records of before there were conditions are of none.
     conditions: ConditionsDocument = ConditionsDocument()
-    sight: SightDocument | None = None
+    viewpoint: Annotated[ViewpointDocument | None, pydantic.Field(alias="sight")] = None
     # None of agents that are no models, and in records of before there were any.
-    seat: ParticipationDocument | None = None
+    participation: Annotated[ParticipationDocument | None, pydantic.Field(alias="seat")] = None
 
     @staticmethod
     def of(record: EpisodeRecord, *, timed: bool = True) -> EpisodeDocument:
@@ -111,8 +111,8 @@ class EpisodeDocument(_Document):
             seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
             conditions=ConditionsDocument.of(record.conditions),
-            sight=SightDocument.of(record.sight),
-            seat=record.seat and ParticipationDocument.of(record.seat),
+            viewpoint=ViewpointDocument.of(record.viewpoint),
+            participation=record.participation and ParticipationDocument.of(record.participation),
         )
 
     def record(self) -> EpisodeRecord:
@@ -131,8 +131,8 @@ class EpisodeDocument(_Document):
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
             noise=Noise(self.noise.grasp, self.noise.push),
             conditions=self.conditions.conditions(),
-            sight=self.sight.sight() if self.sight else Viewpoint(),
-            seat=self.seat and self.seat.seat(),
+            viewpoint=self.viewpoint.viewpoint() if self.viewpoint else Viewpoint(),
+            participation=self.participation and self.participation.participation(),
         )
 
 
