@@ -23,8 +23,9 @@ from probe.render.photograph import load_scene, photograph
 from probe.render.protocol import Engine
 from probe.render.renderer import Renderer
 from probe.render.sunlight import illuminate
-from probe.scene.layout import View, view_camera
+from probe.scene.cameras import View
 from probe.scene.lighting import AMBIENT, Lighting, hdri
+from probe.scene.setup import UR5_TABLE
 from probe.world.scenes import make_scene
 
 REPEATS = 7
@@ -54,7 +55,7 @@ def pictures(engine: Engine, repeats: int) -> None:
         for lighting in LIGHTS:
             light = light_of(lighting, None)
             for view in VIEWS:
-                camera = view_camera(view)
+                camera = UR5_TABLE.camera(view)
 
                 def draw() -> object:
                     return photograph(renderer, scene, camera=camera, light=light)  # noqa: B023

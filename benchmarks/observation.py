@@ -19,8 +19,8 @@ from probe.assets.library import Library
 from probe.assets.tables import load_table, table_ids
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
-from probe.scene.layout import TABLE_SIZE, top_camera
 from probe.scene.scene import Scene
+from probe.scene.setup import UR5_TABLE
 from probe.world.scenes import make_scene
 
 REPEATS = 7
@@ -49,12 +49,12 @@ def bare_frame(scene: Scene, things: Library) -> float:
 
     table = load_table(scene.table, assets_folder())
     meshes = {o.object_id: pack(things.body(o.object_id).mesh) for o in scene.objects}
-    top = pack(table_quad(TableTop(table.surface, table.tile_size, TABLE_SIZE)))
+    top = pack(table_quad(TableTop(table.surface, table.tile_size, UR5_TABLE.table_size)))
     read, write = os.pipe()
     if os.fork() == 0:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Filament reports its set-up on stdout
         drawer = Drawer(meshes, top, LightPacker().pack(AMBIENT))
-        taken = seconds(lambda: drawer.rgb(scene.objects, top_camera()))
+        taken = seconds(lambda: drawer.rgb(scene.objects, UR5_TABLE.camera()))
         os.write(write, str(taken).encode())
         os._exit(0)
     os.close(write)
@@ -79,7 +79,7 @@ def main(observations: int) -> None:
         load_scene(renderer, scenes[0], things, load_table(scenes[0].table, assets_folder()))
         whole = seconds(lambda: photograph(renderer, scenes[0]))
         labels = seconds(lambda: photograph(renderer, scenes[0], rgb=False))
-        outlines = seconds(lambda: renderer.outlines(scenes[0].objects, top_camera()))
+        outlines = seconds(lambda: renderer.outlines(scenes[0].objects, UR5_TABLE.camera()))
         print(f"15 {pool} objects, 1024 x 1024, {os.cpu_count()} cores, wall seconds (ratio)")
         print(f"  bare Filament frame       {bare:.2f} (1.00)")
         print(f"  RGB + depth + labels      {whole:.2f} ({whole / bare:.2f})")

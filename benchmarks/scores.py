@@ -9,22 +9,26 @@ from __future__ import annotations
 
 import itertools
 import math
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 import tyro
 from rich.console import Console
 from rich.table import Table
 
-from probe.scores.intervals import Interval, bootstrap, student
-from probe.scores.pairs import no_difference_p
-from probe.scores.power import PowerAssumptions, detectable_gap, expected_error
-from probe.scores.published import RUNS, printed_table, recount
-from probe.scores.setting_effect import setting_effect
-from probe.scores.simulated import draw_chances, draw_units, two_settings
-from probe.scores.units import Unit, strata_of
-from probe.types import Array
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+
+from imaginary_results import draw_chances, draw_units, two_settings  # noqa: E402
+from probe.scores.intervals import Interval, bootstrap, student  # noqa: E402
+from probe.scores.pairs import no_difference_p  # noqa: E402
+from probe.scores.power import PowerAssumptions, detectable_gap, expected_error  # noqa: E402
+from probe.scores.published import RUNS, printed_table, recount  # noqa: E402
+from probe.scores.setting_effect import setting_effect  # noqa: E402
+from probe.scores.units import Unit, strata_of  # noqa: E402
+from probe.types import Array  # noqa: E402
 
 SUITE = printed_table().tasks
 MIDDLING = {

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import sys
 from collections import Counter
 from dataclasses import dataclass
+from pathlib import Path
 
 import tyro
 
-from probe.shortcuts.findings import LEVEL, Finding
-from probe.shortcuts.imaginary import (
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+
+from imaginary_tasks import (  # noqa: E402
     LORE,
     ImaginaryTask,
     Leak,
@@ -19,8 +22,9 @@ from probe.shortcuts.imaginary import (
     find,
     size,
 )
-from probe.shortcuts.investigation import investigate
-from probe.shortcuts.table import leaks
+from probe.shortcuts.findings import LEVEL, Finding  # noqa: E402
+from probe.shortcuts.investigation import investigate  # noqa: E402
+from probe.shortcuts.table import leaks  # noqa: E402
 
 _MAKERS: dict[str, Make] = {"find": find, "count": count, "size": size, "compare": compare}
 

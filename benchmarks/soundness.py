@@ -21,8 +21,8 @@ from probe.assets.tables import load_table, table_ids
 from probe.perception.oracle import Oracle
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
-from probe.scene.layout import BASKET_POSITION, FLOOR_DEPTH, TABLE_SIZE
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import FLOOR_DEPTH, UR5_TABLE
 from probe.station.simulated import SimulatedStation
 from probe.tasks.grading import whereabouts
 from probe.toolshed.toolshed import MANIPULATIONS, Toolshed
@@ -52,7 +52,7 @@ def complaints(scene: Scene, things: Library) -> list[str]:
             found.append(f"{placed.object_id} is at {placed.pose.position}")
             continue
         x, y, z = lowest(placed, things)
-        over_table = abs(x) < TABLE_SIZE[0] / 2 and abs(y) < TABLE_SIZE[1] / 2
+        over_table = abs(x) < UR5_TABLE.table_size[0] / 2 and abs(y) < UR5_TABLE.table_size[1] / 2
         ground = 0.0 if over_table else -FLOOR_DEPTH
         if z < ground - SUNK:
             found.append(f"{placed.object_id} sinks {1000 * (ground - z):.1f} mm")
@@ -64,7 +64,7 @@ def complaints(scene: Scene, things: Library) -> list[str]:
 
 def overlap(scene: Scene, things: Library) -> float:
     """Deepest contact between two objects, metres, on a model made of the poses alone."""
-    spec = new_spec()
+    spec = new_spec(UR5_TABLE.table_size)
     for placed in scene.objects:
         item = Item(placed.instance, things[placed.object_id], things.body(placed.object_id))
         body = add_item(spec, item)
@@ -108,7 +108,7 @@ def main(actions: int = 200, first_seed: int = 61_000) -> None:
             load_scene(renderer, scene, things, load_table(scene.table, assets_folder()))
             station = SimulatedStation(World(scene, things), renderer)
             words = {item.instance: things[item.object_id] for item in scene.objects}
-            tools = Toolshed(station, Oracle(words), manipulation, BASKET_POSITION, pictures=False)
+            tools = Toolshed(station, Oracle(words), manipulation, UR5_TABLE, pictures=False)
             rng, held = np.random.default_rng(seed), 0
             for _ in range(min(MANIPULATIONS, actions - done)):
                 act = acts(tools, rng)
@@ -120,7 +120,9 @@ def main(actions: int = 200, first_seed: int = 61_000) -> None:
                 for complaint in complaints(after, things):
                     wrong += 1
                     out.print(f"seed {seed}, {act}: {complaint}")
-                now = sum(whereabouts(placed.pose) == "basket" for placed in after.objects)
+                now = sum(
+                    whereabouts(placed.pose, UR5_TABLE) == "basket" for placed in after.objects
+                )
                 if act[0] == "grasp" and act[1].startswith("Done") and now == held:
                     false += 1
                     out.print(f"seed {seed}: a grasp claims what the basket doesn't hold")

@@ -13,8 +13,8 @@ from scipy.spatial import ConvexHull
 
 from probe.api.resources import library
 from probe.assets.library import Library
-from probe.scene.layout import top_camera
 from probe.scene.scene import PlacedObject
+from probe.scene.setup import UR5_TABLE
 from probe.tasks.suite_file import find_suite
 from probe.tasks.task import Task
 from probe.types import Array
@@ -65,7 +65,7 @@ class Table:
 
     def by_outline(self, number: int) -> float:
         """How high a round thing seems to be by its width in the picture, metres."""
-        camera = top_camera()
+        camera = UR5_TABLE.camera()
         pixels = camera.project(self.points[number])
         rim = pixels[ConvexHull(pixels).vertices]
         width_px = np.linalg.norm(rim[:, None] - rim[None], axis=2).max()

@@ -7,7 +7,7 @@ import trimesh
 
 from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.render.protocol import TableTop
-from probe.scene.layout import TABLE_SIZE
+from probe.scene.setup import UR5_TABLE
 
 
 def textured(shape: trimesh.Trimesh, texture: np.ndarray) -> TexturedMesh:
@@ -52,4 +52,4 @@ def card(size: float, texture: np.ndarray) -> TexturedMesh:
 
 def grey_table() -> TableTop:
     """A plain table top."""
-    return TableTop(Material(plain(120, 120, 120)), 1.0, TABLE_SIZE)
+    return TableTop(Material(plain(120, 120, 120)), 1.0, UR5_TABLE.table_size)

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from probe.assets.spec import ObjectSpec
-from probe.scene.layout import CAMERA_HEIGHT, top_camera
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import UR5_TABLE
 from probe.station.station import Arm, Hand
 from probe.station.ur5 import Gripper, Ur5
 from probe.types import Array, Frame, Pose
@@ -40,9 +40,9 @@ def paint(blocks: Sequence[Block], *, rgb: bool = True) -> Frame:
         labels[block.pixels] = block.instance
         heights[block.pixels] = block.height
         picture[block.pixels] = block.colour
-    depth = (CAMERA_HEIGHT - heights).astype(np.float32)
+    depth = (UR5_TABLE.top.eye[2] - heights).astype(np.float32)
     shares = {b.instance: b.share for b in blocks if (labels == b.instance).any()}
-    return Frame(top_camera(), depth, picture if rgb else None, labels, shares)
+    return Frame(UR5_TABLE.camera(), depth, picture if rgb else None, labels, shares)
 
 
 class PaintedStation:

@@ -9,7 +9,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import grimp
 import pytest
+
+from probe.cli import COMMANDS
+from probe.tasks.registry import PARTS, question_types
 
 ROOT = Path(__file__).resolve().parents[1]
 BIN = Path(sys.executable).parent
@@ -100,6 +104,28 @@ def test_forbidden_directions_are_refused(checkout: Path, module: str, imported:
     assert f"-> {imported}" in output
 
 
+@pytest.mark.parametrize(
+    ("part", "imported"),
+    [
+        ("rules", "probe.toolshed.result"),
+        ("rules", "probe.agents.moves"),
+        ("oracle_view", "probe.agents.moves"),
+        ("plan", "probe.generation.plan"),
+        ("generator", "probe.verification.truth"),
+        ("observer", "probe.verification.truth"),
+        ("verifier", "probe.scores.row"),
+        ("rules", "probe.question_types.find.rules"),
+    ],
+)
+def test_a_part_of_a_type_knows_no_more_than_its_layer(checkout: Path, part: str, imported: str):
+    path = checkout / "src" / "probe" / "question_types" / "beneath" / f"{part}.py"
+    path.write_text(f"{path.read_text()}\nimport {imported}  # noqa: E402, F401\n")
+    status, output = run(checkout, "lint-imports")
+    assert status != 0
+    assert f"probe.question_types.beneath.{part}" in output
+    assert imported in output
+
+
 def test_questions_get_no_physics_through_others(checkout: Path):
     plant(checkout, "world/engine", "import mujoco")
     plant(checkout, "tasks/planted", "import probe.world.engine")
@@ -132,3 +158,73 @@ def test_no_public_class_name_is_defined_twice():
                 places.setdefault(node.name, []).append(str(path.relative_to(ROOT)))
     assert len(places) > 400
     assert {name: found for name, found in places.items() if len(found) > 1} == {}
+
+
+STARTED_BY_NAME = {
+    "probe.__main__",
+    "probe.agents.external.agent_process",
+    "probe.agents.external.supervisor",
+    "probe.bench.tasks",
+    "probe.perception.sam3",
+    "probe.render.blender",
+    "probe.render.worker",
+}
+"""Modules that other processes, entry points or lazy imports name in text."""
+
+
+def reached(imports: dict[str, set[str]], roots: set[str]) -> set[str]:
+    """Modules that some of the roots lead to, themselves included.
+
+    Args:
+        imports: The modules that each module imports directly.
+        roots: Where to begin.
+    """
+    found, waiting = set[str](), [*roots]
+    while waiting:
+        module = waiting.pop()
+        if module not in found:
+            found.add(module)
+            waiting += imports.get(module, ())
+    return found
+
+
+def needed_by_nothing(package: str, roots: set[str]) -> set[str]:
+    """Modules of a package with code in them that no root leads to."""
+    graph = grimp.build_graph(package, cache_dir=None)
+    modules = {name for name in graph.modules if not graph.find_children(name)}
+    imports = {name: graph.find_modules_directly_imported_by(name) for name in graph.modules}
+    return modules - reached(imports, roots)
+
+
+def roots() -> set[str]:
+    """Where everything in the package is begun from."""
+    commands = {f"probe.cli.{command.module}" for command in COMMANDS.values()}
+    parts = {f"probe.question_types.{name}.{part}" for name in question_types() for part in PARTS}
+    return {"probe", *STARTED_BY_NAME, *commands, *parts}
+
+
+def test_nothing_is_there_for_tests_and_benchmarks_alone():
+    assert needed_by_nothing("probe", roots()) == set()
+
+
+def test_a_module_that_nothing_imports_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    for name, line in [
+        ("__init__", ""),
+        ("begin", "from planted_package import used"),
+        ("used", ""),
+        ("idle", "from planted_package import idle_too"),
+        ("idle_too", ""),
+    ]:
+        path = tmp_path / "planted_package" / f"{name}.py"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(f'"""A module."""\n\n{line}\n')
+    monkeypatch.syspath_prepend(str(tmp_path))
+    found = needed_by_nothing("planted_package", {"planted_package.begin"})
+    assert found == {"planted_package.idle", "planted_package.idle_too"}
+
+
+def test_every_folder_with_code_is_a_package():
+    """Import-linter overlooks a folder that isn't."""
+    code = (ROOT / "src" / "probe").rglob("*.py")
+    folders = {path.parent for path in code}
+    assert [folder for folder in folders if not (folder / "__init__.py").exists()] == []

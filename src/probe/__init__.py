@@ -47,6 +47,8 @@ if TYPE_CHECKING:
     from probe.perception.things import Thing, Words
     from probe.render.renderer import Renderer
     from probe.scene.scene import Scene
+    from probe.scene.setup import Setup
+    from probe.scene.setup_file import read_setup
     from probe.scores.summary import Scores
     from probe.tasks.grading import Score
     from probe.tasks.suite import Suite
@@ -72,6 +74,8 @@ _HOMES = {
     "perception.things": ("Thing", "Words"),
     "render.renderer": ("Renderer",),
     "scene.scene": ("Scene",),
+    "scene.setup": ("Setup",),
+    "scene.setup_file": ("read_setup",),
     "scores.summary": ("Scores",),
     "tasks.grading": ("Score",),
     "tasks.suite": ("Suite",),
@@ -98,6 +102,7 @@ __all__ = [
     "Question",
     "Renderer",
     "Scene",
+    "Setup",
     "Score",
     "Scores",
     "Suite",
@@ -121,6 +126,7 @@ __all__ = [
     "read_graph",
     "read_handle",
     "read_records",
+    "read_setup",
     "replay",
     "rescore",
     "run",

@@ -114,6 +114,9 @@ def looking_at(eye: Array, target: Array) -> Pose:
     return Pose.of(eye, quaternion_of(rotation))
 
 
+_STEEP = -math.cos(math.radians(5.0))
+
+
 @dataclass(frozen=True)
 class Camera:
     """A pinhole camera with square pixels and the principal point in the middle.
@@ -133,6 +136,11 @@ class Camera:
     def focal_px(self) -> float:
         """Focal length in pixels."""
         return self.height_px / 2 / math.tan(math.radians(self.fov_y_deg) / 2)
+
+    @property
+    def looks_down(self) -> bool:
+        """Whether it looks straight down, or but for a few degrees: depth then tells height."""
+        return float(self.world_from_camera.rotation[2, 2]) < _STEEP
 
     def rays(self, uv: Array) -> Array:
         """Directions through pixel coordinates (u, v), shape (n, 2), scaled to z = 1, camera frame.

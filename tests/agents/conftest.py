@@ -7,6 +7,7 @@ import pytest
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Question
 from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import Toolshed
 from tabletops import Obedient, PaintedStation
 
@@ -18,7 +19,7 @@ def play():
     def run(agent, options, specs, blocks, skills=None, text="?"):
         station = PaintedStation(blocks)
         skills = skills or Obedient()
-        tools = Toolshed(station, Oracle(specs), skills, (0, 0, 0), pictures=False)
+        tools = Toolshed(station, Oracle(specs), skills, UR5_TABLE, pictures=False)
         question = Question(text, tuple(zip("ABCDE", options, strict=False)))
         return run_episode("t", question, agent, tools, station, agent_name="a")
 

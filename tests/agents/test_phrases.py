@@ -9,10 +9,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from probe.agents.first_look_policy import FirstLookQuestion, at_a_glance
 from probe.agents.phrases import PhraseBook, phrases, silent
 from probe.agents.reading import read_graph
 from probe.agents.scripted import Scripted
+from probe.agents.type_plan import FirstLookQuestion, plan_for
 from probe.errors import UnknownName
 from probe.perception.oracle import Oracle
 from probe.toolshed.graph import scene_text
@@ -125,9 +125,8 @@ def glance(question_type, subject, form, options, blocks, text="?"):
     frame = paint(blocks)
     graph = read_graph(scene_text(Oracle(SPECS).detect(frame), frame))
     question = Question(text, tuple(zip("ABCDE", options, strict=False)))
-    return at_a_glance(
-        question_type, FirstLookQuestion(question, subject, form, graph), PhraseBook(rng())
-    )
+    asked = FirstLookQuestion(question, subject, form, graph)
+    return plan_for(question_type).at_sight(asked, PhraseBook(rng()))
 
 
 @pytest.mark.parametrize("question_type", ["beneath", "reduce", "find", "count", "size"])

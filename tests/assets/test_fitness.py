@@ -6,7 +6,7 @@ import trimesh
 
 from probe.assets.fitness import OPENING, holdable, unfit
 from probe.assets.mesh.resting import Rest, rest_of
-from probe.world.robot.gripper import MAX_OPENING
+from probe.scene.setup import UR5_TABLE
 
 
 def _verdict(mesh: trimesh.Trimesh, mass: float = 0.2) -> str | None:
@@ -22,7 +22,8 @@ def _bowl(radius: float, wall: float) -> trimesh.Trimesh:
 
 
 def test_the_opening_is_that_of_the_gripper():
-    assert MAX_OPENING - 0.001 < OPENING <= MAX_OPENING
+    widest = UR5_TABLE.gripper.max_opening
+    assert widest - 0.001 < OPENING <= widest
 
 
 @pytest.mark.parametrize(

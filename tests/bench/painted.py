@@ -21,6 +21,7 @@ from probe.runs.episode_worker import EpisodeWorker, EpisodeWorkerSetup
 from probe.runs.plan import Job
 from probe.runs.worker_messages import StartEpisode
 from probe.scene.scene import Scene
+from probe.scene.setup import UR5_TABLE
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import demo_suite
 from probe.toolshed.toolshed import Toolshed
@@ -72,7 +73,7 @@ class PaintedKeeper(EpisodeWorker):
     def _open(self, job: Job) -> Episode:
         station = PaintedStation(BLOCKS)
         skills = Deadly(Path(str(self._place.cache)))
-        tools = Toolshed(station, Oracle(SPECS), skills, (0, 0, 0))
+        tools = Toolshed(station, Oracle(SPECS), skills, UR5_TABLE)
         question = question_of(job.task, tools.first_picture())
         name = self._order.agent
         witness = Told(station, job.task.scene)

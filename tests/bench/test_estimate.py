@@ -14,7 +14,7 @@ from probe.bench.estimate import PICTURE_TOKENS, estimate
 from probe.bench.models import known_models, settings_of
 from probe.bench.prices import read_prices
 from probe.cli.dry_run import would_ask
-from probe.cli.model_run import ModelRunOptions, take_seats
+from probe.cli.model_run import ModelRunOptions, run_model
 from probe.episodes.conditions import AS_FROZEN
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS
@@ -102,16 +102,16 @@ def test_a_model_that_nobody_serves_is_refused_with_what_to_do(
     tmp_path, monkeypatch, model, pointer, words
 ):
     monkeypatch.delenv("VLLM_BASE_URL", raising=False)
-    seats = replace(SEATS, model=model, pointer=pointer)
+    options = replace(SEATS, model=model, pointer=pointer)
     with pytest.raises(BadData, match=words):
-        take_seats(SUITE, seats, tmp_path / "out")
+        run_model(SUITE, options, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
 def test_an_endpoint_without_a_scheme_is_none(tmp_path):
-    seats = replace(SEATS, model="mine", endpoint="localhost:8000/v1")
+    options = replace(SEATS, model="mine", endpoint="localhost:8000/v1")
     with pytest.raises(BadData, match="Begin it with http://"):
-        would_ask(SUITE, seats, tmp_path)
+        would_ask(SUITE, options, tmp_path)
 
 
 def test_a_dry_run_says_that_pointing_comes_on_top(tmp_path, capsys):

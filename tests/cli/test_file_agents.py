@@ -12,7 +12,7 @@ from probe.api.agents import make_agent
 from probe.api.grading import graded
 from probe.api.rows import rows_of
 from probe.cli.file_agents import FileAgents, who_acts
-from probe.cli.run import run
+from probe.cli.run import AgentChoice, ModelChoice, run
 from probe.episodes.files import read_records
 from probe.errors import BadData, UnknownName
 from probe.tasks.suite_file import demo_suite, write_suite
@@ -97,9 +97,14 @@ def test_names_are_safe_and_new(tmp_path, file, cls, name, words):
 
 def test_it_does_nothing_beside_a_model(tmp_path):
     with pytest.raises(BadData, match="--sandbox: does nothing with --model"):
-        run("demo", model="m", sandbox=Sandbox(network=True), out=tmp_path / "out")
+        run(
+            "demo",
+            AgentChoice(sandbox=Sandbox(network=True)),
+            ModelChoice("m"),
+            out=tmp_path / "out",
+        )
     with pytest.raises(BadData, match="--agent-name: does nothing with --model"):
-        run("demo", model="m", agent_name="me", out=tmp_path / "out")
+        run("demo", AgentChoice(agent_name="me"), ModelChoice("m"), out=tmp_path / "out")
 
 
 BREAKS = """
@@ -124,7 +129,7 @@ def test_one_that_breaks_has_stopped_and_is_not_missing(tmp_path, file):
     suite = tmp_path / "two.json"
     write_suite(suite, replace(demo, name="two", tasks=demo.tasks[:2]))
     agent = file(code=BREAKS.replace("{", "{{").replace("}", "}}"))
-    run(str(suite), agent=agent, out=out, workers=2, noise="paper")
+    run(str(suite), AgentChoice(agent), out=out, workers=2, noise="paper")
     records = read_records(out / "records.jsonl")
     assert {record.task for record in records} == {task.id for task in demo.tasks[:2]}
     for record in records:
@@ -139,5 +144,5 @@ def test_one_that_breaks_has_stopped_and_is_not_missing(tmp_path, file):
         shapes = "0 (1024, 1024, 3)\n1 (1024, 1024, 3)\n(1024, 1024, 3)\n"
         assert f"== {task.id}, run 0 ==\n{shapes}" in told
     before = (out / "records.jsonl").read_bytes()
-    run(str(suite), agent=agent, out=out, noise="paper")
+    run(str(suite), AgentChoice(agent), out=out, noise="paper")
     assert (out / "records.jsonl").read_bytes() == before

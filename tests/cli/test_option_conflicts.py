@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from probe.cli.run import run
+from probe.cli.run import AgentChoice, ModelChoice, run
 from probe.episodes.conditions import Conditions
 from probe.errors import BadData
 from probe.perception.dials import Dials
+
+
+def carry_out(said: Mapping[str, Any], out: Path) -> None:
+    """`probe run demo` with these options."""
+    parts = [
+        {name: said[name] for name in said if hasattr(of, name)}
+        for of in (AgentChoice, ModelChoice)
+    ]
+    rest = {name: value for name, value in said.items() if not any(name in it for it in parts)}
+    run("demo", AgentChoice(**parts[0]), ModelChoice(**parts[1]), out=out, **rest)
 
 
 @pytest.mark.parametrize(
@@ -44,10 +56,11 @@ from probe.perception.dials import Dials
 )
 def test_what_would_do_nothing_is_refused(tmp_path, said: dict[str, Any], words):
     with pytest.raises(BadData, match=words):
-        run("demo", out=tmp_path / "out", **said)
+        carry_out(said, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
 def test_what_goes_together_is_taken(tmp_path, capsys):
-    run("demo", model="gpt-5.4", pointer="self", epochs=2, dry_run=True, out=tmp_path / "out")
+    said = {"model": "gpt-5.4", "pointer": "self", "epochs": 2, "dry_run": True}
+    carry_out(said, tmp_path / "out")
     assert "6 tasks, 2 runs each: 12 episodes." in capsys.readouterr().out

@@ -9,6 +9,7 @@ import pytest
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Call, Question, Turn
 from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import Toolshed
 from tabletops import Block, Obedient, PaintedStation, spec
 
@@ -47,7 +48,7 @@ def fresh():
 
     def make(kind: type[PaintedStation] = PaintedStation) -> tuple[PaintedStation, Toolshed]:
         station = kind(BLOCKS)
-        tools = Toolshed(station, Oracle(SPECS), Obedient(), (0, 0, 0), pictures=False)
+        tools = Toolshed(station, Oracle(SPECS), Obedient(), UR5_TABLE, pictures=False)
         return station, tools
 
     return make

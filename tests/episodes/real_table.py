@@ -15,7 +15,7 @@ from probe.episodes.files import line_of, read_records  # noqa: E402
 from probe.episodes.replay import replay  # noqa: E402
 from probe.perception.oracle import Oracle  # noqa: E402
 from probe.render.renderer import Renderer  # noqa: E402
-from probe.scene.layout import BASKET_POSITION  # noqa: E402
+from probe.scene.setup import UR5_TABLE  # noqa: E402
 from probe.toolshed.toolshed import Toolshed  # noqa: E402
 
 LIBRARY = box_library(
@@ -36,7 +36,7 @@ def fresh(renderer: Renderer):
     """A fresh table with two white cubes under a lid, and its tools."""
     station = station_at(SCENE, LIBRARY, renderer)
     specs = {o.instance: LIBRARY[o.object_id] for o in SCENE.objects}
-    tools = Toolshed(station, Oracle(specs), manipulation, BASKET_POSITION, pictures=False)
+    tools = Toolshed(station, Oracle(specs), manipulation, UR5_TABLE, pictures=False)
     return station, tools
 
 

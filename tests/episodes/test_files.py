@@ -16,8 +16,8 @@ from probe.episodes.files import (
 from probe.episodes.turns import Call
 from probe.errors import BadData, OutputFailed
 from probe.perception.dials import Dials
-from probe.scene.layout import top_camera
 from probe.scene.lighting import Lighting
+from probe.scene.setup import UR5_TABLE
 from probe.scene.viewpoint import Viewpoint
 from probe.types import Pose
 
@@ -39,7 +39,7 @@ def test_conditions_and_sight_survive_the_disk(tmp_path, play):
     record = replace(
         play(),
         conditions=Conditions("hdri", "raised", "other", 0.003, Dials(missed=0.2), "grasp"),
-        sight=Viewpoint(replace(top_camera(), world_from_camera=pose), Lighting("loft", 0.5)),
+        sight=Viewpoint(replace(UR5_TABLE.camera(), world_from_camera=pose), Lighting("loft", 0.5)),
     )
     write_records(tmp_path / "records.jsonl", [record])
     assert read_records(tmp_path / "records.jsonl") == [record]

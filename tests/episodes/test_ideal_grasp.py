@@ -1,13 +1,13 @@
 import numpy as np
 
 from probe.episodes.ideal_grasp import IdealGrasp
-from probe.scene.layout import top_camera
+from probe.scene.setup import UR5_TABLE
 from probe.types import Frame
 
 LABELS = np.zeros((8, 8), np.int32)
 LABELS[:4, :4], LABELS[4:, 4:] = 1, 2
-FRAME = Frame(top_camera(8), np.ones((8, 8), np.float32), labels=LABELS)
-AFTER = Frame(top_camera(8), np.zeros((8, 8), np.float32))
+FRAME = Frame(UR5_TABLE.top.camera(8), np.ones((8, 8), np.float32), labels=LABELS)
+AFTER = Frame(UR5_TABLE.top.camera(8), np.zeros((8, 8), np.float32))
 
 
 class Table:

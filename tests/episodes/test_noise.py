@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from probe.episodes.noise import NO_NOISE, Noise, NoisySkills
-from probe.scene.layout import BASKET_POSITION, top_camera
+from probe.scene.setup import UR5_TABLE
 from probe.station.offset_station import OffsetStation
 from probe.station.station import Arm as UrArm
 from probe.station.station import Hand
@@ -19,7 +19,7 @@ from probe.types import Frame, Pose
 NOISE = Noise(grasp=0.01, push=0.02)
 LABELS = np.zeros((8, 8), np.int32)
 LABELS[:4, :4], LABELS[4:, 4:] = 1, 2
-FRAME = Frame(top_camera(8), np.ones((8, 8), np.float32), labels=LABELS)
+FRAME = Frame(UR5_TABLE.top.camera(8), np.ones((8, 8), np.float32), labels=LABELS)
 
 
 @dataclass
@@ -71,9 +71,9 @@ def errors(*calls, noise=NOISE, seed=5, run=0):
     for tool, instance in calls:
         mask = instance == LABELS
         if tool == "grasp":
-            lucky.grasp_and_remove(Arm(), FRAME, mask, BASKET_POSITION)
+            lucky.grasp_and_remove(Arm(), FRAME, mask, UR5_TABLE)
         else:
-            lucky.push(Arm(), FRAME, mask, "left", 0.1, BASKET_POSITION)
+            lucky.push(Arm(), FRAME, mask, "left", 0.1, UR5_TABLE)
     return skills.errors
 
 

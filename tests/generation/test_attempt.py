@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 from dataclasses import replace
-from itertools import product
 
 import pytest
 
@@ -13,6 +12,7 @@ from probe.generation.attempt import Attempt, origins
 from probe.generation.build_folder import TaskSlot
 from probe.generation.plan import plan, plan_of
 from probe.generation.salt import Salt
+from probe.generation.task_generator import generator_of
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import packaged_suite
 from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, Task
@@ -38,10 +38,11 @@ def test_salted_plans_balance_as_public_ones_do(question_type):
     letters = dict.fromkeys(PAIR, 60) if paired else dict.fromkeys(LETTERS, 24)
     assert Counter(p.letter for p in plans) == letters
     assert Counter(p.wording for p in plans) == dict.fromkeys(range(20), 6)
-    assert Counter(p.removals for p in plans) == {1: 30, 2: 30, 3: 30, 4: 20, 5: 10}
-    assert Counter((p.visible, p.hidden) for p in plans) == {
-        each: 10 for each in product(range(4), range(3))
-    }
+    for turn in generator_of(question_type).turns:
+        found = Counter(turn.of(p) for p in plans)
+        assert found == {
+            value: 120 * times // len(turn.values) for value, times in Counter(turn.values).items()
+        }
     # Over any number of tasks, not whole blocks alone.
     firsts = Counter(p.letter for p in plans[:27])
     assert paired or max(firsts.values()) - min(firsts.values()) == 1
@@ -57,8 +58,13 @@ def test_all_that_is_planned_depends_on_the_salt():
             ]
             for salt in (None, ONE, OTHER)
         )
-        what = ("letter", "wording", "cues", "visible")[number]
-        ways = {tuple(getattr(p, what) for p in plans) for plans in (public, one, other)}
+        what = (
+            lambda p: p.letter,
+            lambda p: p.wording,
+            lambda p: p.places.get("cues"),
+            lambda p: p.places.get("count"),
+        )[number]
+        ways = {tuple(map(what, plans)) for plans in (public, one, other)}
         assert len(ways) == 3
 
 

@@ -9,9 +9,10 @@ import pytest
 
 from probe.assets.library import Library
 from probe.assets.tables import load_table
-from probe.generation.compare import generate_compare
-from probe.generation.plan import TaskPlan, plan
+from probe.generation.plan import plan
 from probe.generation.result import Rejected
+from probe.generation.task_plan import CROSSED, TaskPlan
+from probe.question_types.compare.generator import generate_compare
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
 from probe.tasks.task import Task
@@ -24,8 +25,9 @@ SEEDS = 1000, 4000, 9000
 
 def opposite(one: TaskPlan) -> TaskPlan:
     """Of the same look under the same letters, answered by the other one."""
-    tells, more, rest = one.cues
-    return replace(one, letter="BA"["AB".index(one.letter)], cues=(not tells, not more, rest))
+    _, tells, more = CROSSED.of(one)
+    letter = "B" if one.letter == "A" else "A"
+    return CROSSED.put(replace(one, letter=letter), (letter, not tells, not more))
 
 
 def made(seed: int, wanted: TaskPlan, library: Library, renderer: Renderer) -> Task | str:

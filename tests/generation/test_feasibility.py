@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from probe.assets.library import Library
-from probe.generation.beneath import select_beneath
 from probe.generation.build_folder import TaskSlot
-from probe.generation.count import select_count
 from probe.generation.feasibility import possibilities
-from probe.generation.find import select_find
 from probe.generation.object_selection import LEAST_LEADING
 from probe.generation.plan import plan
-from probe.generation.size import draw_pairs
+from probe.question_types.beneath.generator import select_beneath
+from probe.question_types.count.generator import select_count
+from probe.question_types.find.generator import select_find
+from probe.question_types.size.generator import draw_pairs
 from probe.tasks.task import QUESTION_TYPES
 
 SOME = (

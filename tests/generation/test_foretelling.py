@@ -140,6 +140,7 @@ def private(library: Library, tmp_path_factory) -> Sequence[Task]:
         task = replace(
             FIND,
             question_type=place.question_type,
+            form=last.plan.form,
             id=last.id,
             seed=last.bears,
             scene=replace(FIND.scene, seed=last.bears),

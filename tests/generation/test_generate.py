@@ -17,10 +17,14 @@ from probe.generation.colour_words import colour_words_in
 from probe.generation.generate import generate
 from probe.generation.plan import ATTEMPTS, plan
 from probe.generation.result import TaskCandidate
+from probe.generation.task_plan import CROSSED, MORE_CUES
+from probe.question_types.count.generator import INSTANCES
+from probe.question_types.find.generator import PARTLY_SEEN
+from probe.question_types.reduce.generator import REMOVALS
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
-from probe.scene.layout import top_camera
 from probe.scene.scene import Scene
+from probe.scene.setup import UR5_TABLE
 from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionType, Task
 
 TABLES = ("oak_planks",)
@@ -100,23 +104,25 @@ def test_beneath(library: Library, renderer: Renderer):
 @pytest.mark.parametrize("episode", [0, 1])
 def test_count(library: Library, renderer: Renderer, episode):
     task = first_kept("count", episode, library, renderer).task
-    wanted = plan("count", episode * ATTEMPTS)
+    visible, hidden = INSTANCES.of(plan("count", episode * ATTEMPTS))
     assert 12 <= len(task.scene.objects) <= 15
     names = names_on_table(task, library)
     number = names.count(task.subject)
-    assert number == wanted.visible + wanted.hidden == len(task.targets)
+    assert number == visible + hidden == len(task.targets)
     others = [name for name in names if name != task.subject]
     assert len(others) == len(set(others))
     check_options(task, str(number))
     measured = shares(task.scene, library, renderer)
     mine = sorted(measured[n][0] for n in task.targets)
-    assert all(share <= 0.05 for share in mine[: wanted.hidden])
-    assert all(share >= 0.50 for share in mine[wanted.hidden :])
+    assert all(share <= 0.05 for share in mine[:hidden])
+    assert all(share >= 0.50 for share in mine[hidden:])
     check_certificate(task, measured)
 
 
 def find_episode(*, partly: bool) -> int:
-    return next(e for e in itertools.count() if plan("find", e * ATTEMPTS).partly is partly)
+    return next(
+        e for e in itertools.count() if PARTLY_SEEN.of(plan("find", e * ATTEMPTS)) is partly
+    )
 
 
 @pytest.mark.parametrize("partly", [False, True])
@@ -139,7 +145,7 @@ def test_find(library: Library, renderer: Renderer, partly):
 
 
 def test_reduce(library: Library, renderer: Renderer):
-    episode = next(e for e in itertools.count() if plan("reduce", e * ATTEMPTS).removals == 2)
+    episode = next(e for e in itertools.count() if REMOVALS.of(plan("reduce", e * ATTEMPTS)) == 2)
     candidate = first_kept("reduce", episode, library, renderer)
     task = candidate.task
     (target,) = task.targets
@@ -164,7 +170,7 @@ def test_reduce(library: Library, renderer: Renderer):
 
 def check_marks(task: Task, measured: dict[int, tuple[float, int]], renderer: Renderer) -> None:
     """The two are partly hidden, and the marks lie well inside of what shows of them."""
-    labels = renderer.draw(task.scene.objects, top_camera(), rgb=False).labels
+    labels = renderer.draw(task.scene.objects, UR5_TABLE.camera(), rgb=False).labels
     assert labels is not None
     assert [mark.letter for mark in task.marks] == ["A", "B"]
     assert [option.text for option in task.options] == ["Object A", "Object B"]
@@ -193,13 +199,14 @@ def test_size(library: Library, renderer: Renderer, episode):
     numbers = [task.marks[large].instance, task.marks[1 - large].instance]
     # From 30 % on, perception would name it, and with its name comes its size.
     assert all(measured[number][0] < 0.30 for number in numbers)
-    check_leads(task, numbers, wanted.cues, renderer)
+    cues = (*CROSSED.of(wanted)[1:], MORE_CUES.of(wanted)[0])
+    check_leads(task, numbers, cues, renderer)
     check_certificate(task, measured)
 
 
 def check_leads(task: Task, numbers: list[int], cues: tuple[bool, ...], renderer: Renderer):
     """By pixels, box and what adjoins, the larger thing leads or lags as planned, slightly."""
-    labels = renderer.draw(task.scene.objects, top_camera(), rgb=False).labels
+    labels = renderer.draw(task.scene.objects, UR5_TABLE.camera(), rgb=False).labels
     assert labels is not None
     corners = [np.argwhere(labels == number) for number in numbers]
     areas = [len(found) for found in corners]
@@ -237,8 +244,9 @@ def test_compare(library: Library, renderer: Renderer):
     assert min(v for k, v in task.certificate.measures.items() if k.startswith("apart")) >= 15
     assert all(measured[mark.instance][0] < 0.30 for mark in task.marks)
     wanted = plan("compare", ATTEMPTS)
-    assert (task.certificate.measures["patch_lead"] > 0) == wanted.cues[0]
-    check_patches(task, right, wanted.cues, library, renderer)
+    cues = CROSSED.of(wanted)[1:]
+    assert (task.certificate.measures["patch_lead"] > 0) == cues[0]
+    check_patches(task, right, cues, library, renderer)
     check_certificate(task, measured)
 
 

@@ -8,7 +8,8 @@ import pytest
 from probe.assets.library import Library
 from probe.generation.palettes import main_colour
 from probe.generation.plan import ATTEMPTS, plan
-from probe.generation.size import select_size
+from probe.generation.task_plan import MORE_CUES
+from probe.question_types.size.generator import LIGHTER, select_size
 
 
 @pytest.mark.slow
@@ -20,10 +21,10 @@ def test_the_longer_cover_goes_where_it_is_planned_and_both_things_are_of_a_size
         a, b = (cover.spec for cover in cast.covers)
         larger = "AB".index(wanted.letter) ^ (wanted.form == "smaller")
         longer = int(max(b.size) > max(a.size))
-        assert (longer == larger) == wanted.longer_cover or max(a.size) == max(b.size)
+        assert (longer == larger) == MORE_CUES.of(wanted)[1] or max(a.size) == max(b.size)
         bare = [np.prod(sorted(spec.size)[-2:]) for spec in cast.marked]
         assert max(bare) <= 2.5 * min(bare)
         light = [main_colour(library, spec.id)[0] for spec in cast.marked]
-        assert (light[larger] > light[1 - larger]) == wanted.lighter
+        assert (light[larger] > light[1 - larger]) == LIGHTER.of(wanted)
         larger_by_place.append(larger)
     assert set(larger_by_place) == {0, 1}

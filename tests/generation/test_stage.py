@@ -6,6 +6,7 @@ import pytest
 from probe.assets.library import Library
 from probe.generation.covers import cover_of
 from probe.generation.stage import Layer, Stage, about_z, draw_clear_drop
+from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
 from probe.world.model import Post
 
@@ -20,7 +21,7 @@ POST = Post(0.03, -0.02, 0.07)
 
 @pytest.fixture(scope="module")
 def stage(library: Library) -> Stage:
-    return Stage([library[id] for id in IDS], library, [POST])
+    return Stage([library[id] for id in IDS], library, [POST], UR5_TABLE)
 
 
 @pytest.fixture(scope="module")
@@ -75,7 +76,7 @@ def test_drops_keep_clear_of_posts(library: Library):
     rng = np.random.default_rng(0)
     spec = library["proc_lime"]
     for _ in range(100):
-        drop = draw_clear_drop(spec, [POST], 0.17, rng)
+        drop = draw_clear_drop(spec, [POST], 0.17, rng, UR5_TABLE.work_area)
         assert np.hypot(drop.x - POST.x, drop.y - POST.y) > POST.radius
         assert max(abs(drop.x), abs(drop.y)) <= 0.17
 

@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 
 from probe.assets.library import Library
-from probe.generation.compare import paint_twins_of
 from probe.generation.paint_twins import PaintTwins
 from probe.generation.palettes import main_colour
 from probe.generation.plan import plan
+from probe.generation.task_plan import CROSSED
 from probe.generation.twin_pairs import TwinPair, TwinSide, draw_duels
+from probe.question_types.compare.generator import paint_twins_of
 from probe.scene.seeds import generator
+from probe.tasks.task import Letter
 from tabletops import spec
 
 SIDE = np.array([50.0, 0, 0]), np.zeros(1)
@@ -26,7 +28,7 @@ DUEL = TwinPair(CAN, JAR, None, "red")
 @pytest.mark.parametrize("letter", ["A", "B"])
 @pytest.mark.parametrize("tells", [True, False])
 def test_one_is_right_in_each_world_and_both_look_the_same(letter, tells):
-    wanted = replace(plan("compare", 0), letter=letter, cues=(tells, True, True))
+    wanted = CROSSED.put(replace(plan("compare", 0), letter=letter), (letter, tells, True))
     asked = DUEL.asked(wanted)
     right, wrong = asked.marked[asked.right], asked.marked[1 - asked.right]
     assert right.colours == ("red",) and "red" not in wrong.colours
@@ -37,7 +39,8 @@ def test_one_is_right_in_each_world_and_both_look_the_same(letter, tells):
     assert asked.twins[1 - asked.right].colours == ("red",) != asked.twins[asked.right].colours
     shapes = [[each.name.split()[1] for each in pair] for pair in (asked.marked, asked.twins)]
     assert shapes[0] == shapes[1]
-    opposite = replace(wanted, letter="AB"[letter == "A"], cues=(not tells, False, True))
+    other: Letter = "B" if letter == "A" else "A"
+    opposite = CROSSED.put(replace(wanted, letter=other), (other, not tells, False))
     assert DUEL.asked(opposite).marked == asked.twins
 
 

@@ -18,6 +18,7 @@ from probe.episodes.turns import Question  # noqa: E402
 from probe.interfaces.mcp_server import serve  # noqa: E402
 from probe.interfaces.session import Session  # noqa: E402
 from probe.perception.oracle import Oracle  # noqa: E402
+from probe.scene.setup import UR5_TABLE  # noqa: E402
 from probe.toolshed import toolshed  # noqa: E402
 from tabletops import Block, Obedient, PaintedStation, spec  # noqa: E402
 
@@ -46,7 +47,7 @@ class Slow(Obedient):
 def open_episode() -> Episode:
     """A fresh episode."""
     station = PaintedStation(BLOCKS)
-    tools = toolshed.Toolshed(station, Oracle(SPECS), Slow(), (0, 0, 0))
+    tools = toolshed.Toolshed(station, Oracle(SPECS), Slow(), UR5_TABLE)
     question = Question(QUESTION.text, QUESTION.options, tools.first_picture())
     return Episode("duck-0815", question, tools, station, agent_name="mcp")
 

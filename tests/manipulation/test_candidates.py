@@ -7,7 +7,7 @@ from manipulation.views import Block, view
 from probe.manipulation.candidates import Grasp, propose
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
-from probe.scene.layout import BASKET_POSITION
+from probe.scene.setup import UR5_TABLE
 from probe.station.ur5 import Gripper
 from probe.types import Array
 
@@ -19,7 +19,7 @@ NEIGHBOURS = (Block(0.02, 0.12, (0.10, 0.04, 0.09)), Block(-0.07, 0.04, (0.03, 0
 def grasps_of(*blocks: Block) -> list[Grasp]:
     """Grasps of the first block among the others."""
     frame, masks = view(blocks)
-    terrain = survey(frame, BASKET_POSITION)
+    terrain = survey(frame, UR5_TABLE)
     return propose(target_of(frame, masks[0], terrain), terrain, HAND)
 
 

@@ -12,7 +12,7 @@ from probe.manipulation.handshape import HandShape
 from probe.manipulation.pushing import PlannedPush
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
-from probe.scene.layout import BASKET_POSITION
+from probe.scene.setup import UR5_TABLE
 from probe.station.ur5 import Gripper
 from probe.types import Array
 
@@ -25,7 +25,7 @@ RIGHT = np.array([1.0, 0.0, 0.0])
 def first_drags(blocks: Sequence[Block], own: int = 1) -> list[PlannedPush]:
     """Of a thing made of the first few blocks."""
     frame, masks = view(blocks)
-    terrain = survey(frame, BASKET_POSITION)
+    terrain = survey(frame, UR5_TABLE)
     target = target_of(frame, np.any(masks[:own], axis=0), terrain)
     return list(islice(drags(target, terrain, HandShape(HAND), RIGHT), 5))
 

@@ -16,7 +16,7 @@ from manipulation.views import Block, view
 from probe.manipulation.graspgen import DEPTH, GraspGen, GraspServerFailed
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
-from probe.scene.layout import BASKET_POSITION
+from probe.scene.setup import UR5_TABLE
 from probe.station.ur5 import Gripper
 
 BLOCK = Block(0.0, 0.0, (0.06, 0.04, 0.06))
@@ -71,7 +71,7 @@ def good(request: dict) -> dict:
 
 def plan(address: str, *blocks: Block, timeout: float = 5.0):
     frame, masks = view(blocks)
-    terrain = survey(frame, BASKET_POSITION)
+    terrain = survey(frame, UR5_TABLE)
     target = target_of(frame, masks[0], terrain)
     return GraspGen(address, timeout=timeout)(target, terrain, Gripper())
 

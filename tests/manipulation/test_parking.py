@@ -10,8 +10,8 @@ from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.parking import park
 from probe.manipulation.terrain import survey
 from probe.render.renderer import Renderer
-from probe.scene.layout import BASKET_POSITION
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import UR5_TABLE
 from probe.station.simulated import BLOCKED, SimulatedStation
 from probe.types import Pose
 from probe.world.world import World
@@ -30,7 +30,7 @@ def test_what_stands_in_the_way_home_is_got_around(renderer, y) -> None:
     there = PlacedObject(1, post.spec.id, at(0.12, y))
     renderer.load({post.spec.id: post.body.mesh}, grey_table())
     station = SimulatedStation(World(Scene(0, "grey", (there,)), shelf([post])), renderer)
-    empty = survey(renderer.draw([], station.observe(rgb=False).camera, rgb=False), BASKET_POSITION)
+    empty = survey(renderer.draw([], station.observe(rgb=False).camera, rgb=False), UR5_TABLE)
     down = Pose((0.12, 0.0, 0.28), (0.0, 1.0, 0.0, 0.0))
     start = reaching(station.arm, down, station.joints())[0]
     over = Pose((0.12, 0.0, 0.6), (0.0, 1.0, 0.0, 0.0))

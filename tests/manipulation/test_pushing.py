@@ -10,7 +10,7 @@ from probe.manipulation.handshape import HandShape
 from probe.manipulation.pushing import PlannedPush, pushes
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
-from probe.scene.layout import BASKET_POSITION
+from probe.scene.setup import UR5_TABLE
 from probe.station.ur5 import Gripper
 from probe.types import Array
 
@@ -22,7 +22,7 @@ ALONG = [np.array(v, float) for v in ([1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 
 
 def first_pushes(along: Array, *blocks: Block) -> list[PlannedPush]:
     frame, masks = view(blocks)
-    terrain = survey(frame, BASKET_POSITION)
+    terrain = survey(frame, UR5_TABLE)
     target = target_of(frame, masks[0], terrain)
     return list(islice(pushes(target, terrain, HandShape(HAND), along, 0.1), 5))
 

@@ -9,13 +9,13 @@ from scipy.spatial.transform import Rotation
 from probe.manipulation.looking import tracked
 from probe.manipulation.registration import Motions, OrientedPoints, fit, register
 from probe.manipulation.terrain import lifted
-from probe.scene.layout import TABLE_SIZE, top_camera
 from probe.scene.scene import PlacedObject
+from probe.scene.setup import UR5_TABLE
 from probe.types import Frame, Pose
 from raycast import cast
 from shapes import box
 
-CAMERA = top_camera(512)
+CAMERA = UR5_TABLE.top.camera(512)
 MESHES = {"book": box(0.12, 0.08, 0.03, 90, 90, 90), "post": box(0.04, 0.04, 0.1, 90, 90, 90)}
 POST = PlacedObject(2, "post", Pose((-0.15, 0.1, 0.0)))
 
@@ -28,7 +28,7 @@ def book(x=0.0, y=0.0, turn=0.0, tip=0.0, z=0.0) -> PlacedObject:
 
 
 def look(*objects: PlacedObject) -> tuple[Frame, np.ndarray]:
-    labels, depth = cast(objects, MESHES, CAMERA, TABLE_SIZE)
+    labels, depth = cast(objects, MESHES, CAMERA, UR5_TABLE.table_size)
     return Frame(CAMERA, depth.astype(np.float32)), labels == 1
 
 

@@ -13,8 +13,8 @@ from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.manipulation.grasp import GraspResult, grasp_and_remove
 from probe.manipulation.push import LONGEST, push
 from probe.render.renderer import Renderer
-from probe.scene.layout import BASKET_POSITION, BASKET_SIZE
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import UR5_TABLE
 from probe.station.simulated import SimulatedStation
 from probe.station.ur5 import Ur5
 from probe.types import Array, Pose
@@ -44,7 +44,7 @@ def stand(renderer: Renderer, items: Sequence[Item], poses: Sequence[Pose]) -> S
 def grasp_first(station: SimulatedStation) -> GraspResult:
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    return grasp_and_remove(station, frame, frame.labels == 1, BASKET_POSITION)
+    return grasp_and_remove(station, frame, frame.labels == 1, UR5_TABLE)
 
 
 def position(station: SimulatedStation, instance: int = 1) -> Array:
@@ -52,8 +52,11 @@ def position(station: SimulatedStation, instance: int = 1) -> Array:
 
 
 def is_in_basket(point: Array) -> bool:
-    offset = np.abs(point - BASKET_POSITION)
-    return bool((offset[:2] < np.array(BASKET_SIZE[:2]) / 2).all() and offset[2] < BASKET_SIZE[2])
+    offset = np.abs(point - UR5_TABLE)
+    return bool(
+        (offset[:2] < np.array(UR5_TABLE.basket.size[:2]) / 2).all()
+        and offset[2] < UR5_TABLE.basket.size[2]
+    )
 
 
 def is_parked(station: SimulatedStation) -> bool:
@@ -125,9 +128,7 @@ def test_an_arm_that_reaches_nothing_says_so(renderer: Renderer) -> None:
     assert grasp_first(station).status == "unreachable"
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    assert (
-        push(station, frame, frame.labels == 1, "up", 0.1, BASKET_POSITION).status == "unreachable"
-    )
+    assert push(station, frame, frame.labels == 1, "up", 0.1, UR5_TABLE).status == "unreachable"
     assert is_parked(station)
 
 
@@ -160,7 +161,7 @@ def test_a_box_goes_as_far_as_it_is_pushed(renderer, direction, along, distance)
     station = stand(renderer, [RED], [at(0.02, 0.05)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    result = push(station, frame, frame.labels == 1, direction, distance, BASKET_POSITION)
+    result = push(station, frame, frame.labels == 1, direction, distance, UR5_TABLE)
     assert result.status == "pushed" and is_parked(station)
     way = position(station)[:2] - [0.02, 0.05]
     assert way @ np.array(along) == pytest.approx(distance, abs=0.01)
@@ -176,7 +177,7 @@ def test_without_room_behind_it_is_taken_along_from_above(renderer: Renderer) ->
     station = stand(renderer, [RED, wall], [at(0.02, 0.05), at(-0.196, 0.05)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    result = push(station, frame, frame.labels == 1, "right", 0.1, BASKET_POSITION)
+    result = push(station, frame, frame.labels == 1, "right", 0.1, UR5_TABLE)
     assert result.status == "pushed" and is_parked(station)
     # It may slip or tip beneath the tips, but comes at least half of the way.
     assert position(station)[0] - 0.02 > 0.05
@@ -190,9 +191,7 @@ def test_without_room_behind_or_above_nothing_is_pushed(renderer: Renderer) -> N
     station = stand(renderer, [RED, behind, *beside], places)
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    assert (
-        push(station, frame, frame.labels == 1, "right", 0.1, BASKET_POSITION).status == "no_space"
-    )
+    assert push(station, frame, frame.labels == 1, "right", 0.1, UR5_TABLE).status == "no_space"
     assert position(station) == pytest.approx([0.02, 0.05, 0.0], abs=1e-6)
 
 
@@ -201,7 +200,7 @@ def test_what_leaves_the_picture_in_part_is_pushed_on(renderer: Renderer) -> Non
     station = stand(renderer, [RED], [at(0.20, 0.05)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    result = push(station, frame, frame.labels == 1, "right", 0.06, BASKET_POSITION)
+    result = push(station, frame, frame.labels == 1, "right", 0.06, UR5_TABLE)
     assert result.status == "pushed" and result.moved == pytest.approx(0.06, abs=0.01)
     assert position(station)[0] == pytest.approx(0.26, abs=0.01)
 
@@ -210,9 +209,9 @@ def test_a_push_into_the_basket_stops_before_its_wall(renderer: Renderer) -> Non
     station = stand(renderer, [RED], [at(-0.18, -0.262)])
     frame = station.observe(rgb=False)
     assert frame.labels is not None
-    result = push(station, frame, frame.labels == 1, "left", LONGEST, BASKET_POSITION)
+    result = push(station, frame, frame.labels == 1, "left", LONGEST, UR5_TABLE)
     assert result.status == "short" and result.swept < LONGEST
-    wall = BASKET_POSITION[0] + BASKET_SIZE[0] / 2
+    wall = UR5_TABLE.basket.position[0] + UR5_TABLE.basket.size[0] / 2
     assert wall < position(station)[0] - 0.045 < wall + 0.06
 
 
@@ -220,4 +219,4 @@ def test_a_push_has_limits(renderer: Renderer) -> None:
     station = stand(renderer, [RED], [at(0.0, 0.0)])
     frame = station.observe(rgb=False)
     with pytest.raises(ValueError, match=r"0\.03 to 0\.2"):
-        push(station, frame, np.ones(frame.depth.shape, bool), "up", 0.5, BASKET_POSITION)
+        push(station, frame, np.ones(frame.depth.shape, bool), "up", 0.5, UR5_TABLE)

@@ -8,7 +8,7 @@ from probe.manipulation.pushing import PlannedPush
 from probe.manipulation.starts import close, starts
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
-from probe.scene.layout import BASKET_POSITION
+from probe.scene.setup import UR5_TABLE
 from probe.station.ur5 import Gripper
 from probe.types import Pose
 
@@ -20,7 +20,7 @@ ELSEWHERE = Pose((9.0, 9.0, 9.0), (1.0, 0.0, 0.0, 0.0))
 
 def tried(*unlike: Pose) -> list[PlannedPush]:
     frame, masks = view([BOX, FENCE])
-    terrain = survey(frame, BASKET_POSITION)
+    terrain = survey(frame, UR5_TABLE)
     target = target_of(frame, masks[0], terrain)
     return starts(target, terrain, HandShape(Gripper()), RIGHT, 0.1, unlike)
 

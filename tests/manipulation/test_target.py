@@ -8,13 +8,13 @@ from hypothesis import strategies as st
 from manipulation.views import Block, view
 from probe.manipulation.target import Target, target_of
 from probe.manipulation.terrain import CELL, survey
-from probe.scene.layout import BASKET_POSITION
+from probe.scene.setup import UR5_TABLE
 
 
 def seen(*blocks: Block) -> Target:
     """The first of some blocks."""
     frame, masks = view(blocks)
-    return target_of(frame, masks[0], survey(frame, BASKET_POSITION))
+    return target_of(frame, masks[0], survey(frame, UR5_TABLE))
 
 
 @settings(max_examples=15, deadline=None)
@@ -54,5 +54,5 @@ def test_where_a_neighbour_touches_there_is_no_wall() -> None:
 
 def test_an_empty_mask_gives_an_empty_target() -> None:
     frame, _ = view([])
-    target = target_of(frame, np.zeros(frame.depth.shape, bool), survey(frame, BASKET_POSITION))
+    target = target_of(frame, np.zeros(frame.depth.shape, bool), survey(frame, UR5_TABLE))
     assert len(target.walls) == len(target.top) == 0 and not target.cells.any()

@@ -5,7 +5,7 @@ import pytest
 
 from manipulation.views import Block, view
 from probe.manipulation.terrain import CELL, lifted, survey
-from probe.scene.layout import BASKET_POSITION, BASKET_SIZE
+from probe.scene.setup import UR5_TABLE
 
 TALL = Block(0.12, -0.10, (0.05, 0.06, 0.15))
 
@@ -15,26 +15,26 @@ def heights_at(terrain, *points: tuple[float, float]) -> np.ndarray:
 
 
 def test_heights_are_those_of_the_blocks_and_of_the_table() -> None:
-    terrain = survey(view([TALL])[0], BASKET_POSITION)
+    terrain = survey(view([TALL])[0], UR5_TABLE)
     found = heights_at(terrain, (0.12, -0.10), (0.10, -0.12), (-0.2, 0.2), (0.2, 0.1))
     assert found == pytest.approx([0.15, 0.15, 0.0, 0.0], abs=0.001)
 
 
 def test_the_shadow_of_a_tall_thing_is_as_low_as_what_lies_around() -> None:
-    terrain = survey(view([TALL])[0], BASKET_POSITION)
+    terrain = survey(view([TALL])[0], UR5_TABLE)
     # Of the table beyond the block nothing is seen for 0.15 / 1.05 of its distance, 17 mm.
     assert heights_at(terrain, (0.12 + 0.025 + 0.006, -0.10)) == pytest.approx([0.0], abs=0.001)
 
 
 def test_the_basket_has_walls_and_an_empty_middle() -> None:
-    terrain = survey(view([])[0], BASKET_POSITION)
-    x, y, _ = BASKET_POSITION
-    wall = y + BASKET_SIZE[1] / 2 + 2 * CELL
-    assert heights_at(terrain, (x, wall), (x, y)) == pytest.approx([BASKET_SIZE[2], 0.0])
+    terrain = survey(view([])[0], UR5_TABLE)
+    x, y, _ = UR5_TABLE.basket.position
+    wall = y + UR5_TABLE.basket.size[1] / 2 + 2 * CELL
+    assert heights_at(terrain, (x, wall), (x, y)) == pytest.approx([UR5_TABLE.basket.size[2], 0.0])
 
 
 def test_points_beyond_the_grid_are_over_the_table() -> None:
-    terrain = survey(view([TALL])[0], BASKET_POSITION)
+    terrain = survey(view([TALL])[0], UR5_TABLE)
     assert heights_at(terrain, (5.0, 5.0), (-5.0, 0.0), (0.0, -9.0)).tolist() == [0, 0, 0]
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from probe.scene.layout import top_camera
+from probe.scene.setup import UR5_TABLE
 from probe.types import Array, Frame
 
 
@@ -31,7 +31,7 @@ class Block:
 
 def view(blocks: Sequence[Block], size_px: int = 512) -> tuple[Frame, list[Array]]:
     """A frame of blocks on the table, and each one's mask; the slab method (Kay, Kajiya 1986)."""
-    camera = top_camera(size_px)
+    camera = UR5_TABLE.top.camera(size_px)
     v, u = np.mgrid[:size_px, :size_px] + 0.5
     rays = (
         camera.rays(np.column_stack([u.ravel(), v.ravel()])) @ camera.world_from_camera.rotation.T

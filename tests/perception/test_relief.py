@@ -6,15 +6,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from probe.perception.relief import relief
-from probe.scene.layout import CAMERA_HEIGHT, top_camera
+from probe.scene.setup import UR5_TABLE
 from probe.types import Frame
 from tabletops import Block, paint
 
 
 def surface(heights):
     grey = np.full((*heights.shape, 3), 128, np.uint8)
-    depth = (CAMERA_HEIGHT - heights).astype(np.float32)
-    return Frame(top_camera(len(heights)), depth, grey)
+    depth = (UR5_TABLE.top.eye[2] - heights).astype(np.float32)
+    return Frame(UR5_TABLE.top.camera(len(heights)), depth, grey)
 
 
 @settings(max_examples=15, deadline=None)

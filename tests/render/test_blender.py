@@ -14,12 +14,12 @@ from probe.errors import MissingExtra
 from probe.render import driver
 from probe.render.illumination import AMBIENT
 from probe.render.renderer import Renderer
-from probe.scene.layout import front_camera, top_camera
 from probe.scene.scene import PlacedObject
+from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
 from shapes import box, card, grey_table, plain
 
-CAMERA = top_camera(256)
+CAMERA = UR5_TABLE.top.camera(256)
 COLOURS = {"red": (200, 40, 30), "sand": (210, 190, 140), "navy": (30, 40, 110)}
 CARDS = [
     PlacedObject(n, name, Pose((0.16 * (n - 2), 0.15, 0.001)))
@@ -72,7 +72,7 @@ def test_surroundings_tint_everything(drawing):
     assert red > 1.25 * green and red > 1.25 * blue
 
 
-@pytest.mark.parametrize("camera", [CAMERA, front_camera(256)], ids=["top", "front"])
+@pytest.mark.parametrize("camera", [CAMERA, UR5_TABLE.front.camera(256)], ids=["top", "front"])
 def test_pictures_lie_on_the_labels_to_a_pixel(drawing, camera):
     frame = drawing.draw([*CARDS, POST], camera, rgb=True)
     edges = outline(frame.labels)
@@ -95,7 +95,7 @@ def outline(picture):
 
 def test_bytes_do_not_depend_on_what_was_drawn_before(blender):
     first = picture(blender, lamp())
-    blender.draw(CARDS, front_camera(256), rgb=True, light=AMBIENT)
+    blender.draw(CARDS, UR5_TABLE.front.camera(256), rgb=True, light=AMBIENT)
     assert picture(blender, lamp()) == first
     with Renderer(engine="blender") as another:
         load(another)

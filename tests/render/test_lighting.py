@@ -11,16 +11,16 @@ from probe.render.illumination import AMBIENT
 from probe.render.lighting import light_of
 from probe.render.renderer import Renderer
 from probe.render.sunlight import illuminate
-from probe.scene.layout import front_camera, top_camera
 from probe.scene.lighting import AMBIENT as AMBIENT_LIGHTING
 from probe.scene.lighting import hdri
 from probe.scene.scene import PlacedObject
+from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
 from shapes import box, card, grey_table, plain
 
 POST = PlacedObject(1, "post", Pose())
 CARD = PlacedObject(2, "card", Pose((0.0, 0.0, 0.001)))
-CAMERA = top_camera(256)
+CAMERA = UR5_TABLE.top.camera(256)
 
 
 @pytest.fixture(scope="module")
@@ -55,18 +55,20 @@ def test_a_white_card_takes_the_colour_of_its_surroundings(loaded, colour):
 def test_the_backdrop_is_what_lies_ahead(loaded):
     panorama = np.full((64, 128, 3), 0.5)
     panorama[:, 32:96] = (0.9, 0.1, 0.1)  # what is towards +y is red
-    facing = loaded.draw([], front_camera(128), rgb=True, light=illuminate(panorama, 0.0))
-    turned = loaded.draw([], front_camera(128), rgb=True, light=illuminate(panorama, math.pi))
+    facing = loaded.draw([], UR5_TABLE.front.camera(128), rgb=True, light=illuminate(panorama, 0.0))
+    turned = loaded.draw(
+        [], UR5_TABLE.front.camera(128), rgb=True, light=illuminate(panorama, math.pi)
+    )
     red, green, _ = facing.rgb[:20].mean(axis=(0, 1))
     assert red > green + 60
     assert np.ptp(turned.rgb[:20].mean(axis=(0, 1))) < 12
-    plain_grey = loaded.draw([], front_camera(128), rgb=True).rgb[:20].astype(int)
+    plain_grey = loaded.draw([], UR5_TABLE.front.camera(128), rgb=True).rgb[:20].astype(int)
     assert np.ptp(plain_grey) <= 2 and 150 < plain_grey.mean() < 230
 
 
 def test_bytes_depend_on_scene_camera_and_light_alone(loaded, tmp_path):
     meshes = {"post": box(0.05, 0.05, 0.12, 200, 200, 200), "card": card(0.3, plain(255, 255, 255))}
-    ask = [(front_camera(128), AMBIENT), (CAMERA, lamp())]
+    ask = [(UR5_TABLE.front.camera(128), AMBIENT), (CAMERA, lamp())]
     first = [loaded.draw([POST, CARD], c, rgb=True, light=light).rgb for c, light in ask]
     with Renderer(tmp_path) as other:
         other.load(meshes, grey_table())
@@ -77,7 +79,8 @@ def test_bytes_depend_on_scene_camera_and_light_alone(loaded, tmp_path):
 
 def test_labels_and_depth_know_no_light(loaded):
     frames = [
-        loaded.draw([POST], front_camera(128), rgb=True, light=light) for light in (AMBIENT, lamp())
+        loaded.draw([POST], UR5_TABLE.front.camera(128), rgb=True, light=light)
+        for light in (AMBIENT, lamp())
     ]
     assert (frames[0].labels == frames[1].labels).all()
     assert (frames[0].depth == frames[1].depth).all()

@@ -13,8 +13,8 @@ import pytest
 
 from probe.errors import NoGraphicsDriver, RenderFailed
 from probe.render.renderer import Renderer
-from probe.scene.layout import TABLE_SIZE, top_camera
 from probe.scene.scene import PlacedObject
+from probe.scene.setup import UR5_TABLE
 from probe.types import Camera, Pose, looking_at
 from raycast import away_from_edges, cast
 from shapes import box, card, grey_table, plain
@@ -42,14 +42,14 @@ def loaded(renderer):
 @pytest.mark.parametrize(
     "camera",
     [
-        top_camera(512),
+        UR5_TABLE.top.camera(512),
         Camera(looking_at(np.array([0.5, -0.6, 0.7]), np.array([0.0, 0.0, 0.05])), 640, 480, 40),
     ],
     ids=["top", "oblique"],
 )
 def test_labels_and_depth_agree_with_a_ray_cast(loaded, camera):
     frame = loaded.draw(OBJECTS, camera, rgb=False)
-    labels, depth = cast(OBJECTS, MESHES, camera, TABLE_SIZE)
+    labels, depth = cast(OBJECTS, MESHES, camera, UR5_TABLE.table_size)
     on_objects = (labels > 0) | (frame.labels > 0)
     assert on_objects.sum() > 5_000
     assert (frame.labels == labels)[on_objects].mean() > 0.995
@@ -60,14 +60,14 @@ def test_labels_and_depth_agree_with_a_ray_cast(loaded, camera):
 
 
 def test_the_table_is_where_the_camera_says(loaded):
-    camera = top_camera(256)
+    camera = UR5_TABLE.top.camera(256)
     frame = loaded.draw((), camera, rgb=False)
     assert np.allclose(frame.depth, 1.20, atol=1e-5)
     assert (frame.labels == 0).all()
 
 
 def test_right_is_x_and_up_is_y(loaded):
-    camera = top_camera(256)
+    camera = UR5_TABLE.top.camera(256)
     east = loaded.draw([PlacedObject(1, "cube", Pose((0.2, 0, 0)))], camera, rgb=False).labels
     north = loaded.draw([PlacedObject(1, "cube", Pose((0, 0.2, 0)))], camera, rgb=False).labels
     assert np.nonzero(east)[1].mean() > 200
@@ -75,17 +75,17 @@ def test_right_is_x_and_up_is_y(loaded):
 
 
 def test_labels_alone_are_those_of_a_frame(loaded):
-    alone = loaded.labels(OBJECTS, top_camera())
-    frame = loaded.draw(OBJECTS, top_camera(), rgb=False)
+    alone = loaded.labels(OBJECTS, UR5_TABLE.camera())
+    frame = loaded.draw(OBJECTS, UR5_TABLE.camera(), rgb=False)
     assert alone.dtype == frame.labels.dtype and np.array_equal(alone, frame.labels)
     assert set(np.unique(alone)) == {0, *(item.instance for item in OBJECTS)}
 
 
 def test_outlines_show_each_object_alone(loaded):
-    camera = top_camera(512)
+    camera = UR5_TABLE.top.camera(512)
     outlines = loaded.outlines(OBJECTS, camera)
     for item in OBJECTS:
-        labels, _ = cast([item], MESHES, camera, TABLE_SIZE)
+        labels, _ = cast([item], MESHES, camera, UR5_TABLE.table_size)
         assert np.count_nonzero(outlines[item.instance] != (labels > 0)) <= 4
     # The tilted cube covers part of the slab: alone, the slab shows more.
     together = loaded.draw(OBJECTS, camera, rgb=False).labels
@@ -98,7 +98,7 @@ def test_a_flat_patch_keeps_its_texture_s_colours(renderer):
     texture[..., 0], texture[..., 1], texture[..., 2] = ramp, ramp[:, None], ramp[::-1]
     texture = np.kron(texture, np.ones((32, 32, 1), np.uint8))
     renderer.load({"card": card(0.3, texture)}, grey_table())
-    camera = top_camera(1024)
+    camera = UR5_TABLE.top.camera(1024)
     # Above the table, so that its closeness darkens nothing.
     item = PlacedObject(1, "card", Pose((0, 0, 0.3)))
     frame = renderer.draw([item], camera, rgb=True)
@@ -113,7 +113,7 @@ def test_a_flat_patch_keeps_its_texture_s_colours(renderer):
 
 def test_bytes_depend_on_the_request_alone(loaded):
     loaded.load(MESHES, grey_table())
-    camera = top_camera(256)
+    camera = UR5_TABLE.top.camera(256)
     first = loaded.draw(OBJECTS, camera, rgb=True)
     loaded.draw(OBJECTS[:2], camera, rgb=True)
     loaded.outlines(OBJECTS, camera)
@@ -129,7 +129,7 @@ def test_bytes_depend_on_the_request_alone(loaded):
 
 def test_a_killed_worker_costs_one_retry(loaded):
     loaded.load(MESHES, grey_table())
-    camera = top_camera(128)
+    camera = UR5_TABLE.top.camera(128)
     before = loaded.draw(OBJECTS, camera, rgb=True)
     os.kill(loaded.pid, signal.SIGKILL)
     after = loaded.draw(OBJECTS, camera, rgb=True)
@@ -139,29 +139,29 @@ def test_a_killed_worker_costs_one_retry(loaded):
 def test_dying_twice_is_an_error_that_says_so(loaded, monkeypatch):
     loaded.load(MESHES, grey_table())
     with pytest.raises(RenderFailed, match="died twice"):
-        loaded.draw(OBJECTS, top_camera(-1), rgb=False)
-    assert loaded.draw(OBJECTS, top_camera(128), rgb=False).labels.any()
+        loaded.draw(OBJECTS, UR5_TABLE.top.camera(-1), rgb=False)
+    assert loaded.draw(OBJECTS, UR5_TABLE.top.camera(128), rgb=False).labels.any()
 
 
 def test_what_isn_t_loaded_is_named(loaded):
     loaded.load(MESHES, grey_table())
     stray = [*OBJECTS, PlacedObject(7, "stray", Pose())]
     asked = (
-        lambda: loaded.draw(stray, top_camera(128), rgb=False),
-        lambda: loaded.labels(stray, top_camera(128)),
-        lambda: loaded.outlines(stray, top_camera(128)),
+        lambda: loaded.draw(stray, UR5_TABLE.top.camera(128), rgb=False),
+        lambda: loaded.labels(stray, UR5_TABLE.top.camera(128)),
+        lambda: loaded.outlines(stray, UR5_TABLE.top.camera(128)),
     )
     for ask in asked:
         with pytest.raises(ValueError, match="load.*: stray$"):
             ask()
     with pytest.raises(ValueError, match="load"):
-        Renderer().labels([], top_camera(128))
+        Renderer().labels([], UR5_TABLE.top.camera(128))
 
 
 def test_no_process_outlives_its_renderer():
     with Renderer() as it:
         it.load(MESHES, grey_table())
-        it.draw(OBJECTS, top_camera(128), rgb=True)
+        it.draw(OBJECTS, UR5_TABLE.top.camera(128), rgb=True)
         family = [psutil.Process(it.pid), *psutil.Process(it.pid).children(recursive=True)]
         assert len(family) >= 2
     _, alive = psutil.wait_procs(family, timeout=5)
@@ -171,7 +171,7 @@ def test_no_process_outlives_its_renderer():
 def test_a_killed_worker_leaves_no_children():
     it = Renderer()
     it.load(MESHES, grey_table())
-    it.draw(OBJECTS, top_camera(128), rgb=False)
+    it.draw(OBJECTS, UR5_TABLE.top.camera(128), rgb=False)
     worker = psutil.Process(it.pid)
     children = worker.children(recursive=True)
     assert children
@@ -195,14 +195,14 @@ def test_no_driver_is_one_clear_error():
 @pytest.mark.slow
 def test_pictures_are_the_same_in_another_process(loaded, tmp_path: Path):
     loaded.load(MESHES, grey_table())
-    here = loaded.draw(OBJECTS, top_camera(256), rgb=True)
+    here = loaded.draw(OBJECTS, UR5_TABLE.top.camera(256), rgb=True)
     script = tmp_path / "draw.py"
     script.write_text(
         "import hashlib, sys; sys.path.insert(0, sys.argv[1])\n"
         "import test_renderer as t\n"
         "with t.Renderer() as r:\n"
         "    r.load(t.MESHES, t.grey_table())\n"
-        "    f = r.draw(t.OBJECTS, t.top_camera(256), rgb=True)\n"
+        "    f = r.draw(t.OBJECTS, t.UR5_TABLE.top.camera(256), rgb=True)\n"
         "print(hashlib.sha256(f.rgb.tobytes() + f.depth.tobytes()).hexdigest())\n"
     )
     tests = Path(__file__).parents[1]
@@ -219,6 +219,6 @@ def test_pictures_are_the_same_in_another_process(loaded, tmp_path: Path):
 
 def test_a_one_pixel_texture_is_enough(renderer):
     renderer.load({"cube": MESHES["cube"]}, grey_table())
-    frame = renderer.draw([PlacedObject(1, "cube", Pose())], top_camera(128), rgb=True)
+    frame = renderer.draw([PlacedObject(1, "cube", Pose())], UR5_TABLE.top.camera(128), rgb=True)
     seen = frame.rgb[frame.labels == 1].mean(axis=0)
     assert np.abs(seen - plain(30, 90, 200)[0, 0]).max() < 25

@@ -10,7 +10,7 @@ from observing import digest
 from probe.assets.library import open_library
 from probe.assets.tables import load_table, table_ids
 from probe.render.photograph import load_scene, measure, photograph
-from probe.scene.layout import TABLE_SIZE, top_camera
+from probe.scene.setup import UR5_TABLE
 from probe.world.scenes import make_scene
 from raycast import away_from_edges, cast
 
@@ -31,7 +31,7 @@ def tabletop(request, assets, cache, renderer):
 def seen_and_cast(tabletop, renderer):
     scene, meshes = tabletop
     frame = photograph(renderer, scene, rgb=False)
-    return frame, *cast(scene.objects, meshes, top_camera(), TABLE_SIZE)
+    return frame, *cast(scene.objects, meshes, UR5_TABLE.camera(), UR5_TABLE.table_size)
 
 
 def test_labels_and_depth_agree_with_a_ray_cast(tabletop, renderer):
@@ -52,7 +52,7 @@ def test_visibility_by_ghost_removal_agrees_with_a_ray_cast(tabletop, renderer):
     measured = measure(renderer, scene)
     assert len(measured) == len(scene.objects) == 15
     for item in scene.objects:
-        alone, _ = cast([item], meshes, top_camera(), TABLE_SIZE)
+        alone, _ = cast([item], meshes, UR5_TABLE.camera(), UR5_TABLE.table_size)
         expected = (labels == item.instance).sum() / (alone == item.instance).sum()
         assert measured[item.instance].fraction == pytest.approx(expected, abs=0.02)
 

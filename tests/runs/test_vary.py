@@ -15,7 +15,7 @@ from probe.render.renderer import Renderer
 from probe.runs.jitter import jitter
 from probe.runs.vary import vary
 from probe.runs.viewpoints import camera_of, sight_of
-from probe.scene.layout import top_camera
+from probe.scene.setup import UR5_TABLE
 from probe.scene.viewpoint import Viewpoint
 from probe.tasks.suite_file import demo_suite
 from probe.tasks.task import Certificate, Mark
@@ -66,7 +66,7 @@ def test_marks_follow_the_camera(task, renderer):
     conditions = Conditions(camera="moved")
     (made,) = vary([task], conditions, LIBRARY, renderer)
     camera = camera_of(task, "moved")
-    assert camera != top_camera()
+    assert camera != UR5_TABLE.camera()
     labels = photograph(renderer, made.task.scene, rgb=False, camera=camera).labels
     assert labels is not None
     for mark in made.task.marks:

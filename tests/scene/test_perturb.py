@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from probe.scene.layout import WORK_AREA, front_camera, top_camera
 from probe.scene.perturb import (
     PoseRange,
     ViewRange,
@@ -18,6 +17,7 @@ from probe.scene.perturb import (
 )
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.seeds import generator
+from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
 
 LYING = Pose.of(np.array([0.1, -0.1, 0.02]), np.array([0.5, 0.5, -0.5, 0.5]))
@@ -30,7 +30,7 @@ def angle(first: Pose, second: Pose) -> float:
 
 @given(st.integers(0, 10**6))
 def test_a_view_stays_within_its_range(seed):
-    for camera in (top_camera(), front_camera()):
+    for camera in (UR5_TABLE.camera(), UR5_TABLE.camera("front")):
         within = ViewRange()
         moved = moved_view(camera, generator(seed, "view"), within)
         shift = np.abs(
@@ -67,9 +67,9 @@ def test_another_table_and_any_light():
 
 
 def test_the_front_camera_sees_the_whole_work_area():
-    half = WORK_AREA / 2
+    half = UR5_TABLE.work_area / 2
     corners = np.array([[x, y, z] for x in (-half, half) for y in (-half, half) for z in (0, 0.2)])
-    uv = front_camera().project(corners)
+    uv = UR5_TABLE.camera("front").project(corners)
     assert (uv > 0).all() and (uv < 1024).all()
     # Right is +x, as from above; what is far off is higher in the picture.
     assert uv[4:, 0].min() > 512 > uv[:4, 0].max()

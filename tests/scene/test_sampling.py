@@ -11,6 +11,7 @@ from probe.assets.spec import ObjectSpec
 from probe.errors import Unsatisfiable
 from probe.scene.sampling import PileSettings, draw_drop, draw_objects, draw_pile
 from probe.scene.seeds import generator
+from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
 
 
@@ -69,7 +70,7 @@ def test_what_is_buried_falls_first_and_something_flat_lands_on_it(seed, sizes, 
 @pytest.mark.parametrize("pile", [(0.0, 0), (0.3, 0), (float("nan"), 0), (0.1, -1)])
 def test_a_pile_that_cannot_be_is_refused(pile):
     with pytest.raises(Unsatisfiable):
-        PileSettings(*pile)
+        PileSettings(*pile).check_reach(UR5_TABLE)
 
 
 def test_generators_depend_on_seed_and_purpose_alone():

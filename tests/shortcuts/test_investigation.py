@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from probe.shortcuts.imaginary import (
+from imaginary_tasks import (
     LORE,
     ImaginaryTask,
     compare,

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
+from imaginary_tasks import LORE, compare, count, examples, find, size
 from probe.generation.first_look import FirstLook
 from probe.scene.visibility import Visibility
 from probe.shortcuts.families import FAMILIES, features
-from probe.shortcuts.imaginary import LORE, compare, count, examples, find, size
 from probe.shortcuts.rules import rules_for
 from probe.shortcuts.sample import example_of
 from probe.tasks.task import Certificate

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import UR5_TABLE
 from probe.tasks.grading import FinalAnswer, LastView, Score, distance_px, grade, whereabouts
 from probe.types import Pose
 from task_examples import FIND, SCENE, with_answer
@@ -115,7 +116,7 @@ def test_other_types_look_at_the_letter_alone(question_type, position):
     ],
 )
 def test_whereabouts(position, place):
-    assert whereabouts(Pose(position)) == place
+    assert whereabouts(Pose(position), UR5_TABLE) == place
 
 
 @given(st.floats(-20, 60), st.floats(-20, 60))

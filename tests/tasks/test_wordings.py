@@ -48,7 +48,7 @@ def test_valid_wordings_are_read():
         ("question_type: beneath\n", "question_type: beneath\nauthor: me\n", 2, "Extra inputs"),
         ("- What of", "- 'What of", 24, "unexpected end"),
         ("  plain:", "  longer:", 2, "the forms of beneath are plain"),
-        ("  plain:", "  nicer:", 3, "'plain', 'colour'"),
+        ("  plain:", "  nicer:", 2, "the forms of beneath are plain"),
         ("question_type: beneath\n", "", 1, "question_type"),
     ],
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import Toolshed
 from tabletops import Block, Obedient, PaintedStation, spec
 
@@ -39,4 +40,4 @@ def skills():
 
 @pytest.fixture
 def shed(station, skills, specs):
-    return Toolshed(station, Oracle(specs), skills, (0.0, -0.5, 0.3))
+    return Toolshed(station, Oracle(specs), skills, UR5_TABLE)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import Toolshed
 from tabletops import Block, PaintedStation, spec
 
@@ -21,7 +22,7 @@ CALLS = [
 
 def told(blocks, specs, skills):
     """All texts and pictures of the calls, on a table of these blocks."""
-    shed = Toolshed(PaintedStation(blocks), Oracle(specs), skills, (0.0, -0.5, 0.3))
+    shed = Toolshed(PaintedStation(blocks), Oracle(specs), skills, UR5_TABLE)
     results = [shed.call(*call) for call in CALLS]
     return [(r.text, None if r.picture is None else r.picture.tobytes()) for r in results]
 
@@ -43,7 +44,7 @@ def test_twins_that_render_alike_are_told_alike(blocks, specs, skills):
 def test_no_id_instance_number_or_unseen_thing_is_told(blocks, specs, skills):
     blocks = [*blocks, Block(917, HIDDEN, height=0.01)]
     specs = specs | {917: spec("yellow duck", "yellow", description="A rubber bird.")}
-    shed = Toolshed(PaintedStation(blocks), Oracle(specs), skills, (0.0, -0.5, 0.3))
+    shed = Toolshed(PaintedStation(blocks), Oracle(specs), skills, UR5_TABLE)
     texts = "\n".join(shed.call(*call).text for call in CALLS[:-1])
     for secret in ("secret", "_77", "917", "duck", "rubber", "teapot", "0.1234"):
         assert secret not in texts

@@ -10,11 +10,11 @@ import yaml
 from probe.errors import ModelFailed
 from probe.perception.choice import pointing
 from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import Toolshed
 from replies import Replies
 from tabletops import PaintedStation
 
-BASKET = (0.0, -0.5, 0.3)
 MUG = '{"point": [150, 150]}'
 
 
@@ -25,7 +25,7 @@ def tools(station, skills, *replies, pictures=True):
         station,
         eyes.detector,
         skills,
-        BASKET,
+        UR5_TABLE,
         pictures=pictures,
         finder=eyes.finder,
         teller=eyes.teller,
@@ -59,7 +59,7 @@ def test_other_things_that_move_leave_an_id_good(station, skills):
 
 def test_nothing_found_reads_as_with_the_oracle(station, skills, specs):
     shed, _ = tools(station, skills, '{"point": null}')
-    oracle = Toolshed(station, Oracle(specs), skills, BASKET)
+    oracle = Toolshed(station, Oracle(specs), skills, UR5_TABLE)
     question = {"description": "purple piano"}
     assert shed.call("find_object", question).text == oracle.call("find_object", question).text
 
@@ -78,13 +78,13 @@ def test_a_model_that_is_gone_is_no_fault_of_the_agents(station, skills):
         raise ModelFailed("no route")
 
     eyes = pointing(gone)({}, dict)
-    shed = Toolshed(station, eyes.detector, skills, BASKET, finder=eyes.finder)
+    shed = Toolshed(station, eyes.detector, skills, UR5_TABLE, finder=eyes.finder)
     with pytest.raises(ModelFailed, match="no route"):
         shed.call("find_object", {"description": "cup"})
 
 
 def test_the_models_graph_reads_as_the_oracles(station, skills, specs):
-    oracle = Toolshed(station, Oracle(specs), skills, BASKET).call("perceive_scene", {})
+    oracle = Toolshed(station, Oracle(specs), skills, UR5_TABLE).call("perceive_scene", {})
     shed, _ = tools(station, skills, oracle.text)
     told = shed.call("perceive_scene", {})
     assert yaml.safe_load(told.text) == yaml.safe_load(oracle.text)

@@ -6,6 +6,7 @@ import yaml
 from boxes import box_library, standing, station_at
 from probe.perception.oracle import Oracle
 from probe.render.renderer import Renderer
+from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import Toolshed
 from tabletops import Obedient
 
@@ -35,7 +36,7 @@ def told(renderer, *spots):
     scene = standing(LIBRARY, *spots)
     station = station_at(scene, LIBRARY, renderer)
     specs = {o.instance: LIBRARY[o.object_id] for o in scene.objects}
-    shed = Toolshed(station, Oracle(specs), Obedient(), (0, 0, 0))
+    shed = Toolshed(station, Oracle(specs), Obedient(), UR5_TABLE)
     results = [shed.call(*call) for call in CALLS]
     return [(r.text, r.picture.tobytes()) for r in results if r.picture is not None]
 

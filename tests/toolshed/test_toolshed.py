@@ -2,12 +2,11 @@ import pytest
 import yaml
 
 from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
 from probe.toolshed.outcomes import GRASP_WORDS, PUSH_WORDS
 from probe.toolshed.result import Answer
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS, Toolshed
 from tabletops import Block, PaintedStation, paint
-
-BASKET = (0.0, -0.5, 0.3)
 
 
 def handle(shed, words):
@@ -66,7 +65,7 @@ def test_grasp_removes_and_shows_the_new_table(shed, station, skills):
     assert result.text == (
         "Done: object_1 was lifted and dropped into the basket. Manipulations left: 9."
     )
-    assert skills.calls == [("grasp", 80 * 80, BASKET)]
+    assert skills.calls == [("grasp", 80 * 80, UR5_TABLE)]
     assert (result.picture == paint(station.blocks).rgb).all()
     assert "white ball" not in shed.call("perceive_scene", {}).text
 
@@ -122,7 +121,7 @@ def test_a_handle_stays_good_when_more_of_its_thing_shows(shed, skills):
 
 def test_a_handle_goes_stale_when_something_covers_it_or_a_thin_thing_moves(shed, station, specs):
     station.blocks = [Block(41, (100, 100, 219, 219), height=0.001)]
-    mug = Toolshed(station, Oracle(specs), shed._skills, BASKET)
+    mug = Toolshed(station, Oracle(specs), shed._skills, UR5_TABLE)
     name = handle(mug, "red mug")
     station.blocks = [Block(41, (180, 100, 299, 219), height=0.001)]
     mug._view.show(station.observe(rgb=False))
@@ -166,11 +165,11 @@ def test_texts_are_the_same_without_pictures_and_colours_are_drawn_only_if_neede
         ("grasp_and_remove", {"object_id": "object_1"}),
         ("perceive_scene", {}),
     ]
-    blind = Toolshed(named, Oracle(specs), skills, BASKET, pictures=False)
+    blind = Toolshed(named, Oracle(specs), skills, UR5_TABLE, pictures=False)
     texts = [blind.call(*call) for call in calls]
     assert named.drawn == 0 and all(result.picture is None for result in texts)
     named.blocks = [b for b in station.blocks if b.instance != 44]
-    seeing = Toolshed(named, Oracle(specs), skills, BASKET)
+    seeing = Toolshed(named, Oracle(specs), skills, UR5_TABLE)
     assert [r.text for r in texts] == [seeing.call(*call).text for call in calls]
     assert named.drawn > 0
 

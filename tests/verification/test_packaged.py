@@ -12,14 +12,13 @@ from probe.generation.build import without_notes
 from probe.render.renderer import Renderer
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import packaged_suite
-from probe.tasks.task import QUESTION_TYPES
 from probe.verification.balance import balances
 from probe.verification.check import CheckDepth, check, rebuild_problem
 
 V1, UNFILTERED = packaged_suite("v1"), packaged_suite("v1-unfiltered")
 FIRST = [
     next(task for task in V1.tasks if task.question_type == question_type)
-    for question_type in QUESTION_TYPES
+    for question_type in dict.fromkeys(task.question_type for task in V1.tasks)
 ]
 
 

@@ -10,14 +10,11 @@ from probe.assets.library import Library, open_library
 from probe.render.renderer import Renderer
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import packaged_suite
-from probe.tasks.task import QUESTION_TYPES
 from probe.verification.balance import balances
 from probe.verification.check import CheckDepth, check
 
 SCANS, V1 = packaged_suite("v1-scans"), packaged_suite("v1")
-MADE = [
-    question_type for question_type in QUESTION_TYPES if question_type not in ("compare", "reduce")
-]
+MADE = ("beneath", "count", "find", "size")
 """Too few of the 132 scans mislead as Compare plans, or are alike enough for Reduce."""
 
 FIRST = [

@@ -12,6 +12,7 @@ import pytest
 from probe.assets.library import Library, open_library
 from probe.assets.tables import table_ids
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
 from probe.world.model import Item, add_item, new_spec
 from probe.world.pile import Pile
@@ -62,7 +63,7 @@ def test_what_turns_in_its_place_moves(library: Library):
 
 def moved(there: Scene, things: Library) -> float:
     """Furthest way of any corner in 2 s on a table made here, metres."""
-    spec = new_spec()
+    spec = new_spec(UR5_TABLE.table_size)
     for placed in there.objects:
         of = things.body(placed.object_id)
         body = add_item(spec, Item(placed.instance, things[placed.object_id], of))

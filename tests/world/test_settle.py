@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from bodies import ball_item, box_item
 from probe.errors import Unsatisfiable
-from probe.scene.layout import VIEW_SIZE
 from probe.scene.sampling import Drop, draw_drop
+from probe.scene.setup import UR5_TABLE
 from probe.world.model import add_item, new_spec
 from probe.world.settle import settle
 
@@ -32,7 +32,7 @@ def test_a_settled_pile_stays_on_an_independent_model(seed):
     items, rng = few_items(), np.random.default_rng(seed)
     placed = settle(items, {item.instance: draw_drop(rng) for item in items}, rng)
     assert [item.instance for item in placed] == [1, 2, 3, 4, 5]
-    spec = new_spec()
+    spec = new_spec(UR5_TABLE.table_size)
     for item, there in zip(items, placed, strict=True):
         body = add_item(spec, item)
         body.pos, body.quat = there.pose.position, there.pose.wxyz
@@ -65,7 +65,7 @@ def test_everything_lies_within_the_picture():
     drops = {item.instance: Drop(0.24, 0.24, UPRIGHT) for item in items}
     for item, placed in zip(items, settle(items, drops, rng), strict=True):
         corners = placed.pose.apply(item.body.pieces[0].vertices)
-        assert np.abs(corners[:, :2]).max() <= VIEW_SIZE / 2
+        assert np.abs(corners[:, :2]).max() <= UR5_TABLE.view_size / 2
         assert corners[:, 2].min() > -0.003
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from boxes import box_library, standing
-from probe.scene.layout import BASKET_POSITION
+from probe.scene.setup import UR5_TABLE
 from probe.tasks.grading import whereabouts
 from probe.world.world import TIME_STEP, World
 
@@ -34,7 +34,7 @@ def test_what_stood_on_it_falls_and_the_rest_stays():
     world.take_away(1)
     run(world)
     scene = world.scene()
-    assert whereabouts(scene[1].pose) == "basket"
+    assert whereabouts(scene[1].pose, UR5_TABLE) == "basket"
     assert scene[2].pose.position[2] == pytest.approx(0.0, abs=0.002)
     assert np.hypot(*scene[2].pose.position[:2]) < 0.01
     assert moved(world, stacked(), 3) == 0.0
@@ -46,7 +46,7 @@ def test_what_lay_beneath_it_stays():
     world.take_away(2)
     run(world)
     assert moved(world, stacked(), 1) < 1e-3
-    assert whereabouts(world.scene()[2].pose) == "basket"
+    assert whereabouts(world.scene()[2].pose, UR5_TABLE) == "basket"
 
 
 def test_all_of_them_find_room_in_the_basket():
@@ -56,5 +56,5 @@ def test_all_of_them_find_room_in_the_basket():
         run(world)
     for placed in world.scene().objects:
         x, y, z = placed.pose.position
-        assert np.hypot(x - BASKET_POSITION[0], y - BASKET_POSITION[1]) < 0.05
+        assert np.hypot(x - UR5_TABLE.basket.position[0], y - UR5_TABLE.basket.position[1]) < 0.05
         assert 0.0 < z < 0.03

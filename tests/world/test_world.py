@@ -5,7 +5,7 @@ import pytest
 
 from bodies import at, box_item, shelf
 from probe.scene.scene import PlacedObject, Scene
-from probe.world.robot.robot import PARKED
+from probe.scene.setup import UR5_TABLE
 from probe.world.world import World
 
 
@@ -28,7 +28,7 @@ def swing(world: World, steps: int) -> None:
     """Sweep the arm down and across the table."""
     for step in range(steps):
         away = np.array([-1.7 * step / steps, 0.75 * min(1, 3 * step / steps), 0, 0, 0, 0])
-        world.command(np.array(PARKED) + away, np.zeros(6))
+        world.command(np.array(UR5_TABLE.mount.parked) + away, np.zeros(6))
         world.step()
 
 

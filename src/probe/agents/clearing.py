@@ -12,6 +12,7 @@ from probe.agents.cover_nouns import hider
 from probe.agents.moves import Outcome, Plan, Way, look, move_away
 from probe.agents.phrases import Reason, Say, silent
 from probe.agents.reading import Graph, Seen
+from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.toolshed import MANIPULATIONS
 
 LARGE_PX = 120
@@ -34,6 +35,7 @@ class Search:
         spent: Manipulations so far.
         removed_last: Whether the last manipulation took a thing off the table.
         say: Gives the words that go with each call.
+        scale: Of the pictures.
     """
 
     keep: Callable[[Seen], bool]
@@ -43,6 +45,7 @@ class Search:
     spent: int = 0
     removed_last: bool = False
     say: Say = silent
+    scale: PictureScale = USUAL_SCALE
     _tried: defaultdict[str, list[tuple[Way, Outcome]]] = field(
         default_factory=lambda: defaultdict[str, list[tuple[Way, Outcome]]](list)
     )
@@ -79,7 +82,7 @@ class Search:
         name, way = seen.name or "", self._way(seen.name or "")
         self.spent += 1
         words = self._reasons(name, way, why)
-        outcome = yield from move_away(seen, self.graph, way, self.rng, self.say, words)
+        outcome = yield from move_away(seen, self.graph, way, self.rng, self.say, words, self.scale)
         self._tried[name].append((way, outcome))
         before = _names(self.graph)
         yield from self._look(self.say(f"look {outcome}", {"thing": name}))

@@ -6,11 +6,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from probe.agents.clearing import Search
-from probe.agents.moves import Plan
-from probe.agents.phrases import Reason
+from probe.agents.moves import Plan, answer
+from probe.agents.phrases import Reason, Say
 from probe.agents.reading import Graph, Seen
 from probe.agents.text_features import marks_in
+from probe.agents.type_plan import FirstLookQuestion
 from probe.episodes.turns import Question
 
 Both = tuple[Seen | None, Seen | None]
@@ -47,6 +50,20 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
 def marks_of(question: Question) -> dict[str, tuple[int, int]]:
     """Pixels (u, v) of the marks, by letter, as the question tells them."""
     return dict(zip("AB", marks_in(question.text), strict=False))
+
+
+def marked_at_sight(asked: FirstLookQuestion) -> Both:
+    """What is marked A and B, as far as it can be named at first sight."""
+    marks = marks_of(asked.question)
+    found = [at(asked.graph.objects, marks[letter]) for letter in "AB"]
+    one, two = (seen if seen is not None and seen.name is not None else None for seen in found)
+    return one, two
+
+
+def guess_mark(rng: np.random.Generator, say: Say) -> Plan[None]:
+    """Answer A or B by chance."""
+    letter = "AB"[int(rng.integers(2))]
+    yield from answer(letter, words=say("guess", {"letter": letter}))
 
 
 @dataclass

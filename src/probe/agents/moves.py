@@ -19,13 +19,12 @@ from probe.agents.reading import (
 )
 from probe.agents.text_features import is_none
 from probe.episodes.turns import Call, Question
-from probe.scene.layout import PICTURE_PX, VIEW_SIZE
+from probe.scene.setup import PictureScale
 
 T = TypeVar("T")
 Plan = Generator[Call, str, T]
 Way = Literal["grasp", "push"]
 
-_PX_PER_CM = PICTURE_PX / (100 * VIEW_SIZE)
 _STEPS = {"up": (0, -1), "down": (0, 1), "left": (-1, 0), "right": (1, 0)}
 _SHORTEST_CM, _LONGEST_CM = 6.0, 15.0
 
@@ -37,7 +36,13 @@ def look(words: str = "") -> Plan[Graph]:
 
 
 def move_away(
-    seen: Seen, graph: Graph, way: Way, rng: np.random.Generator, say: Say, words: str
+    seen: Seen,
+    graph: Graph,
+    way: Way,
+    rng: np.random.Generator,
+    say: Say,
+    words: str,
+    scale: PictureScale,
 ) -> Plan[Outcome]:
     """Grasp a thing or push it to where there is room; says what came of it.
 
@@ -48,6 +53,7 @@ def move_away(
         rng: Breaks ties between directions.
         say: Gives words for the manipulation.
         words: Why it is to be moved.
+        scale: Of the picture.
     """
     text = yield Call.of("find_object", {"description": seen.place}, words)
     handle = read_handle(text)
@@ -58,7 +64,7 @@ def move_away(
         words = say("do grasp", thing)
         text = yield Call.of("grasp_and_remove", {"object_id": handle}, words)
         return grasp_outcome(text)
-    direction, distance = roomiest(seen, graph, rng)
+    direction, distance = roomiest(seen, graph, rng, scale)
     arguments = {"object_id": handle, "direction": direction, "distance_cm": distance}
     words = say("do push", {**thing, "direction": direction})
     text = yield Call.of("push", arguments, words)
@@ -77,25 +83,31 @@ def none_of_them(question: Question) -> str | None:
     return letters[0] if letters else None
 
 
-def roomiest(seen: Seen, graph: Graph, rng: np.random.Generator) -> tuple[str, float]:
+def roomiest(
+    seen: Seen, graph: Graph, rng: np.random.Generator, scale: PictureScale
+) -> tuple[str, float]:
     """The direction in which a push meets least and stays in the picture, and how far, in cm."""
     order: list[str] = rng.permutation(sorted(_STEPS)).tolist()
-    costs = {direction: _cost(seen, graph, direction) for direction in order}
+    costs = {direction: _cost(seen, graph, direction, scale) for direction in order}
     best = min(order, key=lambda direction: costs[direction])
-    return best, round(_length_cm(seen, best), 1)
+    return best, round(_length_cm(seen, best, scale), 1)
 
 
-def _length_cm(seen: Seen, direction: str) -> float:
+def _px_per_cm(scale: PictureScale) -> float:
+    return scale.side_px / (100 * scale.width)
+
+
+def _length_cm(seen: Seen, direction: str, scale: PictureScale) -> float:
     """As far as the thing is long that way, so that it leaves its place."""
     left, top, right, bottom = seen.box
     extent = right - left if direction in ("left", "right") else bottom - top
-    return float(np.clip(extent / _PX_PER_CM, _SHORTEST_CM, _LONGEST_CM))
+    return float(np.clip(extent / _px_per_cm(scale), _SHORTEST_CM, _LONGEST_CM))
 
 
-def _cost(seen: Seen, graph: Graph, direction: str) -> float:
+def _cost(seen: Seen, graph: Graph, direction: str, scale: PictureScale) -> float:
     """Pixels of other things' boxes and of what lies outside the picture, in the path swept."""
     du, dv = _STEPS[direction]
-    reach = round(_length_cm(seen, direction) * _PX_PER_CM)
+    reach = round(_length_cm(seen, direction, scale) * _px_per_cm(scale))
     left, top, right, bottom = seen.box
     path = (
         min(left, left + du * reach),
@@ -104,7 +116,7 @@ def _cost(seen: Seen, graph: Graph, direction: str) -> float:
         max(bottom, bottom + dv * reach),
     )
     whole = (path[2] - path[0] + 1) * (path[3] - path[1] + 1)
-    outside = whole - _overlap(path, (0, 0, PICTURE_PX - 1, PICTURE_PX - 1))
+    outside = whole - _overlap(path, (0, 0, scale.side_px - 1, scale.side_px - 1))
     others = (other for other in graph.objects if other.number != seen.number)
     return 2 * outside + sum(_overlap(path, other.box) for other in others)
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 
 import numpy as np
 import pydantic
@@ -13,6 +14,7 @@ import yaml
 
 from probe.errors import BadData, UnknownName
 from probe.files import fault
+from probe.tasks.registry import PHRASES, folder_of, question_types
 
 Say = Callable[[str, Mapping[str, str]], str]
 """Words for an occasion, with what fills their slots."""
@@ -64,15 +66,24 @@ class PhraseBook:
 
 @lru_cache(1)
 def phrases() -> Mapping[str, Sequence[str]]:
-    """All phrases, by occasion.
+    """All phrases, by occasion: those of every question type, and those that each has of its own.
 
     Raises:
-        BadData: The file breaks its schema.
+        BadData: A file breaks its schema, or two of them have the same occasion.
     """
-    source = files("probe.agents") / "data/phrases.yaml"
+    found = _read(files("probe.agents") / "data/phrases.yaml")
+    for name in question_types():
+        own = _read(folder_of(name) / PHRASES)
+        if twice := sorted(set(own) & set(found)):
+            raise BadData(f"{name}/{PHRASES}", f"{twice[0]!r} is there already", "Rename it")
+        found |= own
+    return found
+
+
+def _read(source: Traversable) -> dict[str, list[str]]:
     try:
         found = yaml.safe_load(source.read_text("utf-8"))
         return pydantic.TypeAdapter(dict[str, list[str]]).validate_python(found)
     except (yaml.YAMLError, pydantic.ValidationError) as error:
         reason = fault(error, "it") if isinstance(error, pydantic.ValidationError) else str(error)
-        raise BadData("phrases.yaml", reason, "Correct it") from error
+        raise BadData(str(source), reason, "Correct it") from error

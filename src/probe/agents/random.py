@@ -8,7 +8,6 @@ import numpy as np
 
 from probe.agents.reading import read_graph, read_handle
 from probe.episodes.turns import Call, Question, Turn
-from probe.scene.layout import PICTURE_PX
 
 _FEWEST, _MOST = 2, 12
 _DIRECTIONS = ("up", "down", "left", "right")
@@ -23,7 +22,7 @@ class Random:
 
     def act(self, question: Question, history: Sequence[Turn]) -> Call | None:
         """The next call."""
-        points = _points(history) or [self._anywhere()]
+        points = _points(history) or [self._anywhere(question.scale.side_px)]
         point = points[int(self._rng.integers(len(points)))]
         if len(history) >= self._calls:
             letter = question.options[int(self._rng.integers(len(question.options)))][0]
@@ -45,8 +44,8 @@ class Random:
         arguments = {"object_id": handle, "direction": direction, "distance_cm": distance}
         return Call.of("push", arguments)
 
-    def _anywhere(self) -> tuple[int, int]:
-        u, v = self._rng.integers(PICTURE_PX, size=2).tolist()
+    def _anywhere(self, side_px: int) -> tuple[int, int]:
+        u, v = self._rng.integers(side_px, size=2).tolist()
         return u, v
 
 

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.agents.moves import Plan, Way
-from probe.agents.pairs import compare, size
-from probe.agents.phrases import Reason, Say, silent
-from probe.agents.plans import count, find, uncover
+from probe.agents.phrases import Say, silent
+from probe.agents.type_plan import ScriptedQuestion, plan_for
 from probe.episodes.turns import Call, Question, Turn
 
 
@@ -35,8 +34,7 @@ class Scripted:
 
         Args:
             question_type: Type of the question.
-            subject: Name of the cover (beneath), of what is counted, of what is to be removed
-                (reduce, with commas), or of the colour or thing compared with; unused otherwise.
+            subject: As in Task.
             rng: Breaks ties.
             first: What it tries first on things that are in the way.
             form: What exactly Compare and Size ask.
@@ -64,17 +62,7 @@ class Scripted:
             return None
 
     def _planned(self, question: Question) -> Plan[None]:
-        first, rng, bold, say = self._first, self._rng, self._bold, self._say
-        if self._kind == "beneath":
-            cover = Reason("cover")
-            return uncover(question, [self._subject], cover, first, rng, bold=bold, say=say)
-        if self._kind == "count":
-            return count(question, self._subject, first, rng, bold=bold, say=say)
-        if self._kind == "reduce":
-            names, named = self._subject.split(", "), Reason("named")
-            return uncover(question, names, named, first, rng, bold=bold, say=say)
-        if self._kind == "size":
-            return size(question, self._form, first, rng, bold=bold, say=say)
-        if self._kind == "compare":
-            return compare(question, self._form, self._subject, first, rng, bold=bold, say=say)
-        return find(question, first, rng, bold=bold, say=say)
+        asked = ScriptedQuestion(
+            question, self._subject, self._form, self._first, self._rng, self._bold, self._say
+        )
+        return plan_for(self._kind).begin(asked)

@@ -12,17 +12,23 @@ from probe.render.photograph import load_scene
 from probe.render.photograph import measure as _measure
 from probe.render.photograph import photograph as _photograph
 from probe.render.renderer import Renderer
-from probe.scene.layout import View, view_camera
+from probe.scene.cameras import View
 from probe.scene.lighting import AMBIENT, Lighting
 from probe.scene.sampling import DEFAULT_COUNT
 from probe.scene.scene import Scene
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.scene.visibility import Visibility
 from probe.types import Camera, Frame
 from probe.world.scenes import make_scene as _make_scene
 
 
 def make_scene(
-    seed: int, library: Library, *, objects: int = DEFAULT_COUNT, table: str | None = None
+    seed: int,
+    library: Library,
+    *,
+    objects: int = DEFAULT_COUNT,
+    table: str | None = None,
+    setup: Setup = UR5_TABLE,
 ) -> Scene:
     """Drop objects on a table and let physics settle them.
 
@@ -31,6 +37,7 @@ def make_scene(
         library: What the objects are drawn from; see open_library().
         objects: How many.
         table: Id of a table's material; by default one is drawn.
+        setup: What stands around the objects; see read_setup().
 
     Returns:
         The settled table: poses world_from_object in metres, rotations wxyz, the table's top at
@@ -40,7 +47,7 @@ def make_scene(
         Unsatisfiable: The objects don't come to rest; another seed or fewer objects may.
     """
     tables = (table,) if table else tables_for("all" if library.assets else "procedural")
-    return _make_scene(seed, library, tables, objects)
+    return _make_scene(seed, library, tables, objects, setup=setup)
 
 
 def photograph(
@@ -56,7 +63,7 @@ def photograph(
     Args:
         scene: What stands where.
         library: Has the scene's objects.
-        camera: "top", "front", or a camera of your own.
+        camera: "top" or "front" of the scene's set-up, or a camera of your own.
         lighting: "ambient", or the name of surroundings that light the table.
         renderer: One that is running already; by default one is started, and ended afterwards.
 
@@ -68,7 +75,7 @@ def photograph(
         NoGraphicsDriver: The machine has no Vulkan driver.
         UnknownName: No surroundings have this name.
     """
-    seen_from = view_camera(camera) if isinstance(camera, str) else camera
+    seen_from = scene.setup.camera(camera) if isinstance(camera, str) else camera
     light = Lighting(lighting) if isinstance(lighting, str) else lighting
     with running(renderer) as drawing:
         load_scene(drawing, scene, library, library.table(scene.table))
@@ -98,7 +105,7 @@ def visibility(
     Raises:
         NoGraphicsDriver: The machine has no Vulkan driver.
     """
-    seen_from = view_camera(camera) if isinstance(camera, str) else camera
+    seen_from = scene.setup.camera(camera) if isinstance(camera, str) else camera
     with running(renderer) as drawing:
         load_scene(drawing, scene, library, library.table(scene.table))
         return _measure(drawing, scene, seen_from)

@@ -11,6 +11,7 @@ from probe.assets.library import Library
 from probe.generation.build import BuildResources, assemble, begin, fill, places_of
 from probe.generation.build_folder import BuildFolder
 from probe.render.renderer import Renderer
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import check_new_name, find_suite
 from probe.tasks.task import QuestionType
@@ -50,6 +51,7 @@ def build_suite(
     public: bool = False,
     first: int = 0,
     certified: bool = True,
+    setup: Setup = UR5_TABLE,
     track: Track = silent,
 ) -> Suite:
     """Make, check and freeze tasks; goes on where an earlier call stopped.
@@ -62,6 +64,7 @@ def build_suite(
         public: Draw no salt: anyone can make these tasks again, and foretell their answers.
         first: With `public`, number of the first episode of each type.
         certified: Keep only tasks that a scripted agent solves; this takes most of the time.
+        setup: The table that the tasks are for; see read_setup().
         track: Watches the work.
 
     Raises:
@@ -73,9 +76,9 @@ def build_suite(
     check_new_name(path.stem, path)
     folder, library = BuildFolder(path.with_suffix(".parts")), open_library(pool)
     places = places_of(counts, first)
-    salt = begin(folder, pool, public=public, unchecked=not certified)
+    salt = begin(folder, pool, public=public, unchecked=not certified, setup=setup)
     with Renderer() as renderer:
-        resources = BuildResources(library, tables_for(pool), renderer, not certified, salt)
+        resources = BuildResources(library, tables_for(pool), renderer, not certified, salt, setup)
         for place in track(places, "Building"):
             for _ in fill(place, folder, resources):
                 pass

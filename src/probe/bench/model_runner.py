@@ -161,7 +161,7 @@ class ModelRunner:
     def _listener(self, job: Job, model: Model, episode_usage: EpisodeUsage) -> ModelConversation:
         plan = self._plan
         scopes = {"folder": self._replies, "episode": f"{job.task.id} {job.run}"}
-        tools = tool_infos(plan.points) if plan.setting == "agentic" else []
+        tools = tool_infos(plan.points, job.task.scale) if plan.setting == "agentic" else []
         cache = CachePolicy(expiry=None, scopes=scopes)
         return ModelConversation(model, tools, [], cache, self._price(model), episode_usage)
 
@@ -191,7 +191,7 @@ class ModelRunner:
         async with self._pool.seat(self._pointing(model, episode_usage)) as assignment:
             shown = await assignment.sit(job)
             question = question_of(job.task)
-            first = opening(plan.setting, plan.points, question, shown.pictures)
+            first = opening(plan.setting, plan.points, question, shown.pictures, job.task.scale)
             conversation.messages += first_messages(first)
             answer, fault, limit = None, None, None
             try:

@@ -20,15 +20,16 @@ from probe.bench.raw_arguments import is_object, unreadable_part
 from probe.episodes.participation import Points
 from probe.episodes.turns import Call
 from probe.runs.worker_messages import CallResult
+from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.tools import ToolSchema
 from probe.transcripts.coordinates import told
 from probe.transcripts.messages import Message
 from probe.transcripts.tools import expressible, tools_for
 
 
-def tool_infos(points: Points) -> list[ToolInfo]:
+def tool_infos(points: Points, scale: PictureScale = USUAL_SCALE) -> list[ToolInfo]:
     """The five tools; names and texts are the toolshed's, byte for byte."""
-    return [_info(tool) for tool in tools_for(points)]
+    return [_info(tool) for tool in tools_for(points, scale)]
 
 
 def first_messages(told_first: tuple[Message, Message]) -> list[ChatMessage]:

@@ -16,7 +16,7 @@ from probe.cli.screen import say, track
 from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.files import check_new
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import UR5_TABLE
 from probe.tasks.suite import check_objects
 from probe.train.choose.chosen import LoadedSelection, read_selection
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
@@ -30,7 +30,7 @@ def dataset(
     selected: Annotated[Path, tyro.conf.Positional],
     out: Annotated[Path, tyro.conf.Positional],
     points: Points | None = None,
-    side: int = PICTURE_PX,
+    side: int = UR5_TABLE.picture_px,
     name: str = "PROBE, a teacher's episodes",
     others: bool = True,
     pool: Pool = "procedural",
@@ -53,8 +53,8 @@ def dataset(
     """
     check_new(out)
     check_numbers({"--workers": workers})
-    if not _SMALLEST_PX <= side <= PICTURE_PX:
-        raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {PICTURE_PX}")
+    if not _SMALLEST_PX <= side <= UR5_TABLE.picture_px:
+        raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {UR5_TABLE.picture_px}")
     chosen = read_selection(selected)
     opened = opener(pool)
     things = opened()

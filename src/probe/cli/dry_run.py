@@ -15,30 +15,30 @@ from probe.tasks.suite import Suite
 from probe.toolshed.toolshed import TURNS
 
 
-def would_ask(suite: Suite, seats: ModelRunOptions, out: Path) -> None:
+def would_ask(suite: Suite, options: ModelRunOptions, out: Path) -> None:
     """Say how much it is; asks nothing.
 
     Raises:
         BadData: Prices can't be read, or the folder can't.
     """
-    check_asked(seats)
-    _tell(suite, seats, out, price_of(seats.prices, seats.model))
-    if seats.pointer != "oracle":
-        say(f"Replies that point ({seats.pointer}) come on top and aren't in these figures.")
+    check_asked(options)
+    _tell(suite, options, out, price_of(options.prices, options.model))
+    if options.pointer != "oracle":
+        say(f"Replies that point ({options.pointer}) come on top and aren't in these figures.")
 
 
-def _tell(suite: Suite, seats: ModelRunOptions, out: Path, price: Price | None) -> None:
-    tasks = seats.tasks_of(suite)
-    whole = len(tasks) * seats.epochs
-    say(f"{len(tasks)} tasks, {seats.epochs} runs each: {whole} episodes.")
-    done = _done(suite, seats, out)
-    left = [task for task in tasks for run in range(seats.epochs) if (task.id, run) not in done]
+def _tell(suite: Suite, options: ModelRunOptions, out: Path, price: Price | None) -> None:
+    tasks = options.tasks_of(suite)
+    whole = len(tasks) * options.epochs
+    say(f"{len(tasks)} tasks, {options.epochs} runs each: {whole} episodes.")
+    done = _done(suite, options, out)
+    left = [task for task in tasks for run in range(options.epochs) if (task.id, run) not in done]
     if len(left) < whole:
         say(f"{whole - len(left)} of them are in {out} already; what follows is of the others.")
-    usual = estimate(seats.setting, seats.counting, left, 1)
+    usual = estimate(options.setting, options.counting, left, 1)
     say(_line("If they are of usual length", usual, price))
-    if seats.setting == "agentic":
-        longest = estimate(seats.setting, seats.counting, left, 1, TURNS)
+    if options.setting == "agentic":
+        longest = estimate(options.setting, options.counting, left, 1, TURNS)
         say(_line(f"If each takes all {TURNS} calls", longest, price))
     say(
         f"Pictures are taken for {PICTURE_TOKENS} tokens each, replies for {REPLY_TOKENS}: a model "
@@ -46,12 +46,12 @@ def _tell(suite: Suite, seats: ModelRunOptions, out: Path, price: Price | None) 
     )
 
 
-def _done(suite: Suite, seats: ModelRunOptions, out: Path) -> set[tuple[str, int]]:
+def _done(suite: Suite, options: ModelRunOptions, out: Path) -> set[tuple[str, int]]:
     """Episodes that the folder holds, by task and run."""
     path = out / RECORDS
-    pointer = "self" if seats.pointer == "self" else settings_of(seats.pointer).id
-    order = plan_of(suite, seats, out, None).order(
-        seats.model, "" if seats.pointer == "oracle" else pointer
+    pointer = "self" if options.pointer == "self" else settings_of(options.pointer).id
+    order = plan_of(suite, options, out, None).order(
+        options.model, "" if options.pointer == "oracle" else pointer
     )
     records = read_records(path, whole=False) if path.exists() else []
     mine = [it for it in records if (it.agent, it.setting) == (order.agent, order.setting)]

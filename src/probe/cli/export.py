@@ -17,7 +17,6 @@ from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.render.renderer import Renderer
 from probe.runs.stills import stills
-from probe.scene.viewpoint import Viewpoint
 from probe.tasks.suite import Suite, check_objects
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.pictures import jpeg
@@ -63,5 +62,5 @@ def _check_place(out: Path) -> None:
 def _rows(suite: Suite, things: Library, points: Points) -> Iterator[Row]:
     with Renderer(cache_folder() / "light") as renderer:
         for task in track(suite.tasks, "Drawing"):
-            (picture,) = stills("direct", task, Viewpoint(), things, renderer)
+            (picture,) = stills("direct", task, task.viewpoint, things, renderer)
             yield row_of(task, jpeg(picture), points)

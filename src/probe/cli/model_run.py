@@ -58,12 +58,12 @@ class ModelRunOptions:
         return tuple(suite.tasks[self.shard.number :: self.shard.count])
 
 
-def take_seats(suite: Suite, seats: ModelRunOptions, out: Path, *, plain: bool = False) -> int:
+def run_model(suite: Suite, options: ModelRunOptions, out: Path, *, plain: bool = False) -> int:
     """Run a suite with a model.
 
     Args:
         suite: What is asked.
-        seats: Who is asked, and how.
+        options: Which model is asked, and how.
         out: Folder of the records.
         plain: Print lines even to a terminal, where a bar of the caller's stands.
 
@@ -74,24 +74,24 @@ def take_seats(suite: Suite, seats: ModelRunOptions, out: Path, *, plain: bool =
         MissingExtra: The harness isn't installed.
         BadData: The folder is about something else, prices can't be read, or nobody has the model.
     """
-    check_asked(seats)
-    price = price_of(seats.prices, seats.model)
-    for name in {seats.model, seats.pointer} - {"oracle", "self"}:
-        if seats.endpoint is None:
+    check_asked(options)
+    price = price_of(options.prices, options.model)
+    for name in {options.model, options.pointer} - {"oracle", "self"}:
+        if options.endpoint is None:
             _check_served(name)
-    things = seats.library()
+    things = options.library()
     check_objects(suite, things)
-    if changes_scenes(seats.conditions):
-        suite = varied(suite, seats.conditions, things, out)
+    if changes_scenes(options.conditions):
+        suite = varied(suite, options.conditions, things, out)
     try:
         from probe.bench.evaluation import Participants, evaluate
     except ImportError as error:
         raise MissingExtra("A model in the seat", "bench") from error
-    plan = plan_of(suite, seats, out, price)
+    plan = plan_of(suite, options, out, price)
     key = os.environ.get("OPENAI_API_KEY") or "none"
-    pointer = settings_of(seats.pointer).id if plan.pointer == "role" else None
-    its_price = price_of(seats.prices, seats.pointer) if pointer else None
-    chosen = Participants(settings_of(seats.model).id, seats.endpoint, key, pointer, its_price)
+    pointer = settings_of(options.pointer).id if plan.pointer == "role" else None
+    its_price = price_of(options.prices, options.pointer) if pointer else None
+    chosen = Participants(settings_of(options.model).id, options.endpoint, key, pointer, its_price)
     return evaluate(plan, chosen, "rich" if sys.stdout.isatty() and not plain else "plain")
 
 
@@ -111,14 +111,14 @@ def price_of(path: Path | None, name: str) -> Price | None:
     return price
 
 
-def check_asked(seats: ModelRunOptions) -> None:
+def check_asked(options: ModelRunOptions) -> None:
     """See that models have names, and the server an address.
 
     Raises:
         BadData: One hasn't.
     """
-    check_address(seats.endpoint)
-    for option, name in (("--model", seats.model), ("--pointer", seats.pointer)):
+    check_address(options.endpoint)
+    for option, name in (("--model", options.model), ("--pointer", options.pointer)):
         if not name.strip():
             raise BadData(option, "is empty", "Say the name of a model")
 
@@ -139,23 +139,23 @@ def _check_served(name: str) -> None:
         raise BadData(name, "is no short name, and names no provider", remedy)
 
 
-def plan_of(suite: Suite, seats: ModelRunOptions, out: Path, price: Price | None) -> ModelRunPlan:
+def plan_of(suite: Suite, options: ModelRunOptions, out: Path, price: Price | None) -> ModelRunPlan:
     """What is run, in the terms of `probe.bench`."""
-    pointing = settings_of(seats.model if seats.pointer == "self" else seats.pointer)
+    pointing = settings_of(options.model if options.pointer == "self" else options.pointer)
     return ModelRunPlan(
-        setting=seats.setting,
+        setting=options.setting,
         suite=suite,
-        tasks=seats.tasks_of(suite),
+        tasks=options.tasks_of(suite),
         out=out,
-        library=seats.library,
+        library=options.library,
         cache=cache_folder() / "light",
-        epochs=seats.epochs,
-        points=seats.counting,
-        noise=seats.noise,
-        conditions=seats.conditions,
-        pointer=seats.pointer if seats.pointer in ("oracle", "self") else "role",
+        epochs=options.epochs,
+        points=options.counting,
+        noise=options.noise,
+        conditions=options.conditions,
+        pointer=options.pointer if options.pointer in ("oracle", "self") else "role",
         convention=pointing.pointing,
-        workers=seats.workers,
-        prices={seats.model: price} if price else {},
-        called=seats.model,
+        workers=options.workers,
+        prices={options.model: price} if price else {},
+        called=options.model,
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated
 
@@ -12,7 +13,7 @@ from probe.api.agents import AgentName
 from probe.api.resources import everything, opener
 from probe.cli.dry_run import would_ask
 from probe.cli.file_agents import who_acts
-from probe.cli.model_run import ModelRunOptions, take_seats
+from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.numbers import check_numbers
 from probe.cli.option_conflicts import check_pointer, refuse_stray
 from probe.cli.running import check_whole, run_order
@@ -30,42 +31,13 @@ _TABLES = 4
 """Samples of a model at a time, if nobody says otherwise: models take their time."""
 
 
-def run(
-    suite: Annotated[str, tyro.conf.Positional],
-    agent: AgentName | str | None = None,
-    agent_name: str | None = None,
-    sandbox: Sandbox = Sandbox(),  # noqa: B008 - a value
-    out: Path = Path("outputs/run"),
-    runs: int | None = None,
-    noise: NoiseName = "none",
-    workers: int | None = None,
-    shard: str = "0/1",
-    conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
-    model: str | None = None,
-    setting: Annotated[Setting | None, tyro.conf.arg(aliases=["--arm"])] = None,
-    epochs: int | None = None,
-    points: Points | None = None,
-    pointer: str | None = None,
-    endpoint: str | None = None,
-    prices: Path | None = None,
-    dry_run: bool = False,
-) -> None:
-    """Let an agent work on every task of a suite; goes on where an earlier run stopped.
+@dataclass(frozen=True)
+class ModelChoice:
+    """A model that acts instead of an agent.
 
-    Args:
-        suite: "v1", "demo" or a file that `probe suite build` wrote.
-        agent: Who acts, without a model; by default "scripted". "FILE.py:ClassName" for an agent of
-            your own, which runs in a process of its own: see docs/reference/agents.md.
-        agent_name: What records call an agent of a file; by default as its class.
-        sandbox: What an agent of a file is allowed.
-        out: Folder for the records.
-        runs: Episodes of each task, for agents without a model; by default 1.
-        noise: How far the hand errs; "paper" fails as often as the paper's.
-        workers: Processes that run episodes; by default 1, for a model 4.
-        shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
-        conditions: In what episodes differ from their tasks; see docs/how-to/run.md.
-        model: A model that acts instead, by a name of docs/how-to/models.md or the harness's
-            own.
+    Attributes:
+        model: Model that acts instead of an agent: a name of docs/how-to/models.md or the
+            harness's own.
         setting: How the model may answer: with tools (the default), or at once from what it is
             shown.
         epochs: Episodes of each task, for a model; by default 3.
@@ -76,47 +48,117 @@ def run(
         prices: A file that says what tokens cost.
         dry_run: Only say how much would be asked of the model.
     """
+
+    model: str | None = None
+    setting: Annotated[Setting | None, tyro.conf.arg(aliases=["--arm"])] = None
+    epochs: int | None = None
+    points: Points | None = None
+    pointer: str | None = None
+    endpoint: str | None = None
+    prices: Path | None = None
+    dry_run: bool = False
+
+
+@dataclass(frozen=True)
+class AgentChoice:
+    """Who acts without a model.
+
+    Attributes:
+        agent: Who acts, without a model; by default "scripted". "FILE.py:ClassName" for an agent of
+            your own, which runs in a process of its own: see docs/reference/agents.md.
+        agent_name: What records call an agent of a file; by default as its class.
+        sandbox: What an agent of a file is allowed.
+        runs: Episodes of each task, without a model; by default 1.
+    """
+
+    agent: AgentName | str | None = None
+    agent_name: str | None = None
+    sandbox: Sandbox = Sandbox()
+    runs: int | None = None
+
+
+def run(
+    suite: Annotated[str, tyro.conf.Positional],
+    acting: Annotated[AgentChoice, tyro.conf.arg(name="")] = AgentChoice(),  # noqa: B008
+    asked: Annotated[ModelChoice, tyro.conf.arg(name="")] = ModelChoice(),  # noqa: B008
+    out: Path = Path("outputs/run"),
+    noise: NoiseName = "none",
+    workers: int | None = None,
+    shard: str = "0/1",
+    conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
+) -> None:
+    """Let an agent work on every task of a suite; goes on where an earlier run stopped.
+
+    Args:
+        suite: "v1", "demo" or a file that `probe suite build` wrote.
+        acting: Who acts, without a model.
+        asked: The model that acts instead.
+        out: Folder for the records.
+        noise: How far the hand errs; "paper" fails as often as the paper's.
+        workers: Processes that run episodes; by default 1, for a model 4.
+        shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
+        conditions: In what episodes differ from their tasks; see docs/how-to/run.md.
+    """
     part = parse_shard(shard)
-    check_numbers({"--runs": runs, "--epochs": epochs, "--workers": workers})
+    check_numbers({"--runs": acting.runs, "--epochs": asked.epochs, "--workers": workers})
     check_numbers({"--pose-jitter": conditions.pose_jitter})
-    if model is None:
-        refuse_stray("without --model", {
-            "--setting": setting, "--epochs": epochs, "--points": points, "--pointer": pointer,
-            "--endpoint": endpoint, "--prices": prices, "--dry-run": dry_run or None,
-        })  # fmt: skip
-        asked, things = find_suite(suite), everything()
-        name, agent_of = who_acts(
-            "scripted" if agent is None else agent, agent_name, sandbox, suite, out
-        )
-        order = RunOrder(name, runs or 1, NOISES[noise], conditions, part)
-        missing = run_order(asked, order, agent_of, things, out, workers or 1)
-        total = len(order.jobs(asked.tasks))
+    order = RunOrder("", acting.runs or 1, NOISES[noise], conditions, part)
+    if asked.model is None:
+        missing, total = _run_agent(suite, acting, asked, order, out, workers or 1)
+    elif asked.dry_run:
+        would_ask(find_suite(suite), _options_of(acting, asked, order, workers), out)
+        return
     else:
-        refuse_stray("with --model", {
-            "--agent": agent, "--agent-name": agent_name, "--runs": runs,
-            "--sandbox": None if sandbox == Sandbox() else sandbox,
-        })  # fmt: skip
-        pointer = "oracle" if pointer is None else pointer
-        check_pointer(pointer, setting or "agentic", conditions)
-        seats = ModelRunOptions(
-            library=opener(),
-            model=model,
-            setting=setting or "agentic",
-            epochs=epochs or 3,
-            points=points,
-            pointer=pointer,
-            endpoint=endpoint,
-            prices=prices,
-            noise=NOISES[noise],
-            conditions=conditions,
-            shard=part,
-            workers=workers or _TABLES,
-        )
-        asked = find_suite(suite)
-        if dry_run:
-            would_ask(asked, seats, out)
-            return
-        missing = take_seats(asked, seats, out)
-        total = len(seats.tasks_of(asked)) * seats.epochs
+        options = _options_of(acting, asked, order, workers)
+        tasks = find_suite(suite)
+        missing = run_model(tasks, options, out)
+        total = len(options.tasks_of(tasks)) * options.epochs
     say(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
     check_whole(missing, total)
+
+
+def _run_agent(
+    suite: str, acting: AgentChoice, asked: ModelChoice, order: RunOrder, out: Path, workers: int
+) -> tuple[int, int]:
+    """Episodes that are missing by our fault, and all that there are to be."""
+    refuse_stray("without --model", {
+        "--setting": asked.setting, "--epochs": asked.epochs, "--points": asked.points,
+        "--pointer": asked.pointer, "--endpoint": asked.endpoint, "--prices": asked.prices,
+        "--dry-run": asked.dry_run or None,
+    })  # fmt: skip
+    tasks, things = find_suite(suite), everything()
+    agent = "scripted" if acting.agent is None else acting.agent
+    name, agent_of = who_acts(agent, acting.agent_name, acting.sandbox, suite, out)
+    order = replace(order, agent=name)
+    missing = run_order(tasks, order, agent_of, things, out, workers)
+    return missing, len(order.jobs(tasks.tasks))
+
+
+def _options_of(
+    acting: AgentChoice, asked: ModelChoice, order: RunOrder, workers: int | None
+) -> ModelRunOptions:
+    """How a model's run is to be.
+
+    Raises:
+        BadData: An option would do nothing.
+    """
+    refuse_stray("with --model", {
+        "--agent": acting.agent, "--agent-name": acting.agent_name, "--runs": acting.runs,
+        "--sandbox": None if acting.sandbox == Sandbox() else acting.sandbox,
+    })  # fmt: skip
+    options = ModelRunOptions(
+        library=opener(),
+        model=asked.model or "",
+        setting=asked.setting or "agentic",
+        epochs=asked.epochs or 3,
+        points=asked.points,
+        pointer="oracle" if asked.pointer is None else asked.pointer,
+        endpoint=asked.endpoint,
+        prices=asked.prices,
+        noise=order.noise,
+        conditions=order.conditions,
+        shard=order.shard,
+        workers=workers or _TABLES,
+    )
+    check_pointer(options.pointer, options.setting, options.conditions)
+    return options

@@ -22,13 +22,14 @@ from probe.render.protocol import Engine
 from probe.render.renderer import Renderer
 from probe.report.gallery import GalleryEntry, write_gallery
 from probe.report.pictures import depth_image, label_image
+from probe.scene.cameras import View
 from probe.scene.document import write_scene
-from probe.scene.layout import View, view_camera
 from probe.scene.lighting import AMBIENT, Lighting
 from probe.scene.sampling import DEFAULT_COUNT, TIGHT, PileSettings
 from probe.scene.scene import Scene
+from probe.scene.setup import UR5_TABLE, Setup
+from probe.scene.setup_file import read_setup
 from probe.scene.visibility import Visibility
-from probe.types import Camera
 from probe.world.scenes import SettledScene, draw_scene
 
 _MANY = 40
@@ -46,6 +47,7 @@ def scene(
     lighting: str = AMBIENT.name,
     camera: View = "top",
     renderer: Engine = "filament",
+    setup: Path | None = None,
 ) -> None:
     """Settle a cluttered table from a seed and photograph it.
 
@@ -64,22 +66,24 @@ def scene(
             (docs/reference/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
         camera: From above, or obliquely from the front.
         renderer: What draws colour; blender needs the extra of that name, and more time.
+        setup: File of another set-up (docs/how-to/extend/add-a-setup.md); the scene keeps it.
     """
     check_numbers({"SEED": seed, "--objects": objects, "--buried": buried, "--gallery": gallery})
     if 2 * buried > objects:
         reason = f"of {objects} objects, {buried} can't lie under others"
         raise BadData("--buried", reason, "Say at most half of --objects")
-    things, pile = library(pool), PileSettings(reach, buried)
+    things, around = library(pool), read_setup(setup) if setup else UR5_TABLE
+    recipe = _Recipe(things, objects, PileSettings(reach, buried), around)
     with Renderer(cache_folder() / "light", renderer) as drawing:
-        studio = _Studio(drawing, view_camera(camera), light_of(Lighting(lighting), things.assets))
+        studio = _Studio(drawing, camera, light_of(Lighting(lighting), things.assets))
         if gallery == 0:
             if objects > _MANY:
                 say(f"Settling {objects} objects; over {_MANY} may take minutes.")
-            drawn = [_settle(seed, things, objects, pile)]
+            drawn = [recipe.settle(seed)]
             _write(out, drawn[0].scene, things, studio)
             say(f"Picture, depth, labels and scene are in {out}")
         else:
-            drawn = _gallery(out, range(seed, seed + gallery), things, objects, pile, studio)
+            drawn = _gallery(out, range(seed, seed + gallery), recipe, studio)
             say(f"{gallery} scenes are in {out / 'index.html'}")
     again = sum(each.restless > 0 for each in drawn)
     if again:
@@ -93,31 +97,39 @@ class _Studio:
     """What takes the pictures: a renderer, where it looks from, and in which light."""
 
     renderer: Renderer
-    camera: Camera
+    camera: View
     light: Illumination
 
 
-def _gallery(
-    out: Path, seeds: range, things: Library, count: int, pile: PileSettings, studio: _Studio
-) -> list[SettledScene]:
+@dataclass(frozen=True)
+class _Recipe:
+    """What scenes are made of."""
+
+    things: Library
+    count: int
+    pile: PileSettings
+    setup: Setup
+
+    def settle(self, seed: int) -> SettledScene:
+        tables = table_ids(assets_folder())
+        return draw_scene(seed, self.things, tables, self.count, self.pile, self.setup)
+
+
+def _gallery(out: Path, seeds: range, recipe: _Recipe, studio: _Studio) -> list[SettledScene]:
     """Draw and write many scenes and the page of them."""
     drawn: list[SettledScene] = []
     entries: list[GalleryEntry] = []
     for seed in track(seeds, "Settling and drawing"):
-        drawn.append(_settle(seed, things, count, pile))
-        shares = _write(out / str(seed), drawn[-1].scene, things, studio)
-        entries.append(_entry(drawn[-1].scene, shares, things))
+        drawn.append(recipe.settle(seed))
+        shares = _write(out / str(seed), drawn[-1].scene, recipe.things, studio)
+        entries.append(_entry(drawn[-1].scene, shares, recipe.things))
     write_gallery(out / "index.html", entries)
     return drawn
 
 
-def _settle(seed: int, things: Library, count: int, pile: PileSettings) -> SettledScene:
-    return draw_scene(seed, things, table_ids(assets_folder()), count, pile)
-
-
 def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> dict[int, Visibility]:
     """Draw one scene and write its files; the scene comes last and so marks a complete folder."""
-    renderer, camera = studio.renderer, studio.camera
+    renderer, camera = studio.renderer, settled.setup.camera(studio.camera)
     load_scene(renderer, settled, things, things.table(settled.table))
     frame = photograph(renderer, settled, camera=camera, light=studio.light)
     assert frame.rgb is not None and frame.labels is not None

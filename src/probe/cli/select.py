@@ -20,6 +20,7 @@ from probe.files import check_new
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite, packaged_suites
 from probe.tasks.task import QuestionType
+from probe.train.choose.candidates import EpisodeCandidate
 from probe.train.choose.chosen import SelectionDocument, write_selection
 from probe.train.choose.efficiency import SLACK
 from probe.train.choose.evaluation import evaluation_of
@@ -68,35 +69,39 @@ def select(
     check_numbers({**counted, "--slack": slack, "--seed": seed, "--workers": workers})
     check_new(out)
     objects: dict[str, Fingerprint] = {}
-    candidates, unfinished = candidates_of(collected, objects)
-    tell_unsummed(
-        *(
-            batch.setting(setting)
-            for folder in collected
-            for batch in batches(folder)
-            for setting in SETTINGS
-        )
-    )
-    if unfinished:
-        say(f"{unfinished} batches aren't whole yet and are left out.")
+    candidates = _candidates(collected, objects)
     packaged = [find_suite(name) for name in packaged_suites()]
     others = [find_suite(name) for name in against]
     suites = [*packaged, *others]
     parts = read_split(split) if split else None
     groups = _alike(objects, packaged, others, workers) if near else []
-    evaluation = evaluation_of(suites, parts, groups)
-    wanted: dict[str, int] = dict(counts.items()) if counts else {}
-    recipe = Recipe(wanted, direct_share, slack, seed)
-    found = selected(candidates, evaluation, recipe)
+    recipe = Recipe(dict(counts or {}), direct_share, slack, seed)
+    found = selected(candidates, evaluation_of(suites, parts, groups), recipe)
     if not found.chosen:
-        _print_dropped(found.dropped)
-        direct = "Say --direct-share 1, or collect with --settings agentic"
-        remedy = direct if found.dropped[BEYOND_SHARE] else "Collect more"
-        raise BadData(collected[0], "holds no episode to learn from", remedy)
+        raise _nothing_chosen(collected[0], found.dropped)
     names = [suite.name for suite in suites]
     document = write_selection(out, found, recipe, objects, collected, names)
     _print(document, len(candidates))
     say(f"They are in {out}; `probe dataset {out} OUT` writes them down for trainers.")
+
+
+def _candidates(
+    collected: Sequence[Path], objects: dict[str, Fingerprint]
+) -> list[EpisodeCandidate]:
+    """Episodes to choose from; fingerprints of what appears in them are added to `objects`."""
+    candidates, unfinished = candidates_of(collected, objects)
+    kept = [batch for folder in collected for batch in batches(folder)]
+    tell_unsummed(*(batch.setting(setting) for batch in kept for setting in SETTINGS))
+    if unfinished:
+        say(f"{unfinished} batches aren't whole yet and are left out.")
+    return candidates
+
+
+def _nothing_chosen(collected: Path, dropped: dict[str, int]) -> BadData:
+    _print_dropped(dropped)
+    direct = "Say --direct-share 1, or collect with --settings agentic"
+    remedy = direct if dropped[BEYOND_SHARE] else "Collect more"
+    return BadData(collected, "holds no episode to learn from", remedy)
 
 
 def _alike(

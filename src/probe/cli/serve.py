@@ -57,7 +57,7 @@ def serve(
         # Standard output is the protocol's. Some clients show no instructions to their model.
         warn(*question_text(question).splitlines())
         try:
-            serve_mcp(session, question)
+            serve_mcp(session, question, chosen.scale)
         finally:
             session.close()
 

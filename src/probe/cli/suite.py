@@ -35,6 +35,8 @@ from probe.generation.plan import ATTEMPTS
 from probe.generation.salt import Salt
 from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
+from probe.scene.setup import UR5_TABLE
+from probe.scene.setup_file import read_setup
 from probe.tasks.suite_file import check_new_name, find_suite
 from probe.tasks.task import QUESTION_TYPES, QuestionType
 
@@ -58,6 +60,7 @@ def build(
     shard: str = "0/1",
     unchecked: bool = False,
     unsolved: Path | None = None,
+    setup: Path | None = None,
 ) -> None:
     """Make, check and freeze tasks; goes on where an earlier run stopped.
 
@@ -77,6 +80,7 @@ def build(
         shard: "0/2" and "1/2" in two processes share the work.
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
+        setup: File of another set-up (docs/how-to/extend/add-a-setup.md); tasks keep it.
     """
     check_numbers(
         {
@@ -92,12 +96,12 @@ def build(
     places = places_of(counts, first)
     if not places:
         raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
-    part = parse_shard(shard)
-    salt = begin(parts, pool, public=public, unchecked=unchecked)
+    part, table = parse_shard(shard), read_setup(setup) if setup else UR5_TABLE
+    salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table)
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt)
     with Renderer() as renderer:
-        resources = BuildResources(things, tables_for(pool), renderer, unchecked, salt)
+        resources = BuildResources(things, tables_for(pool), renderer, unchecked, salt, table)
         _fill([place for place in part.of(places) if place not in left_out], parts, resources)
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
     made = [place for place in places if parts.task_path(place).exists()]

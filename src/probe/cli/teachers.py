@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 
 from probe.api.resources import cache_folder, tables_for
-from probe.cli.model_run import ModelRunOptions, take_seats
+from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.teaching import TeachingSetup
 from probe.episodes.noise import NOISES
 from probe.generation.build_folder import BuildFolder
@@ -59,7 +59,7 @@ def _scripted(site: TeachingSetup) -> Play:
 
 
 def _seated(site: TeachingSetup, model: str) -> Play:
-    seats = ModelRunOptions(
+    options = ModelRunOptions(
         library=site.training,
         model=model,
         setting="agentic",
@@ -75,10 +75,10 @@ def _seated(site: TeachingSetup, model: str) -> Play:
     )
 
     def play(suite: Suite, setting: Setting, runs: int, out: Path) -> Iterator[str]:
-        asked, missing = replace(seats, setting=setting, epochs=runs), len(suite.tasks) * runs
+        asked, missing = replace(options, setting=setting, epochs=runs), len(suite.tasks) * runs
         for _ in range(_ROUNDS):
             yield f"{missing} episodes go to {model} ({setting})"
-            missing = take_seats(suite, asked, out, plain=True)
+            missing = run_model(suite, asked, out, plain=True)
             if not missing:
                 return
 

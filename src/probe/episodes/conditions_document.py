@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from typing import Annotated
 
 import pydantic
 
 from probe.episodes.conditions import Conditions, Ideal, LightKind, TableKind
 from probe.perception.dials import Dials
-from probe.scene.document import Position, Rotation
-from probe.scene.layout import top_camera
 from probe.scene.lighting import Lighting
 from probe.scene.perturb import CameraName
+from probe.scene.pose_document import Position, Rotation
+from probe.scene.setup import UR5_TABLE
+from probe.scene.setup_file import MOST_PX
 from probe.scene.viewpoint import Viewpoint
-from probe.types import Pose
+from probe.types import Camera, Pose
 
 Rate = Annotated[float, pydantic.Field(ge=0, le=1)]
 
@@ -61,24 +62,41 @@ class ConditionsDocument(_Document):
 
 
 class SightDocument(_Document):
-    """Pose of the camera (world_from_camera) and the light, if they weren't the usual ones."""
+    """Pose of the camera (world_from_camera) and the light, if they weren't the usual ones.
+
+    Field of view and size of the pictures are left out where they are those of the usual camera.
+    """
 
     position: Position
     wxyz: Rotation
     lighting: str
     yaw: float
+    fov_deg: float | None = pydantic.Field(
+        default=None, gt=0, lt=180, exclude_if=lambda it: it is None
+    )
+    picture_px: int | None = pydantic.Field(
+        default=None, ge=1, le=MOST_PX, exclude_if=lambda it: it is None
+    )
 
     @staticmethod
     def of(sight: Viewpoint) -> SightDocument | None:
         """The document of a sight; None for the usual one."""
         if sight == Viewpoint():
             return None
-        pose, light = sight.camera.world_from_camera, sight.lighting
+        camera, light = sight.camera, sight.lighting
+        usual, pose = UR5_TABLE.camera(), camera.world_from_camera
         return SightDocument(
-            position=pose.position, wxyz=pose.wxyz, lighting=light.name, yaw=light.yaw
+            position=pose.position,
+            wxyz=pose.wxyz,
+            lighting=light.name,
+            yaw=light.yaw,
+            fov_deg=None if camera.fov_y_deg == usual.fov_y_deg else camera.fov_y_deg,
+            picture_px=None if camera.width_px == usual.width_px else camera.width_px,
         )
 
     def sight(self) -> Viewpoint:
         """The sight it describes."""
-        camera = replace(top_camera(), world_from_camera=Pose(self.position, self.wxyz))
+        usual = UR5_TABLE.camera()
+        size = self.picture_px or usual.width_px
+        camera = Camera(Pose(self.position, self.wxyz), size, size, self.fov_deg or usual.fov_y_deg)
         return Viewpoint(camera, Lighting(self.lighting, self.yaw))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Annotated, Literal
 
 import pydantic
@@ -12,11 +13,12 @@ from probe.episodes.participation_document import ParticipationDocument
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question
 from probe.scene.document import SceneDocument
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import UR5_TABLE
+from probe.scene.setup_file import MOST_PX
 from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.result import Answer, Status
 
-Pixel = Annotated[int, pydantic.Field(ge=0, lt=PICTURE_PX)]
+Pixel = Annotated[int, pydantic.Field(ge=0, lt=MOST_PX)]
 
 
 class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
@@ -144,17 +146,25 @@ def _step_documents(record: EpisodeRecord) -> tuple[StepDocument, ...]:
                 status=step.status,
                 text=step.text,
                 point_px=step.point_px,
-                after=None if step.after == before else _table_document(step.after),
+                after=None if step.after == before else _table_document(_bare(step.after)),
             )
         )
         before = step.after
     return tuple(documents)
 
 
+def _bare(table: TableState) -> TableState:
+    """The table without its set-up, which its start alone tells: it can't change."""
+    return replace(table, scene=replace(table.scene, setup=UR5_TABLE))
+
+
 def _steps(document: EpisodeDocument) -> tuple[Step, ...]:
     table, steps = _table(document.start), list[Step]()
+    setup = table.scene.setup
     for step in document.steps:
-        table = _table(step.after) if step.after else table
+        if step.after:
+            table = _table(step.after)
+            table = replace(table, scene=replace(table.scene, setup=setup))
         call = Call(step.call.name, step.call.arguments, step.call.words)
         steps.append(Step(call, step.status, step.text, step.point_px, table))
     return tuple(steps)

@@ -26,7 +26,7 @@ def question_of(task: Task, picture: Array | None = None) -> Question:
     if picture is not None:
         picture = drawn(picture, task.marks)
     options = tuple((option.letter, option.text) for option in task.options)
-    return Question(task.question, options, picture)
+    return Question(task.question, options, picture, task.scale)
 
 
 def grade_episode(task: Task, record: EpisodeRecord, labels: Array) -> Score:

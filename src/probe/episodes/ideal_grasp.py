@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from probe.episodes.touched import touched
+from probe.scene.setup import Setup
 from probe.station.station import Station
 from probe.toolshed.skills import Direction, PushOutcome, SkillOutcome, Skills
-from probe.types import Array, Frame, Vector3
+from probe.types import Array, Frame
 
 
 class InstantRemoval(Protocol):
@@ -43,7 +44,7 @@ class IdealGrasp:
         self._magic = magic
 
     def grasp_and_remove(
-        self, station: Station, frame: Frame, mask: Array, drop_at: Vector3, /
+        self, station: Station, frame: Frame, mask: Array, setup: Setup, /
     ) -> SkillOutcome:
         """As Skills; a mask that shows mostly table gives nothing to take."""
         instance = touched(frame, mask)
@@ -59,8 +60,8 @@ class IdealGrasp:
         mask: Array,
         direction: Direction,
         distance: float,
-        basket: Vector3,
+        setup: Setup,
         /,
     ) -> PushOutcome:
         """As Skills."""
-        return self._skills.push(station, frame, mask, direction, distance, basket)
+        return self._skills.push(station, frame, mask, direction, distance, setup)

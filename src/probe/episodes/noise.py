@@ -15,10 +15,11 @@ import numpy as np
 
 from probe.episodes.touched import touched
 from probe.scene.seeds import generator
+from probe.scene.setup import Setup
 from probe.station.offset_station import OffsetStation
 from probe.station.station import Station
 from probe.toolshed.skills import Direction, PushOutcome, SkillOutcome, Skills
-from probe.types import Array, Frame, Vector3
+from probe.types import Array, Frame
 
 
 @dataclass(frozen=True)
@@ -64,11 +65,11 @@ class NoisySkills:
         self._attempts: Counter[tuple[str, int]] = Counter()
 
     def grasp_and_remove(
-        self, station: Station, frame: Frame, mask: Array, drop_at: Vector3, /
+        self, station: Station, frame: Frame, mask: Array, setup: Setup, /
     ) -> SkillOutcome:
         """As Skills."""
         erring = self._erring(station, "grasp", self._noise.grasp, frame, mask)
-        return self._skills.grasp_and_remove(erring, frame, mask, drop_at)
+        return self._skills.grasp_and_remove(erring, frame, mask, setup)
 
     def push(
         self,
@@ -77,12 +78,12 @@ class NoisySkills:
         mask: Array,
         direction: Direction,
         distance: float,
-        basket: Vector3,
+        setup: Setup,
         /,
     ) -> PushOutcome:
         """As Skills."""
         erring = self._erring(station, "push", self._noise.push, frame, mask)
-        return self._skills.push(erring, frame, mask, direction, distance, basket)
+        return self._skills.push(erring, frame, mask, direction, distance, setup)
 
     def _erring(
         self, station: Station, tool: str, sigma: float, frame: Frame, mask: Array

@@ -20,7 +20,6 @@ from probe.perception.choice import Perceiver, dialled, ideal
 from probe.render.lighting import light_of
 from probe.render.photograph import labels_of, load_scene
 from probe.render.renderer import Renderer
-from probe.scene.layout import BASKET_POSITION
 from probe.scene.viewpoint import Viewpoint
 from probe.station.simulated import SimulatedStation
 from probe.tasks.grading import Score
@@ -55,11 +54,11 @@ def set_table(
         perceiver: Makes what the tools see with.
         noise: How far the hand errs.
         conditions: Its dials and its ideal hold; what it says of the table must be so already.
-        sight: From where and in which light the table is seen; by default as always.
+        sight: From where and in which light the table is seen; by default as the task was made.
         run: Of the episode's runs; each has its own luck.
     """
     load_scene(renderer, task.scene, library, table)
-    sight = sight or Viewpoint()
+    sight = sight or task.viewpoint
     light = light_of(sight.lighting, library.assets)
     station = SimulatedStation(World(task.scene, library), renderer, sight.camera, light)
     words = {item.instance: library[item.object_id] for item in task.scene.objects}
@@ -75,7 +74,7 @@ def set_table(
         station,
         perception.detector,
         skills,
-        BASKET_POSITION,
+        task.scene.setup,
         pictures=pictures,
         finder=perception.finder,
         teller=perception.teller,
@@ -112,7 +111,7 @@ def play(
         sight: As for set_table.
         pictures: Whether the agent looks at any; what the tools say doesn't depend on it.
     """
-    sight = sight or Viewpoint()
+    sight = sight or task.viewpoint
     tools, station = set_table(
         task,
         library,

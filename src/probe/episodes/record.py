@@ -10,6 +10,7 @@ from probe.episodes.noise import NO_NOISE, Noise
 from probe.episodes.participation import Participation
 from probe.episodes.turns import Call, Question
 from probe.scene.scene import Scene
+from probe.scene.setup import PictureScale, picture_scale
 from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.result import Answer, Status
 
@@ -96,6 +97,11 @@ class EpisodeRecord:
     def scenes(self) -> tuple[Scene, ...]:
         """The table at the start and after each step."""
         return (self.start.scene, *(step.after.scene for step in self.steps))
+
+    @property
+    def scale(self) -> PictureScale:
+        """What its pictures show."""
+        return picture_scale(self.start.scene.setup, self.sight.camera)
 
     @property
     def manipulations(self) -> int:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
+from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.result import ToolResult
 from probe.types import Array
 
@@ -20,11 +21,13 @@ class Question:
         options: Letter and text of each option, in order.
         picture: The table at the start, sRGB uint8, shape (h, w, 3); None for agents that
             look at no pictures.
+        scale: How much of the table pictures show, as the tools' texts say too.
     """
 
     text: str
     options: tuple[tuple[str, str], ...]
     picture: Array | None = field(default=None, compare=False, repr=False)
+    scale: PictureScale = field(default=USUAL_SCALE, compare=False, repr=False)
 
 
 @dataclass(frozen=True)

@@ -6,11 +6,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from probe.generation.build_folder import TaskSlot
-from probe.generation.plan import ATTEMPTS, TaskPlan, plan_of
+from probe.generation.plan import ATTEMPTS, plan_of
 from probe.generation.result import TaskCandidate
 from probe.generation.salt import Salt
+from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import task_id
 from probe.scene.scene import Scene
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.tasks.task import QuestionType, Task
 
 _ID_DIGITS = 16
@@ -24,11 +26,13 @@ class Attempt:
         place: Which task.
         number: Of the try, from 0.
         salt: Of a private suite; None for a public one, where type and numbers decide all.
+        setup: The table it is for.
     """
 
     place: TaskSlot
     number: int
     salt: Salt | None = None
+    setup: Setup = UR5_TABLE
 
     @staticmethod
     def of_seed(question_type: QuestionType, seed: int, salt: Salt | None = None) -> Attempt:
@@ -39,7 +43,7 @@ class Attempt:
     @property
     def plan(self) -> TaskPlan:
         """What the episode is to be like."""
-        return plan_of(*self.place, self.salt)
+        return plan_of(*self.place, self.salt, self.setup)
 
     @property
     def seed(self) -> int:

@@ -21,14 +21,16 @@ from probe.generation.build_folder import (
     TaskSlot,
 )
 from probe.generation.generate import make
-from probe.generation.needs import NEEDS
 from probe.generation.plan import ATTEMPTS
 from probe.generation.restored_stage import RestoredStage
 from probe.generation.result import Rejection, TaskCandidate
 from probe.generation.salt import Salt
 from probe.generation.salt_file import salt_of
 from probe.generation.solve import SolveAttempt, noted, trials
+from probe.generation.task_generator import generator_of
 from probe.render.renderer import Renderer
+from probe.scene.setup import UR5_TABLE, Setup
+from probe.scene.setup_file import SetupDocument
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QUESTION_TYPES, QuestionType, Task
@@ -43,6 +45,7 @@ class BuildResources:
     Attributes:
         unchecked: Leave out the scripted agents' check: for tests of the generator alone.
         salt: Of a private suite.
+        setup: The table that tasks are for.
     """
 
     library: Library
@@ -50,9 +53,12 @@ class BuildResources:
     renderer: Renderer
     unchecked: bool = False
     salt: Salt | None = None
+    setup: Setup = UR5_TABLE
 
 
-def begin(folder: BuildFolder, pool: str, *, public: bool, unchecked: bool) -> Salt | None:
+def begin(
+    folder: BuildFolder, pool: str, *, public: bool, unchecked: bool, setup: Setup = UR5_TABLE
+) -> Salt | None:
     """Begin a build in a folder, or take it up: its salt, and the settings it was begun with.
 
     Returns:
@@ -63,7 +69,8 @@ def begin(folder: BuildFolder, pool: str, *, public: bool, unchecked: bool) -> S
     """
     salt = salt_of(folder, public=public)
     commitment = salt.commitment if salt else None
-    folder.claim(BuildSettings(pool=pool, unchecked=unchecked, commitment=commitment))
+    other = None if setup == UR5_TABLE else SetupDocument.of(setup)
+    folder.claim(BuildSettings(pool=pool, unchecked=unchecked, commitment=commitment, setup=other))
     return salt
 
 
@@ -90,7 +97,7 @@ def fill(place: TaskSlot, parts: BuildFolder, resources: BuildResources) -> Iter
         return
     tried = sum(line.check != KEPT for line in log)
     for number in range(tried, ATTEMPTS):
-        start, attempt = monotonic(), Attempt(place, number, resources.salt)
+        start, attempt = monotonic(), Attempt(place, number, resources.salt, resources.setup)
         result, made = _attempt(attempt, resources)
         solved = made[0].solved if made else None
         if isinstance(result, Rejection):
@@ -111,7 +118,7 @@ def fill(place: TaskSlot, parts: BuildFolder, resources: BuildResources) -> Iter
     raise Unsatisfiable(
         f"No {place.question_type} task in {ATTEMPTS} candidates for place {place.episode}: "
         f"{why_none(parts.log(place))}. "
-        f"{place.question_type.capitalize()} needs {NEEDS[place.question_type]}."
+        f"{place.question_type.capitalize()} needs {generator_of(place.question_type).needs}."
     )
 
 

@@ -17,6 +17,7 @@ from probe.assets.library import Library
 from probe.errors import BadData
 from probe.files import claim_folder, make_private, read_document, write_text
 from probe.reading import words
+from probe.scene.setup_file import SetupDocument
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionType, Task
@@ -45,11 +46,13 @@ class BuildSettings(pydantic.BaseModel, extra="forbid", frozen=True):
         pool: Which objects appear.
         unchecked: Whether the scripted agents' check is left out.
         commitment: To a private suite's salt; None for a public suite, as in older folders.
+        setup: The table; None for the usual one.
     """
 
     pool: str
     unchecked: bool
     commitment: str | None = None
+    setup: SetupDocument | None = pydantic.Field(default=None, exclude_if=lambda it: it is None)
 
 
 @dataclass(frozen=True)

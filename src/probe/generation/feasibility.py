@@ -12,10 +12,9 @@ from dataclasses import dataclass
 from probe.assets.library import Library
 from probe.generation.attempt import Attempt
 from probe.generation.build_folder import TaskSlot
-from probe.generation.generate import SELECTORS
-from probe.generation.needs import NEEDS
 from probe.generation.result import Rejected
 from probe.generation.salt import Salt
+from probe.generation.task_generator import generator_of
 from probe.scene.seeds import generator
 from probe.tasks.task import QUESTION_TYPES, QuestionType
 
@@ -42,7 +41,7 @@ class Feasibility:
     @property
     def needs(self) -> str:
         """What the type takes."""
-        return NEEDS[self.question_type]
+        return generator_of(self.question_type).needs
 
 
 def possibilities(
@@ -92,7 +91,7 @@ def _can_be_selected(
         attempt = Attempt(place, number, salt)
         rng = generator(attempt.seed, place.question_type, "possible")
         try:
-            SELECTORS[place.question_type](library, attempt.plan, rng)
+            generator_of(place.question_type).select(library, attempt.plan, rng)
         except Rejected as failure:
             mine[str(failure)] += 1
         else:

@@ -11,6 +11,7 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.object_selection import ObjectSelection
 from probe.generation.stage import Poses
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import Setup
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,7 +19,7 @@ class SceneFrame:
     """Turns poses on a stage into a Scene: its numbers, its seed and its table.
 
     Attributes:
-        seed, table: As in Scene.
+        seed, table, setup: As in Scene.
         ids: Object id of each instance on the stage.
         number_of: Scene's number of each instance on the stage; candidates share one.
     """
@@ -27,14 +28,20 @@ class SceneFrame:
     table: str
     ids: dict[int, str]
     number_of: dict[int, int]
+    setup: Setup
 
     @classmethod
     def of(
-        cls, specs: Sequence[ObjectSpec], seed: int, table: str, rng: np.random.Generator
+        cls,
+        specs: Sequence[ObjectSpec],
+        seed: int,
+        table: str,
+        rng: np.random.Generator,
+        setup: Setup,
     ) -> SceneFrame:
         """A frame of things that stand on a stage in this order."""
         ids = {number: spec.id for number, spec in enumerate(specs, start=1)}
-        return cls(seed, table, ids, dict(enumerate(_numbers(len(specs), rng), start=1)))
+        return cls(seed, table, ids, dict(enumerate(_numbers(len(specs), rng), start=1)), setup)
 
     def scene(self, poses: Poses) -> Scene:
         """The scene of these poses."""
@@ -42,7 +49,8 @@ class SceneFrame:
             PlacedObject(self.number_of[number], self.ids[number], pose)
             for number, pose in poses.items()
         ]
-        return Scene(self.seed, self.table, tuple(sorted(placed, key=lambda o: o.instance)))
+        objects = tuple(sorted(placed, key=lambda o: o.instance))
+        return Scene(self.seed, self.table, objects, self.setup)
 
 
 def _numbers(count: int, rng: np.random.Generator) -> list[int]:
@@ -50,10 +58,12 @@ def _numbers(count: int, rng: np.random.Generator) -> list[int]:
     return [int(number) + 1 for number in rng.permutation(count)]
 
 
-def frame_of(cast: ObjectSelection, seed: int, table: str, rng: np.random.Generator) -> SceneFrame:
+def frame_of(
+    cast: ObjectSelection, seed: int, table: str, rng: np.random.Generator, setup: Setup
+) -> SceneFrame:
     """A frame that gives all candidates the same number, so that twins differ in nothing else."""
     drawn = _numbers(len(cast.covers) + len(cast.others) + 1, rng)
     number_of = dict.fromkeys(range(1, len(cast.candidates) + 1), drawn[0])
     number_of |= dict(zip((*cast.covering, *cast.crowd), drawn[1:], strict=True))
     ids = {number: spec.id for number, spec in enumerate(cast.specs, start=1)}
-    return SceneFrame(seed, table, ids, number_of)
+    return SceneFrame(seed, table, ids, number_of, setup)

@@ -2,45 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-
-import numpy as np
+from collections.abc import Sequence
 
 from probe.assets.library import Library
 from probe.generation.attempt import Attempt
-from probe.generation.beneath import generate_beneath, select_beneath
-from probe.generation.compare import generate_compare, select_compare
-from probe.generation.count import generate_count, select_count
-from probe.generation.find import generate_find, select_find
-from probe.generation.plan import TaskPlan
-from probe.generation.reduce import generate_reduce, select_reduce
 from probe.generation.result import Rejected, Rejection, TaskCandidate
-from probe.generation.size import generate_size, select_size
+from probe.generation.task_generator import generator_of
 from probe.render.renderer import Renderer
 from probe.tasks.task import QuestionType
-
-Generator = Callable[[int, TaskPlan, Library, Renderer, Sequence[str]], TaskCandidate]
-
-GENERATORS: dict[QuestionType, Generator] = {
-    "beneath": generate_beneath,
-    "compare": generate_compare,
-    "count": generate_count,
-    "find": generate_find,
-    "reduce": generate_reduce,
-    "size": generate_size,
-}
-
-Selector = Callable[[Library, TaskPlan, np.random.Generator], object]
-
-SELECTORS: dict[QuestionType, Selector] = {
-    "beneath": select_beneath,
-    "compare": select_compare,
-    "count": select_count,
-    "find": select_find,
-    "reduce": select_reduce,
-    "size": select_size,
-}
-"""What each generator begins with: who plays, or the reason why nobody can."""
 
 
 def generate(
@@ -73,9 +42,9 @@ def make(
         renderer: Measures visibility; what was loaded in it is replaced.
         tables: Ids of table materials to choose from.
     """
-    generator = GENERATORS[attempt.place.question_type]
+    generator = generator_of(attempt.place.question_type)
     try:
-        made = generator(attempt.seed, attempt.plan, library, renderer, tables)
+        made = generator.generate(attempt.seed, attempt.plan, library, renderer, tables)
     except Rejected as failure:
         return failure.rejection
     return attempt.named(made)

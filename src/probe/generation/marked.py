@@ -21,6 +21,7 @@ from probe.generation.visibility_rules import is_little, is_seen
 from probe.perception.outline import deepest_inside
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
+from probe.scene.setup import Setup
 from probe.scene.visibility import Visibility
 from probe.tasks.task import PAIR, Mark
 from probe.types import Array
@@ -138,9 +139,10 @@ def build_set(
     renderer: Renderer,
     tables: Sequence[str],
     rng: np.random.Generator,
+    setup: Setup,
 ) -> MarkedStage:
     """The stage of a cast: its two nests go on two sides of the middle."""
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs], setup)
     table = tables[int(rng.integers(len(tables)))]
     angle = float(rng.uniform(0, 2 * math.pi))
     distance = max(_FROM_MIDDLE, sum(cover.reach for cover in cast.covers) / 2)
@@ -150,8 +152,8 @@ def build_set(
         for turn, cover in zip(sides, cast.covers, strict=True)
     )
     posts = first, second
-    frame = SceneFrame.of(cast.specs, seed, table, rng)
-    return MarkedStage(cast, Stage(cast.specs, library, posts), posts, view, frame)
+    frame = SceneFrame.of(cast.specs, seed, table, rng, setup)
+    return MarkedStage(cast, Stage(cast.specs, library, posts, setup), posts, view, frame)
 
 
 def peeks(

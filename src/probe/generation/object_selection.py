@@ -76,6 +76,13 @@ def hideable(library: Library, largest: float = LARGEST) -> list[ObjectSpec]:
     return [spec for spec in library.specs if SMALLEST <= longest(spec) <= largest]
 
 
+def needs_alike(largest: float, tolerance: float, count: int = CANDIDATES) -> str:
+    """What things that could stand for one another are like, for people; metres, a share."""
+    low, high = 100 * SMALLEST, 100 * largest
+    alike = f"alike in length to {tolerance:.0%}, unlike in name and colour"
+    return f"{count} things {low:g} to {high:g} cm long, {alike}"
+
+
 def draw_cast(
     library: Library,
     draw_over: CoverDraw,

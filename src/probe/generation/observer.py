@@ -7,7 +7,8 @@ chance.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from probe.assets.colour.difference import ciede2000
 from probe.generation.colour_words import colours_in
 from probe.generation.first_look import FirstLook, VisibleThing
 from probe.tasks.english import plural
+from probe.tasks.registry import part_of
 from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Letter, QuestionType
 from probe.tasks.type_rules import Form
 from probe.types import Array
@@ -23,15 +25,37 @@ _RESEMBLES = 25.0
 """CIEDE2000 difference up to which a patch might belong to what an option describes."""
 
 
+Answering = Callable[[Form, str, Sequence[str], FirstLook], Letter]
+"""Form, words of the question, texts of the options, and the first look, to a letter."""
+
+
+@dataclass(frozen=True)
+class Observer:
+    """A type's fixed rule; the part "observer" of a question type.
+
+    Attributes:
+        answer: The rule.
+        by_colour: Whether it goes by the colours that show of two marked things.
+    """
+
+    answer: Answering
+    by_colour: bool = False
+
+
+def observer_of(question_type: QuestionType) -> Observer:
+    """The fixed rule of a type.
+
+    Raises:
+        UnknownName: There is no such type.
+        IncompleteType: Its observer can't be used.
+    """
+    return part_of(question_type, "observer", Observer)
+
+
 def observe(
     question_type: QuestionType, form: Form, question: str, options: Sequence[str], look: FirstLook
 ) -> Letter:
-    """Answer by a fixed rule.
-
-    Count: what is seen. Size: by what shows, the longer box or the larger area. Compare: by the
-    colours that show. Beneath, Reduce, Find: what is half hidden (next to what the question
-    names, if it names something) has the colour of the option that is nearest to it; none if
-    nothing is.
+    """Answer by the type's fixed rule.
 
     Args:
         question_type: Type of the question.
@@ -40,13 +64,7 @@ def observe(
         options: Their texts, from A on.
         look: What the first picture shows.
     """
-    if question_type == "count":
-        return offered(str(visible_count(question, look)), options)
-    if question_type == "size":
-        return _larger(form, *marked(look))
-    if question_type == "compare":
-        return _nearer(form, question, look)
-    return _resembling(question, options, look)
+    return observer_of(question_type).answer(form, question, options, look)
 
 
 def offered(text: str, options: Sequence[str]) -> Letter:
@@ -105,25 +123,11 @@ def misfit(option: str, patches: Sequence[VisibleThing]) -> float:
     return min((float(ciede2000(one, other)) for one, other in pairs), default=float("inf"))
 
 
-def _larger(form: Form, a: VisibleThing, b: VisibleThing) -> Letter:
-    one, other = (_diagonal(a), _diagonal(b)) if form == "longer" else (a.area_px, b.area_px)
-    return "A" if (one > other) != (form == "smaller") else "B"
+def resembling(form: Form, question: str, options: Sequence[str], look: FirstLook) -> Letter:
+    """The option whose colour is nearest to what is half hidden, or none if nothing is.
 
-
-def _diagonal(thing: VisibleThing) -> float:
-    left, top, right, bottom = thing.box_px
-    return float(np.hypot(right - left, bottom - top))
-
-
-def _nearer(form: Form, question: str, look: FirstLook) -> Letter:
-    a, b = (np.array(thing.lab) for thing in marked(look))
-    wanted = None if form == "darker" else wanted_colour(question, look)
-    if wanted is None:
-        return "A" if a[0] < b[0] else "B"
-    return "A" if ciede2000(a, wanted) < ciede2000(b, wanted) else "B"
-
-
-def _resembling(question: str, options: Sequence[str], look: FirstLook) -> Letter:
+    That is next to what the question names, if it names something.
+    """
     patches = half_hidden(question, look)
     named = [text for text in options if text != NONE_OF_THE_ABOVE]
     best = min(named, key=lambda text: misfit(text, patches))

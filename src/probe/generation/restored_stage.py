@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from probe.assets.library import Library
 from probe.generation.stage import Poses, Stage
@@ -22,7 +22,7 @@ class RestoredStage:
     def of(scene: Scene, library: Library) -> RestoredStage:
         """Build the stage."""
         specs = [library[placed.object_id] for placed in scene.objects]
-        return RestoredStage(scene, Stage(specs, library, ()))
+        return RestoredStage(scene, Stage(specs, library, (), scene.setup))
 
     @property
     def poses(self) -> Poses:
@@ -41,7 +41,7 @@ class RestoredStage:
             for n, placed in enumerate(self.scene.objects, start=1)
             if n in poses
         )
-        return Scene(self.scene.seed, self.scene.table, objects)
+        return replace(self.scene, objects=objects)
 
     def unrest(self) -> str | None:
         """What is wrong with its rest, for people; None if nothing moves."""

@@ -11,11 +11,12 @@ from probe.assets.mesh.lattice import places, spots, topmost
 from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
-from probe.scene.layout import TABLE_SIZE, top_camera
+from probe.scene.cameras import View
 from probe.scene.scene import Scene
+from probe.scene.setup import Setup
 from probe.scene.visibility import Visibility, visibilities
 from probe.tasks.truth import Silhouette
-from probe.types import Array
+from probe.types import Array, Camera
 
 _SPOTS = 20_000
 _COARSE = 8
@@ -24,35 +25,44 @@ _GREY = Material(np.full((1, 1, 3), 128, dtype=np.uint8))
 
 
 class SceneView:
-    """The fixed camera's view of scenes that hold certain objects; replaces what was loaded."""
+    """A fixed camera's view of scenes that hold certain objects; replaces what was loaded."""
 
-    def __init__(self, renderer: Renderer, library: Library, object_ids: Iterable[str]) -> None:
+    def __init__(
+        self,
+        renderer: Renderer,
+        library: Library,
+        object_ids: Iterable[str],
+        setup: Setup,
+        view: View = "top",
+    ) -> None:
+        self.view: View = view
+        self.camera = setup.camera(view)
         self._renderer = renderer
         self._meshes = {id: library.body(id).mesh for id in dict.fromkeys(object_ids)}
         shapes = {id: _untextured(mesh) for id, mesh in self._meshes.items()}
-        renderer.load(shapes, TableTop(_GREY, 1.0, TABLE_SIZE))
+        renderer.load(shapes, TableTop(_GREY, 1.0, setup.table_size))
 
     def labels(self, scene: Scene) -> Array:
         """Instance numbers, shape (h, w)."""
-        return self._renderer.labels(scene.objects, top_camera())
+        return self._renderer.labels(scene.objects, self.camera)
 
     def visibility(self, scene: Scene, labels: Array, of: Collection[int]) -> dict[int, Visibility]:
         """Visibility of some instances of a scene with these labels."""
         placed = [item for item in scene.objects if item.instance in of]
-        return visibilities(labels, self._renderer.outlines(placed, top_camera()))
+        return visibilities(labels, self._renderer.outlines(placed, self.camera))
 
     def shown(self, scene: Scene, labels: Array, number: int) -> tuple[Array, Array]:
         """Spots of an object that show: faces, shape (n,), and weights, shape (n, 3)."""
         mesh = self._meshes[scene[number].object_id]
         face, weights = spots(mesh.vertices, mesh.faces, _SPOTS)
         points = places(mesh.vertices, mesh.faces, face, weights)
-        shown = _spots_shown(scene, labels, number, points)
+        shown = _spots_shown(scene, labels, number, points, self.camera)
         return face[shown], weights[shown]
 
     def silhouettes(self, scene: Scene, of: Collection[int]) -> dict[int, Silhouette]:
         """Silhouettes of some instances of a scene."""
         placed = [item for item in scene.objects if item.instance in of]
-        masks = self._renderer.outlines(placed, top_camera())
+        masks = self._renderer.outlines(placed, self.camera)
         return {
             item.instance: Silhouette(
                 masks[item.instance],
@@ -62,13 +72,13 @@ class SceneView:
         }
 
 
-def _spots_shown(scene: Scene, labels: Array, number: int, points: Array) -> Array:
+def _spots_shown(scene: Scene, labels: Array, number: int, points: Array, camera: Camera) -> Array:
     """Which points on an object, in its frame, shape (n, 3), show; a face turned away doesn't.
 
     Points that fall on the same pixel are told apart by height: the highest one shows.
     """
     world = scene[number].pose.apply(points)
-    pixels = np.floor(top_camera().project(world)).astype(int)
+    pixels = np.floor(camera.project(world)).astype(int)
     height, width = labels.shape
     u, v = pixels[:, 0].clip(0, width - 1), pixels[:, 1].clip(0, height - 1)
     cell = (v // _COARSE) * width + u // _COARSE

@@ -14,8 +14,8 @@ from probe.assets.spec import ObjectSpec
 from probe.errors import Unsatisfiable
 from probe.generation.covers import Cover, on_side
 from probe.generation.result import Rejected
-from probe.scene.layout import WORK_AREA
 from probe.scene.sampling import Drop, draw_drop
+from probe.scene.setup import Setup
 from probe.types import Array, Pose, Quaternion
 from probe.world.model import Item, Post
 from probe.world.pile import SINK_LIMIT, Pile
@@ -58,11 +58,12 @@ class Stage:
     """All objects that any twin of a scene needs; only those given poses are on the table."""
 
     def __init__(
-        self, specs: Sequence[ObjectSpec], library: Library, posts: Sequence[Post]
+        self, specs: Sequence[ObjectSpec], library: Library, posts: Sequence[Post], setup: Setup
     ) -> None:
+        self._setup = setup
         self._posts = tuple(posts)
         self.items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]
-        self._pile = Pile(self.items, posts)
+        self._pile = Pile(self.items, posts, setup)
         self._corners = {
             item.instance: np.concatenate([piece.vertices for piece in item.body.pieces])
             for item in self.items
@@ -143,7 +144,8 @@ class Stage:
             self._pile.set_walls(standing=True)
             for instance in waiting:
                 spec = self.items[instance - 1].spec
-                self._pile.drop(instance, draw_clear_drop(spec, self._posts, reach, rng))
+                drop = draw_clear_drop(spec, self._posts, reach, rng, self._setup.work_area)
+                self._pile.drop(instance, drop)
                 self._pile.fall(_FALL_TIME)
             self._pile.set_walls(standing=False)
             self._pile.fall(SETTLING_TIME)
@@ -184,7 +186,11 @@ class Stage:
 
 
 def draw_clear_drop(
-    spec: ObjectSpec, posts: Sequence[Post], reach: float, rng: np.random.Generator
+    spec: ObjectSpec,
+    posts: Sequence[Post],
+    reach: float,
+    rng: np.random.Generator,
+    work_area: float,
 ) -> Drop:
     """Draw a drop that stays clear of walls and posts; the clearest of many if none does.
 
@@ -193,9 +199,10 @@ def draw_clear_drop(
         posts: Discs to keep off.
         reach: How far from the table's middle its own may be along x and y, metres.
         rng: Draws spots and orientations.
+        work_area: Edge of the square that it mustn't leave, metres.
     """
     radius = math.hypot(*sorted(spec.size)[1:]) / 2
-    reach = max(_NARROWEST, min(reach, WORK_AREA / 2 - radius))
+    reach = max(_NARROWEST, min(reach, work_area / 2 - radius))
     best, best_gap = draw_drop(rng, reach), -math.inf
     for _ in range(_SPOT_TRIES):
         drop = draw_drop(rng, reach)

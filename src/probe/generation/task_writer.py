@@ -6,8 +6,8 @@ import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from probe.generation.plan import TaskPlan
 from probe.generation.scene_view import SceneView
+from probe.generation.task_plan import TaskPlan
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
 from probe.tasks.options import drop_one
@@ -69,6 +69,7 @@ def write_task(draft: Draft, plan: TaskPlan, view: SceneView) -> Task:
         named=draft.named,
         marks=draft.marks,
         certificate=Certificate(visibility, draft.measures, draft.drawn_from),
+        camera=view.view,
     )
 
 

@@ -15,7 +15,7 @@ from probe.generation.colour_cues import least_lead, misfit, wanted
 from probe.generation.colour_words import colours_in
 from probe.generation.paint_twins import PaintTwins
 from probe.generation.palettes import dimmed, main_colour
-from probe.generation.plan import TaskPlan
+from probe.generation.task_plan import CROSSED, TaskPlan
 from probe.tasks.task import PAIR
 from probe.tasks.truth import which_fits
 from probe.tasks.type_rules import Form
@@ -65,7 +65,7 @@ class TwinPair:
 
     def asked(self, plan: TaskPlan) -> ColourQuestion:
         """The question that a plan asks: who is A, and which of the two worlds it is."""
-        tells, a_is_right = plan.cues[0], plan.letter == PAIR[0]
+        tells, a_is_right = CROSSED.of(plan)[1], plan.letter == PAIR[0]
         a, b = (self.fitting, self.other) if tells == a_is_right else (self.other, self.fitting)
         worlds = (a.right, b.wrong), (a.wrong, b.right)
         marked, twins = worlds if a_is_right else worlds[::-1]

@@ -28,6 +28,11 @@ _AIM = 0.004
 Lay = Callable[[ObjectSpec, np.random.Generator], list[Layer]]
 """Draws how covers lie over a thing, the lowest first."""
 
+Nest = Callable[[int], Poses]
+"""Puts a thing, by its instance on a stage, and what hides it on the bare table; where they rest.
+
+Raises Rejected where it stays in the open."""
+
 
 @dataclass(frozen=True, eq=False)
 class Twin:
@@ -113,27 +118,23 @@ def right_above(covering: int, cover: Cover) -> Lay:
 def draw_twins(
     cast: ObjectSelection,
     stage: Stage,
-    at: Post,
-    lay: Lay,
+    nest: Nest,
     check: Callable[[Twin], None],
     frame: SceneFrame,
     rng: np.random.Generator,
-    hiding: int = 1,
 ) -> tuple[Twin, ...]:
     """Settle the scene with each candidate in the hidden place; all must pass.
 
     The crowd is dropped around the first, which is held; then each in turn takes its place, as it
-    rests beneath the cover on a bare table, and everything settles freely.
+    rests with what hides it on a bare table, and everything settles freely.
 
     Args:
         cast: Who plays.
         stage: Made of the cast's specs.
-        at: Where it is hidden.
-        lay: Draws how the covers lie.
+        nest: Hides a candidate, by its instance on the stage, on a bare table.
         check: Raises Rejected for a scene that breaks a rule.
         frame: Makes scenes of poses.
         rng: Draws spots, orientations and which candidate is first.
-        hiding: How many of the covers, from the lowest on, must each hide it.
 
     Returns:
         The twins in the candidates' order.
@@ -144,7 +145,7 @@ def draw_twins(
     order = [int(index) for index in rng.permutation(len(cast.candidates))]
     nests: dict[int, Poses] = {}
     for index in order:
-        nests[index] = build_nest(stage, index + 1, lay, at, rng, hiding)
+        nests[index] = nest(index + 1)
     poses = stage.heap(nests[order[0]], cast.crowd, rng)
     crowd = {number: poses[number] for number in cast.crowd}
     twins: dict[int, Twin] = {}

@@ -18,6 +18,7 @@ from probe import __version__
 from probe.episodes.turns import Call, Question
 from probe.interfaces.session import Session
 from probe.interfaces.words import instructions, question_text
+from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.result import ToolResult
 from probe.toolshed.tools import tool_schemas
 from probe.transcripts.pictures import jpeg
@@ -25,14 +26,15 @@ from probe.transcripts.pictures import jpeg
 QUESTION, FIRST_PICTURE = "probe://question", "probe://first-picture"
 
 
-def serve(session: Session, question: Question) -> None:
+def serve(session: Session, question: Question, scale: PictureScale = USUAL_SCALE) -> None:
     """Serve one client until it leaves; nothing else may write to standard output.
 
     Args:
         session: Does the calls; it is left, not closed.
         question: What it is about.
+        scale: Of its pictures.
     """
-    asyncio.run(_serve(_server(session, question), session))
+    asyncio.run(_serve(_server(session, question, scale), session))
 
 
 async def _serve(server: FastMCP, session: Session) -> None:
@@ -73,7 +75,7 @@ class _Calls(Middleware):
         return _told(result)
 
 
-def _server(session: Session, question: Question) -> FastMCP:
+def _server(session: Session, question: Question, scale: PictureScale) -> FastMCP:
     server = FastMCP(
         "probe",
         instructions(question),
@@ -81,7 +83,7 @@ def _server(session: Session, question: Question) -> FastMCP:
         middleware=[_Calls(session)],
         tools=[
             Tool(name=tool.name, description=tool.description, parameters=tool.parameters)
-            for tool in tool_schemas()
+            for tool in tool_schemas(scale)
         ],
         mask_error_details=True,
     )

@@ -14,8 +14,9 @@ from probe.manipulation.looking import still_there, tracked
 from probe.manipulation.removal import Removal, plan_removal, remove
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
+from probe.scene.setup import Setup
 from probe.station.station import Station
-from probe.types import Array, Frame, Vector3
+from probe.types import Array, Frame
 
 GraspStatus = Literal[
     "removed", "no_candidate", "unreachable", "blocked", "slipped", "dropped", "moved"
@@ -67,7 +68,7 @@ def grasp_and_remove(
     station: Station,
     frame: Frame,
     mask: Array,
-    drop_at: Vector3,
+    setup: Setup,
     planner: Planner = propose,
 ) -> GraspResult:
     """Grasp what a mask shows, lift it and let it go over the basket.
@@ -79,14 +80,14 @@ def grasp_and_remove(
         station: The arm, camera and table.
         frame: The table as it is now.
         mask: Which pixels show the thing, bool, shape (h, w).
-        drop_at: Middle of the basket's floor.
+        setup: The table's; its basket is where the thing goes.
         planner: Proposes the grasps.
     """
     result = GraspResult("no_candidate", frame, 0, 0, 0.0, 0.0, 0.0)
     failed: list[Grasp] = []
     shape = HandShape(station.hand)
     for number in range(TRIES):
-        status, removal, count = _plan(station, frame, mask, drop_at, shape, failed, planner)
+        status, removal, count = _plan(station, frame, mask, setup, shape, failed, planner)
         if number == 0:
             result = replace(result, status=status, candidates=count)
         if removal is None:
@@ -115,19 +116,19 @@ def _plan(
     station: Station,
     frame: Frame,
     mask: Array,
-    basket: Vector3,
+    setup: Setup,
     shape: HandShape,
     failed: Sequence[Grasp],
     planner: Planner,
 ) -> tuple[GraspStatus, Removal | None, int]:
     """The best grasp unlike those that failed, with its paths; else why there is none."""
-    terrain = survey(frame, basket)
+    terrain = survey(frame, setup)
     target = target_of(frame, mask, terrain)
     grasps = planner(target, terrain, station.hand)
     fresh = [g for g in grasps if not any(_alike(g, other) for other in failed)]
     if not fresh:
         return "no_candidate", None, len(grasps)
-    removal = plan_removal(station, terrain, target, fresh[:_ROUTES], shape, basket)
+    removal = plan_removal(station, terrain, target, fresh[:_ROUTES], shape, setup.basket)
     return "unreachable", removal, len(grasps)
 
 

@@ -61,8 +61,11 @@ def changed(before: Frame, after: Frame, mask: Array) -> Array:
 
 
 def above_table(frame: Frame) -> Array:
-    """Pixels that show more than the bare table, bool, shape (h, w); the camera looks down."""
-    return frame.depth < frame.camera.world_from_camera.position[2] - _ON_TABLE
+    """Pixels that show more than the bare table, bool, shape (h, w)."""
+    if frame.camera.looks_down:
+        return frame.depth < frame.camera.world_from_camera.position[2] - _ON_TABLE
+    points = lifted(frame, np.ones_like(frame.depth, bool))
+    return points[:, 2].reshape(frame.depth.shape) > _ON_TABLE
 
 
 def tracked(

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from probe.manipulation.candidates import Planner
 from probe.manipulation.grasp import GraspResult, grasp_and_remove
 from probe.manipulation.push import push
+from probe.scene.setup import Setup
 from probe.station.station import Station
-from probe.types import Array, Frame, Vector3
+from probe.types import Array, Frame
 
 
 @dataclass(frozen=True)
@@ -22,9 +23,9 @@ class Planned:
     planner: Planner
 
     def grasp_and_remove(
-        self, station: Station, frame: Frame, mask: Array, drop_at: Vector3, /
+        self, station: Station, frame: Frame, mask: Array, setup: Setup, /
     ) -> GraspResult:
         """See probe.manipulation.grasp."""
-        return grasp_and_remove(station, frame, mask, drop_at, self.planner)
+        return grasp_and_remove(station, frame, mask, setup, self.planner)
 
     push = staticmethod(push)

@@ -11,8 +11,9 @@ from probe.manipulation.looking import still_there, tracked
 from probe.manipulation.recognition import recognised
 from probe.manipulation.stroke import Stroke, stroke
 from probe.manipulation.terrain import lifted
+from probe.scene.setup import Setup
 from probe.station.station import Station
-from probe.types import Array, Frame, Pose, Vector3
+from probe.types import Array, Frame, Pose
 
 Direction = Literal["up", "down", "left", "right"]
 """In the picture of the fixed camera."""
@@ -76,7 +77,7 @@ def push(
     mask: Array,
     direction: Direction,
     distance_m: float,
-    basket: Vector3,
+    setup: Setup,
 ) -> PushResult:
     """Push what a mask shows in a direction of the picture.
 
@@ -89,7 +90,7 @@ def push(
         mask: Which pixels show the thing, bool, shape (h, w).
         direction: Of the fixed camera's picture.
         distance_m: SHORTEST to LONGEST.
-        basket: Middle of the basket's floor, which nothing is pushed into.
+        setup: The table's; nothing is pushed into its basket.
 
     Raises:
         ValueError: The distance lies outside that range.
@@ -105,7 +106,7 @@ def push(
         if left < max(_LEAST, rest):
             break
         before = result.frame if result.frame.rgb is not None else station.observe(rgb=True)
-        done = stroke(station, before, track.mask, along, left, basket, track.in_vain)
+        done = stroke(station, before, track.mask, along, left, setup, track.in_vain)
         if done.end in ("no_space", "unreachable"):
             return result if result.strokes else PushResult(done.end, done.frame)
         swept = max(result.swept, track.gone + done.swept)

@@ -13,8 +13,8 @@ from probe.manipulation.parking import park
 from probe.manipulation.routes import WayIn, WayOut, way_in, way_out
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
+from probe.scene.setup import Basket
 from probe.station.station import Station
-from probe.types import Vector3
 
 EMPTY = 0.0015
 """Metres between the pads under which they hold nothing."""
@@ -45,7 +45,7 @@ def plan_removal(
     target: Target,
     grasps: Sequence[Grasp],
     shape: HandShape,
-    basket: Vector3,
+    basket: Basket,
 ) -> Removal | None:
     """Paths for the first grasp that has any; None if none has."""
     full = Obstacles.of(station.arm, terrain)

@@ -13,9 +13,9 @@ from probe.manipulation.handshape import HandShape
 from probe.manipulation.kinematics import either_way, line, moved, reaching, straight, turned
 from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.target import Target
-from probe.scene.layout import BASKET_SIZE
+from probe.scene.setup import Basket
 from probe.station.station import Arm
-from probe.types import Array, Pose, Vector3
+from probe.types import Array, Pose
 
 _HOVERS = (0.0, 0.08, 0.16, 0.24)
 _BRANCHES = 3
@@ -80,7 +80,7 @@ def home(arm: Arm, obstacles: Obstacles, joints: Array, points: Array) -> Array:
 
 
 def way_out(
-    obstacles: Obstacles, joints: Array, target: Target, basket: Vector3, points: Array
+    obstacles: Obstacles, joints: Array, target: Target, basket: Basket, points: Array
 ) -> WayOut | None:
     """A path that lifts, carries and lowers; None if the arm can't lift that far.
 
@@ -88,7 +88,7 @@ def way_out(
         obstacles: All but the target.
         joints: The arm's, closed on the target.
         target: What it holds.
-        basket: Middle of the basket's floor.
+        basket: The basket.
         points: On the hand, in its frame, shape (k, 3).
     """
     arm, hand = obstacles.arm, obstacles.arm.forward(joints)
@@ -109,11 +109,11 @@ def way_out(
 
 
 def _lifts(
-    obstacles: Obstacles, joints: Array, hand: Pose, held: Array, basket: Vector3
+    obstacles: Obstacles, joints: Array, hand: Pose, held: Array, basket: Basket
 ) -> Iterator[Array]:
     """Straight up until what is held is above all nearby, or as far as the arm gets; and higher."""
     ground = obstacles.terrain
-    around = obstacles.wide.below(held).max(initial=basket[2] + BASKET_SIZE[2])
+    around = obstacles.wide.below(held).max(initial=basket.position[2] + basket.size[2])
     beneath = float(np.maximum(ground.below(held), 0).min(initial=0.0))
     base = max(float(held[:, 2].min()), beneath)
     wanted = float(np.clip(around + _ABOVE - base, _LEAST_LIFT, _MOST_LIFT))
@@ -132,16 +132,16 @@ def _lifts(
 
 
 def _goals(
-    arm: Arm, joints: Array, centre: Array, carried: Array, basket: Vector3
+    arm: Arm, joints: Array, centre: Array, carried: Array, basket: Basket
 ) -> Sequence[Array]:
     """Joint angles that hold the target's centre over the basket, nearest first."""
     hand = arm.forward(joints)
     lowest = float(hand.apply(carried)[:, 2].min())
-    rise = max(0.0, basket[2] + BASKET_SIZE[2] + _ABOVE - lowest)
+    rise = max(0.0, basket.position[2] + basket.size[2] + _ABOVE - lowest)
     found: list[Array] = []
     for angle in _TURNS:
         pose = turned(hand, float(angle))
-        over = np.array(basket) - pose.apply(centre[None])[0]
+        over = np.array(basket.position) - pose.apply(centre[None])[0]
         lifted = moved(pose, (over[0], over[1], rise))
         found += reaching(arm, lifted, joints)[:1]
     return sorted(found, key=lambda goal: float(np.abs(goal - joints).max()))

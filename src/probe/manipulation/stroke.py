@@ -21,8 +21,9 @@ from probe.manipulation.starts import close, starts
 from probe.manipulation.sweeping import pressed, swept
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
+from probe.scene.setup import Setup
 from probe.station.station import Station
-from probe.types import Array, Frame, Pose, Vector3
+from probe.types import Array, Frame, Pose
 
 StrokeEnd = Literal["swept", "no_space", "unreachable", "blocked"]
 """How a stroke ended: the tool went its whole way; there is nowhere to begin; the arm can't follow
@@ -70,7 +71,7 @@ def stroke(
     mask: Array,
     along: Array,
     distance: float,
-    basket: Vector3,
+    setup: Setup,
     unlike: Sequence[Pose] = (),
 ) -> Stroke:
     """Sweep once behind what a mask shows; the arm starts and ends parked.
@@ -81,13 +82,13 @@ def stroke(
         mask: Which pixels show the thing, bool, shape (h, w).
         along: Unit direction, level, shape (3,).
         distance: How far to push it, metres.
-        basket: Middle of the basket's floor.
+        setup: The table's.
         unlike: Starts that need not be tried again.
     """
-    terrain = survey(frame, basket)
+    terrain = survey(frame, setup)
     target = target_of(frame, mask, terrain)
     shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
-    room = room_ahead(target, terrain, along, basket)
+    room = room_ahead(target, terrain, along, setup.basket)
     distance = min(distance, room)
     options = starts(target, terrain, shape, along, distance, unlike)
     result = Stroke("unreachable" if options else "no_space", frame, room=room)

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import ndimage
 
-from probe.scene.layout import BASKET_SIZE, VIEW_SIZE
-from probe.types import Array, Frame, Vector3
+from probe.scene.setup import Basket, Setup
+from probe.types import Array, Camera, Frame
 
 CELL = 0.002
 """Edge of a cell in metres; a pixel of the fixed camera covers about a quarter of that."""
@@ -64,30 +64,38 @@ class Terrain:
         return replace(self, heights=np.where(cells, 0.0, self.heights))
 
 
-def survey(frame: Frame, basket: Vector3) -> Terrain:
+def survey(frame: Frame, setup: Setup) -> Terrain:
     """Heights of all that a frame shows, with the basket's walls beside it.
 
     Cells in the shadow of something tall are as low as the lowest ones near them.
 
     Args:
-        frame: From a camera above the table.
-        basket: Middle of the basket's floor.
+        frame: From a camera that looks down on the table, straight or obliquely.
+        setup: The table's.
     """
-    half = np.array(BASKET_SIZE[:2]) / 2 + _RIM
-    reach = np.full(2, VIEW_SIZE / 2)
-    low = np.minimum(-reach, np.array(basket[:2]) - half) - _MARGIN
-    high = np.maximum(reach, np.array(basket[:2]) + half) + _MARGIN
+    middle = np.array(setup.basket.position[:2])
+    half = np.array(setup.basket.size[:2]) / 2 + _RIM
+    reach = np.full(2, setup.view_size / 2)
+    low = np.minimum(-reach, middle - half) - _MARGIN
+    high = np.maximum(reach, middle + half) + _MARGIN
     shape = np.ceil((high - low) / CELL).astype(int)
     empty = Terrain(np.full(tuple(shape.tolist()), -np.inf), low)
-    pixel = frame.camera.world_from_camera.position[2] / frame.camera.focal_px
     everything = np.ones_like(frame.depth, bool)
-    seen = raster(empty, lifted(frame, everything, step=max(1, int(_DENSITY * CELL / pixel))))
+    seen = raster(empty, lifted(frame, everything, step=_step(frame.camera)))
     heights = np.maximum(_shadows_filled(seen), 0.0)
     terrain = replace(empty, heights=heights)
-    _stamp_basket(terrain, np.array(basket))
+    _stamp_basket(terrain, setup.basket)
     heights[[0, -1], :] = 0.0
     heights[:, [0, -1]] = 0.0
     return terrain
+
+
+def _step(camera: Camera) -> int:
+    """Of how many pixels one will do; seen obliquely, the table shows in few enough."""
+    if not camera.looks_down:
+        return 1
+    pixel = camera.world_from_camera.position[2] / camera.focal_px
+    return max(1, int(_DENSITY * CELL / pixel))
 
 
 def lifted(frame: Frame, mask: Array, step: int = 1) -> Array:
@@ -121,11 +129,11 @@ def _shadows_filled(seen: Array) -> Array:
     return filled
 
 
-def _stamp_basket(terrain: Terrain, basket: Array) -> None:
-    inner = np.array(BASKET_SIZE[:2]) / 2
+def _stamp_basket(terrain: Terrain, basket: Basket) -> None:
+    inner = np.array(basket.size[:2]) / 2
     nx, ny = terrain.heights.shape
-    x = np.abs(terrain.corner[0] + (np.arange(nx) + 0.5) * CELL - basket[0])[:, None]
-    y = np.abs(terrain.corner[1] + (np.arange(ny) + 0.5) * CELL - basket[1])[None, :]
+    x = np.abs(terrain.corner[0] + (np.arange(nx) + 0.5) * CELL - basket.position[0])[:, None]
+    y = np.abs(terrain.corner[1] + (np.arange(ny) + 0.5) * CELL - basket.position[1])[None, :]
     outside = (x > inner[0]) | (y > inner[1])
     wall = outside & (x < inner[0] + _RIM) & (y < inner[1] + _RIM)
-    terrain.heights[wall] = basket[2] + BASKET_SIZE[2]
+    terrain.heights[wall] = basket.position[2] + basket.size[2]

@@ -7,7 +7,6 @@ from probe.assets.tables import TableMaterial
 from probe.render.illumination import AMBIENT, Illumination
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
-from probe.scene.layout import TABLE_SIZE, top_camera
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility, visibilities
 from probe.types import Array, Camera, Frame
@@ -16,7 +15,7 @@ from probe.types import Array, Camera, Frame
 def load_scene(renderer: Renderer, scene: Scene, library: Library, table: TableMaterial) -> None:
     """Give the renderer every object of the scene, and its table."""
     meshes = {item.object_id: library.body(item.object_id).mesh for item in scene.objects}
-    renderer.load(meshes, TableTop(table.surface, table.tile_size, TABLE_SIZE))
+    renderer.load(meshes, TableTop(table.surface, table.tile_size, scene.setup.table_size))
 
 
 def photograph(
@@ -28,12 +27,12 @@ def photograph(
     light: Illumination = AMBIENT,
 ) -> Frame:
     """A frame of a loaded scene; from the fixed top-down camera unless another is given."""
-    return renderer.draw(scene.objects, camera or top_camera(), rgb=rgb, light=light)
+    return renderer.draw(scene.objects, camera or scene.setup.camera(), rgb=rgb, light=light)
 
 
 def labels_of(renderer: Renderer, scene: Scene, camera: Camera | None = None) -> Array:
     """Instance numbers of a loaded scene's picture, shape (h, w), as photograph sees it."""
-    return renderer.labels(scene.objects, camera or top_camera())
+    return renderer.labels(scene.objects, camera or scene.setup.camera())
 
 
 def measure(
@@ -41,4 +40,4 @@ def measure(
 ) -> dict[int, Visibility]:
     """Visibility of each object of a loaded scene, by ghost removal, as photograph sees it."""
     labels = labels_of(renderer, scene, camera)
-    return visibilities(labels, renderer.outlines(scene.objects, camera or top_camera()))
+    return visibilities(labels, renderer.outlines(scene.objects, camera or scene.setup.camera()))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from probe.episodes.record import EpisodeRecord
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import UR5_TABLE
 from probe.scores.missing import Gap
 from probe.scores.row import Entrant, Row
 from probe.tasks.task import Task
@@ -78,7 +78,7 @@ def index_of(
     ]
     keys = keys_of(played)
     return {
-        "picture_px": PICTURE_PX,
+        "picture_px": UR5_TABLE.picture_px,
         "entrants": [name_of(entrant) for entrant in entrants],
         "tasks": [{**_task(task), "picture": first[task.id]} for task in tasks],
         "episodes": [

@@ -6,7 +6,6 @@ from pathlib import Path
 
 from probe.assets.environments import environment_names
 from probe.episodes.conditions import Conditions
-from probe.scene.layout import top_camera
 from probe.scene.lighting import AMBIENT
 from probe.scene.perturb import VIEW_RANGES, CameraName, any_lighting, moved_view
 from probe.scene.seeds import generator
@@ -24,7 +23,8 @@ def sight_of(task: Task, conditions: Conditions, assets: Path | None) -> Viewpoi
 
 
 def camera_of(task: Task, name: CameraName) -> Camera:
-    """The fixed camera, or one that strayed by what the task's seed draws."""
+    """The task's fixed camera, or one that strayed by what the task's seed draws."""
+    fixed = task.viewpoint.camera
     if name == "fixed":
-        return top_camera()
-    return moved_view(top_camera(), generator(task.seed, "camera"), VIEW_RANGES[name])
+        return fixed
+    return moved_view(fixed, generator(task.seed, "camera"), VIEW_RANGES[name])

@@ -20,7 +20,6 @@ from probe.render.renderer import Renderer
 from probe.runs.plan import Job, RunOrder
 from probe.runs.viewpoints import sight_of
 from probe.runs.worker_pool import TRIES
-from probe.station.ur5 import Ur5
 from probe.tasks.task import Task
 
 AgentOf = Callable[[str, Task, int, Library, Renderer], Agent]
@@ -118,7 +117,7 @@ def failed(job: Job, order: RunOrder, reason: str) -> EpisodeRecord:
 
 def stopped(job: Job, order: RunOrder) -> EpisodeRecord:
     """The record of an episode that its agent ended at once."""
-    start = TableState(job.task.scene, tuple(float(angle) for angle in Ur5().parked))
+    start = TableState(job.task.scene, job.task.scene.setup.mount.parked)
     return EpisodeRecord(
         task=job.task.id,
         agent=order.agent,
@@ -130,4 +129,5 @@ def stopped(job: Job, order: RunOrder) -> EpisodeRecord:
         end="stopped",
         noise=order.noise,
         conditions=order.conditions,
+        sight=job.task.viewpoint,
     )

@@ -2,34 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Annotated, Literal
 
 import pydantic
 
 from probe.files import read_document, write_text
+from probe.scene.pose_document import Position, Rotation
 from probe.scene.scene import PlacedObject, Scene
-from probe.types import Pose, Quaternion
-
-FARTHEST = 1e12
-"""Metres. Things that are squeezed between others have been seen to fly off for 500 kilometres."""
-
-_ROUNDING = 1e-6
-
-
-def _unit(wxyz: Quaternion) -> Quaternion:
-    if not abs(math.hypot(*wxyz) - 1) <= _ROUNDING:
-        raise ValueError(f"a rotation is a quaternion of length 1, not {math.hypot(*wxyz):.6g}")
-    return wxyz
-
-
-_Coordinate = Annotated[float, pydantic.Field(ge=-FARTHEST, le=FARTHEST, allow_inf_nan=False)]
-Position = tuple[_Coordinate, _Coordinate, _Coordinate]
-"""Metres; near enough to be a place at a table."""
-
-Rotation = Annotated[Quaternion, pydantic.AfterValidator(_unit)]
-"""A unit quaternion wxyz."""
+from probe.scene.setup import UR5_TABLE
+from probe.scene.setup_file import SetupDocument
+from probe.types import Pose
 
 
 class PlacedObjectDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
@@ -48,6 +31,8 @@ class SceneDocument(pydantic.BaseModel, extra="forbid"):
     seed: int = pydantic.Field(ge=0)
     table: str
     objects: Annotated[list[PlacedObjectDocument], pydantic.FailFast()]
+    # Left out where it is the usual one, as files of before there were others do.
+    setup: SetupDocument | None = pydantic.Field(default=None, exclude_if=lambda it: it is None)
 
     @pydantic.model_validator(mode="after")
     def _each_once(self) -> SceneDocument:
@@ -69,7 +54,8 @@ class SceneDocument(pydantic.BaseModel, extra="forbid"):
             )
             for item in scene.objects
         ]
-        return SceneDocument(seed=scene.seed, table=scene.table, objects=objects)
+        setup = None if scene.setup == UR5_TABLE else SetupDocument.of(scene.setup)
+        return SceneDocument(seed=scene.seed, table=scene.table, objects=objects, setup=setup)
 
     def scene(self) -> Scene:
         """The scene it describes."""
@@ -77,7 +63,8 @@ class SceneDocument(pydantic.BaseModel, extra="forbid"):
             PlacedObject(item.instance, item.object_id, Pose(item.position, item.wxyz))
             for item in self.objects
         )
-        return Scene(self.seed, self.table, objects)
+        setup = self.setup.setup() if self.setup else UR5_TABLE
+        return Scene(self.seed, self.table, objects, setup)
 
 
 def write_scene(path: Path, scene: Scene) -> None:

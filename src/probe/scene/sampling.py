@@ -10,7 +10,7 @@ import numpy as np
 
 from probe.assets.spec import ObjectSpec
 from probe.errors import Unsatisfiable
-from probe.scene.layout import WORK_AREA
+from probe.scene.setup import Setup
 from probe.scene.turns import Leads, in_turn, nobody
 from probe.types import Quaternion
 
@@ -39,15 +39,22 @@ class PileSettings:
         """Refuse what can't be dropped.
 
         Raises:
-            Unsatisfiable: The reach leaves the work area, or less than nothing is buried.
+            Unsatisfiable: Less than nothing is buried.
         """
-        if not 0.0 < self.reach <= WORK_AREA / 2:
-            most = WORK_AREA / 2
+        if self.buried < 0:
+            raise Unsatisfiable(f"At least 0 objects can be buried, not {self.buried}.")
+
+    def check_reach(self, setup: Setup) -> None:
+        """Refuse what a set-up has no room for.
+
+        Raises:
+            Unsatisfiable: The reach leaves the work area.
+        """
+        most = setup.work_area / 2
+        if not 0.0 < self.reach <= most:
             raise Unsatisfiable(
                 f"A pile's reach is above 0 and at most {most} m, not {self.reach}."
             )
-        if self.buried < 0:
-            raise Unsatisfiable(f"At least 0 objects can be buried, not {self.buried}.")
 
 
 TIGHT = PileSettings()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.types import Pose
 
 
@@ -30,11 +31,13 @@ class Scene:
         seed: The seed it was made from; a private task's scene bears the task's.
         table: Id of the table's material.
         objects: In order of their instance numbers.
+        setup: What stands around them, and what they are seen by.
     """
 
     seed: int
     table: str
     objects: tuple[PlacedObject, ...]
+    setup: Setup = UR5_TABLE
 
     def without(self, *instances: int) -> Scene:
         """The same table with some objects taken away, nothing else moved (ghost removal)."""

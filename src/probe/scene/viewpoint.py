@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from probe.scene.layout import top_camera
 from probe.scene.lighting import AMBIENT, Lighting
+from probe.scene.setup import UR5_TABLE
 from probe.types import Camera
 
 
@@ -18,5 +18,5 @@ class Viewpoint:
         lighting: Of colour pictures; depth and labels need none.
     """
 
-    camera: Camera = field(default_factory=top_camera)
+    camera: Camera = field(default_factory=UR5_TABLE.camera)
     lighting: Lighting = AMBIENT

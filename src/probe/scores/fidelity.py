@@ -7,7 +7,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from probe.episodes.record import EpisodeRecord
-from probe.scene.scene import PlacedObject
+from probe.scene.scene import PlacedObject, Scene
 from probe.tasks.grading import whereabouts
 
 MOVED = 0.03
@@ -44,7 +44,7 @@ def fidelity(record: EpisodeRecord, named: Collection[int]) -> Fidelity:
         named: Instances that were to be removed.
     """
     start, end = record.scenes[0], record.scenes[-1]
-    removed = {o.instance for o in end.objects if whereabouts(o.pose) == "basket"}
+    removed = {o.instance for o in end.objects if whereabouts(o.pose, end.setup) == "basket"}
     wanted = set(named)
     others = [o for o in start.objects if o.instance not in wanted | removed]
     return Fidelity(
@@ -52,7 +52,7 @@ def fidelity(record: EpisodeRecord, named: Collection[int]) -> Fidelity:
         recall=_share(removed & wanted, wanted),
         exact=removed == wanted,
         attempts_a_removal=_grasps(record) / len(removed) if removed else None,
-        others_disturbed=sum(_disturbed(other, end[other.instance]) for other in others),
+        others_disturbed=sum(_disturbed(other, end) for other in others),
     )
 
 
@@ -65,6 +65,7 @@ def _grasps(record: EpisodeRecord) -> int:
     return sum(step.status in ("done", "failed") for step in grasps)
 
 
-def _disturbed(before: PlacedObject, after: PlacedObject) -> bool:
-    lost = whereabouts(after.pose) == "off the table"
+def _disturbed(before: PlacedObject, end: Scene) -> bool:
+    after = end[before.instance]
+    lost = whereabouts(after.pose, end.setup) == "off the table"
     return lost or math.dist(before.pose.position, after.pose.position) > MOVED

@@ -12,6 +12,7 @@ from probe.scores.roster import Listed
 from probe.scores.row import Row
 from probe.tasks.grading import Score
 from probe.tasks.task import LETTERS, Task
+from probe.tasks.type_rules import rules_of
 from probe.toolshed.toolshed import MANIPULATIONS
 
 _PERCEPTION = ("perceive_scene", "find_object")
@@ -104,8 +105,8 @@ def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, obj
 
 
 def stratum_of(task: Task) -> str:
-    """Find's "hidden" or "partly", by how much of the target shows at the start; else empty."""
-    if task.question_type != "find":
+    """How much of the target shows, "hidden" or "partly"; empty where a type has one part."""
+    if not rules_of(task.question_type).strata:
         return ""
     seen = task.certificate.visibility[task.targets[0]]
     return "hidden" if is_hidden(seen) else "partly"

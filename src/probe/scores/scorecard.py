@@ -18,6 +18,7 @@ from probe.scores.power import detectable_gap
 from probe.scores.roster import Listed, Roster, chance_by_type, naive_by_type
 from probe.scores.row import Entrant, Row
 from probe.scores.units import Unit, Worth, is_correct, strata_of, units_of
+from probe.tasks.type_rules import rules_of
 
 
 def icc(units: Iterable[Unit]) -> float | None:
@@ -155,10 +156,12 @@ def _parts(rows: Sequence[Row], roster: Roster, seed: int) -> tuple[Figure, ...]
         )
         for question_type, stratum in strata
     ]
-    if any(listed.question_type == "find" for listed in roster.values()):
-        letter = _part("find, letter alone", rows, roster, seed, _of_type("find"), _letter)
-        figures.insert(0, letter)
-    return tuple(figures)
+    pointed = {it.question_type for it in roster.values() if rules_of(it.question_type).pointed}
+    letters = [
+        _part(f"{name}, letter alone", rows, roster, seed, _of_type(name), _letter)
+        for name in sorted(pointed)
+    ]
+    return (*letters, *figures)
 
 
 def _letter(row: Row) -> bool:

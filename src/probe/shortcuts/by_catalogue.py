@@ -25,7 +25,7 @@ SIZES: Mapping[str, Callable[[ObjectSpec], float]] = {
 
 def by_catalogue(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
     """Size, category and frequency of each option's object; of Count, of what is counted."""
-    if sample.question_type == "count":
+    if sample.numbered:
         return _counted(sample, catalogue)
     specs = [catalogue.by_name.get(text) for text in sample.options]
     if not any(specs):

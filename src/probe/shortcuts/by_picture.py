@@ -41,7 +41,7 @@ def by_graph(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
         "beside": float(len(half_hidden(sample.question, look))),
     }
     told = with_context(sample.options, context)
-    if sample.question_type == "count":
+    if sample.numbered:
         return joined(told, _beyond(sample, context))
     return joined(told, _kin(sample, catalogue), *_fits(sample, catalogue))
 
@@ -61,7 +61,7 @@ def by_area(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
         "beside": log(1 + sum(t.area_px for t in half_hidden(sample.question, look)) / _CM2),
     }
     told = with_context(sample.options, context)
-    if sample.question_type == "count":
+    if sample.numbered:
         return joined(told, _beyond(sample, context))
     # Without anything named, this would be the catalogue's size.
     specs = [catalogue.by_name.get(text) if named else None for text in sample.options]
@@ -82,7 +82,7 @@ def by_patch(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
         return opposed(sample.form, a, b)
     beside = half_hidden(sample.question, look)
     anywhere = [thing for thing in look.things if thing.name is None]
-    if sample.question_type == "count":
+    if sample.numbered:
         counted = catalogue.counted(sample.question)
         apart = misfit(" ".join(counted.colours), anywhere) if counted else _FARTHEST
         context = {"misfit": min(apart, _FARTHEST) / _FARTHEST}

@@ -19,7 +19,7 @@ LEVEL = 0.05
 
 POWER = 0.80
 
-CEILING, PAIRED_CEILING, COUNT_CEILING = 0.20, 0.50, rules_of("count").naive
+CEILING, PAIRED_CEILING = 0.20, 0.50
 ALLOWANCE, PAIRED_ALLOWANCE = 0.03, 0.04
 
 
@@ -79,14 +79,13 @@ def allowed(question_type: str, *, letters_alone: bool = False) -> tuple[float, 
 
     Args:
         question_type: The type.
-        letters_alone: For somebody who doesn't know what the options say: in Count, too, one
-            letter is as good as another.
+        letters_alone: For somebody who doesn't know what the options say: to them one letter is as
+            good as another.
     """
     if rules_of(question_type).paired:
         return PAIRED_CEILING, PAIRED_ALLOWANCE
-    if question_type == "count" and not letters_alone:
-        return COUNT_CEILING, ALLOWANCE
-    return CEILING, ALLOWANCE
+    naive = 0.0 if letters_alone else rules_of(question_type).naive
+    return max(CEILING, naive), ALLOWANCE
 
 
 def judge(tallies: Sequence[HitCount]) -> list[Finding]:

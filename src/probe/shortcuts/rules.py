@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from probe.assets.spec import ObjectSpec
-from probe.generation.observer import half_hidden, marked, misfit, observe, visible_count
+from probe.generation.observer import (
+    half_hidden,
+    marked,
+    misfit,
+    observe,
+    observer_of,
+    visible_count,
+)
 from probe.shortcuts.comparing import is_none, number
 from probe.shortcuts.sample import CatalogueFacts, Sample
 from probe.tasks.task import LETTERS, PAIR
@@ -22,9 +29,7 @@ def rules_for(sample: Sample) -> Mapping[str, Rule]:
         f"always {letter}": _always(place)
         for place, letter in enumerate(LETTERS[: len(sample.options)])
     }
-    special = (
-        _PAIRED if sample.paired else _NUMBERS if sample.question_type == "count" else _OBJECTS
-    )
+    special = _PAIRED if sample.paired else _NUMBERS if sample.numbered else _OBJECTS
     return {**letters, **special, OBSERVER: _observer}
 
 
@@ -98,8 +103,8 @@ def _bare(sample: Sample) -> float:
 
 
 def _tells_a(sample: Sample) -> float:
-    """Positive where the observer, who goes by patches in Compare, says A."""
-    if sample.question_type == "compare":
+    """Positive where the observer says A, if it goes by patches; else by which is darker."""
+    if observer_of(sample.question_type).by_colour:
         told = observe(
             sample.question_type, sample.form, sample.question, sample.options, sample.look
         )

@@ -13,7 +13,7 @@ from probe.generation.observer import says
 from probe.generation.plan import block_of
 from probe.tasks.english import plural
 from probe.tasks.task import LETTERS, PAIR, QuestionType, Task
-from probe.tasks.type_rules import Form
+from probe.tasks.type_rules import Form, rules_of
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,11 @@ class Sample:
     def paired(self) -> bool:
         """Whether it asks about two marked things."""
         return len(self.options) == len(PAIR)
+
+    @property
+    def numbered(self) -> bool:
+        """Whether its options are numbers."""
+        return rules_of(self.question_type).numbered
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -10,7 +11,6 @@ import numpy as np
 from probe.errors import ArmInView
 from probe.render.illumination import AMBIENT, Illumination
 from probe.render.renderer import Renderer
-from probe.scene.layout import top_camera
 from probe.scene.scene import PlacedObject, Scene
 from probe.station.motion import smooth
 from probe.station.station import Arm, Hand
@@ -51,11 +51,11 @@ class SimulatedStation:
         camera: Camera | None = None,
         light: Illumination = AMBIENT,
     ) -> None:
-        self.arm: Arm = Ur5()
-        self.hand: Hand = Gripper()
+        self.arm: Arm = Ur5(world.setup.mount)
+        self.hand: Hand = Gripper(world.setup.gripper)
         self._world = world
         self._renderer = renderer
-        self._camera = camera or top_camera()
+        self._camera = camera or world.setup.camera()
         self._light = light
         self._goal = world.joints
         self._alone_px: dict[PlacedObject, int] = {}
@@ -75,7 +75,18 @@ class SimulatedStation:
         outlines = self._alone([placed for placed in objects if placed.instance in shown])
         counts = np.bincount(frame.labels.ravel())
         shares = {number: counts[number] / size for number, size in outlines.items()}
-        return replace(frame, shares=shares)
+        return replace(self._measured(frame), shares=shares)
+
+    def _measured(self, frame: Frame) -> Frame:
+        """A frame with the noise of its depth; the same table gives the same noise again."""
+        noise = self._world.setup.depth_noise
+        if noise == 0:
+            return frame
+        scene = self._world.scene()
+        poses = np.array([(*o.pose.position, *o.pose.wxyz) for o in scene.objects])
+        rng = np.random.default_rng([scene.seed, zlib.crc32(poses.tobytes())])
+        errors = rng.standard_normal(frame.depth.shape) * noise
+        return replace(frame, depth=(frame.depth + errors).astype(np.float32))
 
     def snapshot(self) -> Scene:
         """The table as it really is."""

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from probe.scene.setup import UR5_TABLE, ArmMount, GripperSize
 from probe.types import Array, Pose
 from probe.world.robot import gripper, gripper_shape, ik, ur5
 from probe.world.robot.arm_model import LINKS
-from probe.world.robot.robot import BASE_POSE, PARKED
 from probe.world.robot.solids import Cylinder
 
 _SPACING = 0.05
@@ -19,27 +19,29 @@ FOLDED = 2.8
 
 
 class Gripper:
-    """The 2F-140 as a Hand."""
+    """The 2F-140 as a Hand, or one of other sizes."""
 
-    max_opening = gripper.MAX_OPENING
-    pad_half = gripper.PAD_HALF
+    def __init__(self, size: GripperSize = gripper.ROBOTIQ_2F140) -> None:
+        self.max_opening = size.max_opening
+        self.pad_half = gripper.pad_half(size)
+        self._size = size
 
     def pad_reach(self, opening: float) -> float:
         """Distance along z from the tool frame to the middle of the pads, metres."""
-        return gripper.pad_reach(gripper.joint_for(opening))
+        return gripper.pad_reach(gripper.joint_for(opening, self._size), self._size)
 
     def boxes(self, opening: float) -> list[tuple[Array, Array]]:
         """Centres and half sizes, shape (3,), of boxes that enclose the hand, tool frame."""
-        return gripper_shape.boxes(opening)
+        return gripper_shape.boxes(opening, self._size)
 
 
 class Ur5:
-    """The UR5 at BASE_POSE as an Arm."""
+    """The UR5 on its mount as an Arm."""
 
-    parked = np.array(PARKED)
-
-    def __init__(self) -> None:
-        self._base_from_world = BASE_POSE.inverse()
+    def __init__(self, mount: ArmMount = UR5_TABLE.mount) -> None:
+        self.parked = np.array(mount.parked)
+        self._world_from_base = mount.base
+        self._base_from_world = mount.base.inverse()
         self._link_spheres = [_cover(link.solids) for link in LINKS[:-1]]
 
     def inverse(self, world_from_tool: Pose) -> list[Array]:
@@ -52,11 +54,11 @@ class Ur5:
 
     def forward(self, joints: Array) -> Pose:
         """world_from_tool of joint angles, shape (6,)."""
-        return BASE_POSE @ ur5.forward(joints)
+        return self._world_from_base @ ur5.forward(joints)
 
     def spheres(self, joints: Array) -> Array:
         """Spheres that cover the links before the last: x, y, z, radius, shape (k, 4), metres."""
-        world_from_dh = BASE_POSE.matrix
+        world_from_dh = self._world_from_base.matrix
         covered: list[Array] = []
         for index, spheres in enumerate(self._link_spheres):
             angle = float(joints[index])

@@ -8,8 +8,8 @@ from typing import Literal
 
 import numpy as np
 
-from probe.scene.layout import BASKET_POSITION, BASKET_SIZE, TABLE_SIZE
 from probe.scene.scene import Scene
+from probe.scene.setup import Setup
 from probe.tasks.task import Letter, Task
 from probe.tasks.type_rules import rules_of
 from probe.types import Array, Pose
@@ -93,20 +93,19 @@ def looks_at_end(task: Task, answer: FinalAnswer) -> bool:
     )
 
 
-def whereabouts(pose: Pose) -> Whereabouts:
+def whereabouts(pose: Pose, setup: Setup) -> Whereabouts:
     """Where an object at a pose (world_from_object) is."""
     x, y, z = pose.position
-    basket_x, basket_y, _ = BASKET_POSITION
-    if abs(x - basket_x) <= BASKET_SIZE[0] / 2 and abs(y - basket_y) <= BASKET_SIZE[1] / 2:
+    if setup.basket.holds(x, y):
         return "basket" if z > _BELOW_TABLE else "off the table"
-    beside = abs(x) > TABLE_SIZE[0] / 2 or abs(y) > TABLE_SIZE[1] / 2
+    beside = abs(x) > setup.table_size[0] / 2 or abs(y) > setup.table_size[1] / 2
     return "off the table" if beside or z < _BELOW_TABLE else "table"
 
 
 def _grade_point(target: int, point: tuple[float, float] | None, last: LastView) -> Outcome:
     if point is None:
         return "no point"
-    if whereabouts(last.scene[target].pose) != "table":
+    if whereabouts(last.scene[target].pose, last.scene.setup) != "table":
         return "lost"
     mask = last.labels == target
     if np.count_nonzero(mask) < FEWEST_PX:

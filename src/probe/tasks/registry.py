@@ -20,10 +20,12 @@ from probe.errors import ProbeError, UnknownName
 
 _PACKAGE = "probe.question_types"
 
-PARTS = ("rules",)
-"""The modules that every question type has, beside `wordings.yaml`."""
+PARTS = ("rules", "oracle_view", "plan", "generator", "observer", "verifier")
+"""The modules that every question type has, each known to the layer that asks for it."""
 
-WORDINGS = "wordings.yaml"
+WORDINGS, PHRASES = "wordings.yaml", "phrases.yaml"
+FILES = (WORDINGS, PHRASES)
+"""The files that every question type has: ways to ask, and what a scripted agent says of it."""
 
 _Part = TypeVar("_Part")
 
@@ -88,8 +90,9 @@ def _check(name: str) -> None:
     for part in PARTS:
         if find_spec(f"{_PACKAGE}.{name}.{part}") is None:
             raise IncompleteType(name, part, f"there is no {part}.py in its folder")
-    if not any((Path(home) / name / WORDINGS).is_file() for home in _folders()):
-        raise IncompleteType(name, WORDINGS, "the file isn't in its folder")
+    for file in FILES:
+        if not any((Path(home) / name / file).is_file() for home in _folders()):
+            raise IncompleteType(name, file, "the file isn't in its folder")
 
 
 def _folders() -> Sequence[str]:

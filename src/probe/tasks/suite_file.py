@@ -15,8 +15,9 @@ from probe import reading
 from probe.checksum import with_sum
 from probe.errors import BadData, UnknownName
 from probe.files import read_document, write_bytes
+from probe.scene.cameras import View
 from probe.scene.document import SceneDocument
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup_file import MOST_PX, sees_basket
 from probe.scene.visibility import Visibility
 from probe.tasks.look_alike import look_alike
 from probe.tasks.reserved import Difference, difference, unlike
@@ -31,7 +32,7 @@ CANARY = "PROBE SUITE; NOT FOR TRAINING; canary 6d0f1c52-6c0e-4e7c-9a53-0b6f2f8f
 _REMEDY = "Fetch the suite again, or build it with `probe suite build`"
 
 
-_Pixel = Annotated[int, pydantic.Field(ge=0, lt=PICTURE_PX)]
+_Pixel = Annotated[int, pydantic.Field(ge=0, lt=MOST_PX)]
 
 
 class VisibilityDocument(pydantic.BaseModel, extra="forbid"):
@@ -77,6 +78,8 @@ class TaskDocument(
     marks: tuple[MarkDocument, ...]
     certificate: CertificateDocument
     scene: SceneDocument
+    # Left out where it is the top one, as files of before there was a choice do.
+    camera: View = pydantic.Field(default="top", exclude_if=lambda it: it == "top")
 
     @pydantic.model_validator(mode="after")
     def _names_what_is_there(self) -> TaskDocument:
@@ -87,7 +90,13 @@ class TaskDocument(
             raise ValueError(f"instances {sorted(named - present)} aren't in its scene")
         if self.answer not in LETTERS[: len(self.options)]:
             raise ValueError(f"its answer {self.answer} is none of its options")
-        if len(self.targets) < (fewest := rules_of(self.question_type).fewest_targets):
+        rules = rules_of(self.question_type)
+        if self.form not in rules.forms:
+            known = ", ".join(rules.forms)
+            raise ValueError(f"the forms of {self.question_type} are {known}, not {self.form!r}")
+        if self.scene.setup and sees_basket(self.scene.setup.setup(), self.camera):
+            raise ValueError(f"its camera, {self.camera}, sees the basket of its set-up")
+        if len(self.targets) < (fewest := rules.fewest_targets):
             raise ValueError(f"{self.question_type} is about {fewest} targets or more")
         return self
 
@@ -122,6 +131,7 @@ class TaskDocument(
                 candidates=proof.candidates,
             ),
             scene=SceneDocument.of(task.scene),
+            camera=task.camera,
         )
 
     def task(self) -> Task:
@@ -147,6 +157,7 @@ class TaskDocument(
             named=self.named,
             marks=tuple(Mark(mark.letter, mark.instance, mark.point) for mark in self.marks),
             certificate=Certificate(visibility, proof.measures, proof.candidates),
+            camera=self.camera,
             version=self.version,
         )
 

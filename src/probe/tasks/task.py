@@ -6,7 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, get_args
 
+from probe.scene.cameras import View
 from probe.scene.scene import Scene
+from probe.scene.setup import PictureScale, Setup, picture_scale
+from probe.scene.viewpoint import Viewpoint
 from probe.scene.visibility import Visibility
 from probe.tasks.registry import question_types
 from probe.tasks.type_rules import Form
@@ -91,10 +94,11 @@ class Task:
         scene: The table at the start.
         targets: Instances that decide: the hidden one, all that are counted, or the two that are
             marked.
-        cover: Instance of Beneath's cover, else None.
+        cover: Instance of the one thing that the question names and that hides the target, or None.
         named: Instances that Reduce wants removed, else empty.
         marks: Of Compare and Size, else empty.
         certificate: Why it can't be answered by looking.
+        camera: Which of the set-up's cameras shows it.
         version: Of the rules it was made by.
     """
 
@@ -112,4 +116,20 @@ class Task:
     named: tuple[int, ...]
     marks: tuple[Mark, ...]
     certificate: Certificate
+    camera: View = "top"
     version: int = TASK_VERSION
+
+    @property
+    def setup(self) -> Setup:
+        """What stands around its objects."""
+        return self.scene.setup
+
+    @property
+    def viewpoint(self) -> Viewpoint:
+        """From where, and in which light, it is seen as it was made."""
+        return Viewpoint(self.setup.camera(self.camera))
+
+    @property
+    def scale(self) -> PictureScale:
+        """What its pictures show."""
+        return picture_scale(self.setup, self.viewpoint.camera)

@@ -8,8 +8,8 @@ from typing import Literal
 
 from probe.tasks.registry import part_of
 
-Form = Literal["plain", "colour", "darker", "like", "longer", "larger", "smaller"]
-"""What exactly Compare and Size ask; "plain" in the other types."""
+Form = str
+"""What exactly a type asks, one of its rules' forms; "plain" where it asks for one thing alone."""
 
 Answers = Literal["objects", "numbers", "marks"]
 """What the options are: four of five objects, four of five numbers, or the two marked things."""
@@ -24,6 +24,7 @@ class TypeRules:
         answers: What its options are.
         fewest_targets: Objects that decide, at least.
         pointed: Whether a named option needs a point on the object.
+        strata: Whether a little of its target may show at first: it is then reported in two parts.
         naive: Share that is right without moving anything, where that is more than a guess.
     """
 
@@ -31,12 +32,18 @@ class TypeRules:
     answers: Answers
     fewest_targets: int
     pointed: bool = False
+    strata: bool = False
     naive: float = 0.0
 
     @property
     def paired(self) -> bool:
         """Whether it asks about two marked things."""
         return self.answers == "marks"
+
+    @property
+    def numbered(self) -> bool:
+        """Whether its options are numbers."""
+        return self.answers == "numbers"
 
 
 def rules_of(question_type: str) -> TypeRules:

@@ -15,7 +15,6 @@ from probe.episodes.noise import Noise, NoisySkills
 from probe.manipulation.grasp import GraspResult
 from probe.manipulation.push import ALONG, LONGEST, SHORTEST, PushResult
 from probe.render.renderer import Renderer
-from probe.scene.layout import BASKET_POSITION
 from probe.scene.scene import PlacedObject
 from probe.station.simulated import SimulatedStation
 from probe.station.station import Arm, Hand
@@ -55,7 +54,7 @@ def attempt(
         if placed.instance != target.instance
         and math.dist(placed.pose.position, after[placed.instance].pose.position) > MOVED
     ]
-    lost = sum(whereabouts(after[o.instance].pose) == "off the table" for o in moved)
+    lost = sum(whereabouts(after[o.instance].pose, after.setup) == "off the table" for o in moved)
     common: dict[str, object] = {
         "tool": tool,
         "seed": laid.scene.seed,
@@ -76,9 +75,9 @@ def attempt(
 def _grasp(
     skills: NoisySkills, station: _Timed, laid: TrialTable, target: PlacedObject
 ) -> dict[str, object]:
-    result = skills.grasp_and_remove(station, laid.frame, laid.mask(target), BASKET_POSITION)
+    result = skills.grasp_and_remove(station, laid.frame, laid.mask(target), laid.scene.setup)
     assert isinstance(result, GraspResult)
-    inside = whereabouts(laid.world.scene()[target.instance].pose) == "basket"
+    inside = whereabouts(laid.world.scene()[target.instance].pose, laid.scene.setup) == "basket"
     return {
         "direction": None,
         "distance": None,
@@ -99,7 +98,7 @@ def _push(
     direction = directions[int(laid.rng.integers(len(directions)))]
     distance = float(laid.rng.uniform(SHORTEST, LONGEST))
     result = skills.push(
-        station, laid.frame, laid.mask(target), direction, distance, BASKET_POSITION
+        station, laid.frame, laid.mask(target), direction, distance, laid.scene.setup
     )
     assert isinstance(result, PushResult)
     end = laid.world.scene()[target.instance].pose

@@ -6,6 +6,7 @@ from typing import Any
 
 import pydantic
 
+from probe.scene.setup import USUAL_SCALE
 from probe.toolshed.refusals import BadArguments, UnknownTool, quoted
 from probe.toolshed.tools import TOOLS, Request
 
@@ -21,12 +22,13 @@ USAGE = {
 _PROBLEMS_SHOWN = 3
 
 
-def parse(name: object, arguments: object) -> Request:
+def parse(name: object, arguments: object, side_px: int = USUAL_SCALE.side_px) -> Request:
     """Check a call.
 
     Args:
         name: Should be the name of a tool.
         arguments: Should be a mapping of its arguments; None stands for no arguments.
+        side_px: Edge of the pictures that it is about, pixels.
 
     Raises:
         UnknownTool: No tool has this name.
@@ -39,7 +41,7 @@ def parse(name: object, arguments: object) -> Request:
         problem = f"its arguments have to be a JSON object, not {quoted(type(given).__name__)}"
         raise BadArguments(name, [problem], USAGE[name])
     try:
-        return TOOLS[name].model_validate(given)
+        return TOOLS[name].model_validate(given, context={"side_px": side_px})
     except pydantic.ValidationError as failure:
         raise BadArguments(name, _problems(failure), USAGE[name]) from failure
 

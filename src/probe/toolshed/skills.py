@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Literal, Protocol
 
+from probe.scene.setup import Setup
 from probe.station.station import Station
-from probe.types import Array, Frame, Vector3
+from probe.types import Array, Frame
 
 Direction = Literal["up", "down", "left", "right"]
 
@@ -37,9 +38,9 @@ class Skills(Protocol):
     """Grasping and pushing, given what a camera and a mask show."""
 
     def grasp_and_remove(
-        self, station: Station, frame: Frame, mask: Array, drop_at: Vector3, /
+        self, station: Station, frame: Frame, mask: Array, setup: Setup, /
     ) -> SkillOutcome:
-        """Grasp what the mask shows and let it go over the middle of the basket's floor."""
+        """Grasp what the mask shows and let it go over the basket."""
         ...
 
     def push(
@@ -49,8 +50,8 @@ class Skills(Protocol):
         mask: Array,
         direction: Direction,
         distance: float,
-        basket: Vector3,
+        setup: Setup,
         /,
     ) -> PushOutcome:
-        """Push what the mask shows so many metres in the picture's direction, not into a basket."""
+        """Push what the mask shows so many metres the picture's way, not into the basket."""
         ...

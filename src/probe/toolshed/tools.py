@@ -7,8 +7,9 @@ from typing import Annotated, Any, Literal
 
 import pydantic
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
+from pydantic_core import PydanticCustomError
 
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import USUAL_SCALE, PictureScale
 
 ObjectId = Annotated[
     str,
@@ -16,8 +17,25 @@ ObjectId = Annotated[
         max_length=40, description='What find_object called the object, such as "object_1".'
     ),
 ]
-Coordinate = Annotated[float, pydantic.Field(ge=0, lt=PICTURE_PX)]
 
+
+def _in_picture(number: float, info: pydantic.ValidationInfo) -> float:
+    """A coordinate below the edge of the pictures that the call is about."""
+    context: dict[str, int] = info.context or {}
+    side = context.get("side_px", USUAL_SCALE.side_px)
+    if number >= side:
+        raise PydanticCustomError("less_than", "Input should be less than {lt}", {"lt": side})
+    return number
+
+
+Coordinate = Annotated[
+    float,
+    pydantic.Field(ge=0),
+    pydantic.AfterValidator(_in_picture),
+    pydantic.WithJsonSchema(
+        {"exclusiveMaximum": USUAL_SCALE.side_px, "minimum": 0, "type": "number"}
+    ),
+]
 
 _Letter = Literal["A", "B", "C", "D", "E"]
 
@@ -94,7 +112,7 @@ class Push(_Arguments):
         pydantic.Field(
             ge=3,
             le=20,
-            description="How far: 3 to 20 centimetres. The picture is 58 cm wide.",
+            description="How far: 3 to 20 centimetres.",
         ),
     ]
 
@@ -143,9 +161,9 @@ class ToolSchema:
     parameters: dict[str, Any]
 
 
-def tool_schemas() -> tuple[ToolSchema, ...]:
-    """All five tools, in a fixed order."""
-    return tuple(_schema(name, model) for name, model in TOOLS.items())
+def tool_schemas(scale: PictureScale = USUAL_SCALE) -> tuple[ToolSchema, ...]:
+    """All five tools, in a fixed order, as they are told where pictures have this scale."""
+    return tuple(_schema(name, model, scale) for name, model in TOOLS.items())
 
 
 class _Untitled(GenerateJsonSchema):
@@ -155,9 +173,29 @@ class _Untitled(GenerateJsonSchema):
         return False
 
 
-def _schema(name: str, model: type[Request]) -> ToolSchema:
+def _schema(name: str, model: type[Request], scale: PictureScale) -> ToolSchema:
     parameters: JsonSchemaValue = model.model_json_schema(schema_generator=_Untitled)
     description = str(parameters.pop("description"))
     parameters.pop("title")
     parameters.setdefault("properties", {})
-    return ToolSchema(name, description, parameters)
+    if name == "grasp_and_remove" and scale.opening != USUAL_SCALE.opening:
+        description += f" The gripper opens {100 * scale.opening:.1f} cm wide."
+    return ToolSchema(name, description, _scaled(parameters, scale))
+
+
+def _scaled(parameters: JsonSchemaValue, scale: PictureScale) -> JsonSchemaValue:
+    """A tool's parameters with what depends on the set-up."""
+    fields = parameters["properties"]
+    if "distance_cm" in fields:
+        width = f"{100 * scale.width:.0f} cm"
+        fields["distance_cm"]["description"] += (
+            f" Across its middle the picture shows {width}."
+            if scale.oblique
+            else f" The picture is {width} wide."
+        )
+    if "direction" in fields and scale.oblique:
+        fields["direction"]["description"] += ' "up" is away from the camera.'
+    if "point" in fields:
+        for place in fields["point"]["anyOf"][0]["prefixItems"]:
+            place["exclusiveMaximum"] = scale.side_px
+    return parameters

@@ -10,6 +10,7 @@ from probe.perception.matching import Match, match
 from probe.perception.pointer import Finder
 from probe.perception.scene_graph import SceneDescriber
 from probe.perception.things import Detector, Thing
+from probe.scene.setup import Setup
 from probe.station.station import Station
 from probe.toolshed.graph import scene_text, thing_lines, told_text
 from probe.toolshed.handles import Handles
@@ -28,7 +29,7 @@ from probe.toolshed.tools import (
     Request,
 )
 from probe.toolshed.view import CurrentView
-from probe.types import Array, Vector3
+from probe.types import Array
 
 TURNS = 40
 """Calls in an episode, malformed ones included."""
@@ -59,7 +60,7 @@ class Toolshed:
         station: Station,
         detector: Detector,
         skills: Skills,
-        basket: Vector3,
+        setup: Setup,
         *,
         pictures: bool = True,
         finder: Finder | None = None,
@@ -71,7 +72,7 @@ class Toolshed:
             station: The arm, camera and table.
             detector: Names what shows.
             skills: Grasps and pushes.
-            basket: Middle of the basket's floor, metres.
+            setup: The table's.
             pictures: Whether results carry pictures; texts are the same without.
             finder: Finds what words describe; None to match them with what the detector finds.
             teller: Tells the scene graph; None to make it from what the detector finds.
@@ -82,7 +83,7 @@ class Toolshed:
         self.manipulations = 0
         self._station = station
         self._skills = skills
-        self._basket = basket
+        self._setup = setup
         self._pictures = pictures
         self._view = CurrentView(station, detector)
         self._finder = finder
@@ -104,7 +105,7 @@ class Toolshed:
             if self.ended:
                 raise EpisodeOver
             self.turns += 1
-            result = self._run(parse(name, arguments))
+            result = self._run(parse(name, arguments, self._view.frame.camera.width_px))
         except Refusal as refusal:
             result = ToolResult(str(refusal), status=refusal.status)
         except UnusableReply as failure:
@@ -158,7 +159,7 @@ class Toolshed:
     def _grasp(self, request: GraspAndRemove) -> ToolResult:
         thing = self._take_up(request.object_id)
         outcome = self._skills.grasp_and_remove(
-            self._station, self._view.frame, thing.mask, self._basket
+            self._station, self._view.frame, thing.mask, self._setup
         )
         self._view.show(outcome.frame)
         worked, words = grasp_words(outcome.status, request.object_id)
@@ -172,7 +173,7 @@ class Toolshed:
             thing.mask,
             request.direction,
             request.distance_cm / 100,
-            self._basket,
+            self._setup,
         )
         self._view.show(outcome.frame)
         worked, words = push_words(outcome.status, request.object_id, outcome.moved)

@@ -8,18 +8,36 @@ from typing import Any, TypeGuard, cast
 
 from probe.episodes.participation import Points
 from probe.episodes.turns import Call
-from probe.scene.layout import PICTURE_PX
+from probe.errors import BadData
+from probe.scene.setup import USUAL_SCALE, PictureScale
 
-IN_WORDS: dict[Points, str] = {
-    "pixels": f"in pixels from the top left corner of the picture, which is {PICTURE_PX} wide "
-    "and high",
-    "0-1000": "in thousandths of the picture's width and height from its top left corner, each "
-    "from 0 to 1000",
-}
-"""How a model is told which one is meant."""
 
+def in_words(points: Points, side_px: int) -> str:
+    """How a model is told which way of counting is meant, of pictures with this edge."""
+    if points == "pixels":
+        return (
+            f"in pixels from the top left corner of the picture, which is {side_px} wide and high"
+        )
+    return (
+        "in thousandths of the picture's width and height from its top left corner, each "
+        "from 0 to 1000"
+    )
+
+
+def check_countable(points: Points, scale: PictureScale) -> None:
+    """Refuse places in thousandths of pictures that haven't the usual size.
+
+    Raises:
+        BadData: They would come out wrong.
+    """
+    if points != "pixels" and scale.side_px != _SIDE_PX:
+        reason = f"thousandths are of {_SIDE_PX} pixels, and the set-up's pictures have "
+        raise BadData("--points", f"{reason}{scale.side_px}", "Count in pixels")
+
+
+_SIDE_PX = USUAL_SCALE.side_px
 _WHOLE = 1000.0
-_LAST_PX = PICTURE_PX - 0.001
+_LAST_PX = _SIDE_PX - 0.001
 """The far edge of a picture, counted in thousandths, still means its last pixel."""
 
 _NUMBER = r"-?\d{1,6}(?:\.\d{1,6})?"
@@ -35,33 +53,33 @@ def told(text: str, points: Points) -> str:
     """
     if points == "pixels":
         return text
-    counted = _scaled(text, _WHOLE / PICTURE_PX, digits=0)
+    counted = _scaled(text, _WHOLE / _SIDE_PX, digits=0)
     counted = counted.replace("in pixels", "in thousandths of the picture's width and height")
-    return counted.replace(f"less than {PICTURE_PX}", f"at most {_WHOLE:.0f}")
+    return counted.replace(f"less than {_SIDE_PX}", f"at most {_WHOLE:.0f}")
 
 
 def meant(call: Call, points: Points) -> Call:
     """A model's call with its places in pixels; one that fits no tool is left as it is."""
-    return call if points == "pixels" else _converted(call, PICTURE_PX / _WHOLE, 3)
+    return call if points == "pixels" else _converted(call, _SIDE_PX / _WHOLE, 3)
 
 
 def as_said(call: Call, points: Points) -> Call:
     """A recorded call as its model made it: what meant() did, undone."""
-    return call if points == "pixels" else _converted(call, _WHOLE / PICTURE_PX, 2)
+    return call if points == "pixels" else _converted(call, _WHOLE / _SIDE_PX, 2)
 
 
 def as_whole(call: Call, points: Points) -> Call:
     """A call whose places are whole numbers in the way in which an agent counts them."""
     if points == "pixels":
         return call
-    return meant(_converted(call, _WHOLE / PICTURE_PX, 0), points)
+    return meant(_converted(call, _WHOLE / _SIDE_PX, 0), points)
 
 
 def place_meant(point: tuple[float, float], points: Points) -> tuple[float, float]:
     """A place that a model wrote down, in pixels."""
     if points == "pixels":
         return point
-    u, v = (_tidy(_pixel(number * PICTURE_PX / _WHOLE), 3) for number in point)
+    u, v = (_tidy(_pixel(number * _SIDE_PX / _WHOLE), 3) for number in point)
     return float(u), float(v)
 
 
@@ -106,7 +124,7 @@ def _clipped(number: float, factor: float) -> float:
 
 
 def _pixel(number: float) -> float:
-    return _LAST_PX if number == PICTURE_PX else number
+    return _LAST_PX if number == _SIDE_PX else number
 
 
 def _tidy(number: float, digits: int) -> float | int:

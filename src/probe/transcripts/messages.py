@@ -14,6 +14,7 @@ from probe.episodes.participation import ModelReply, Participation, Points
 from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call, Question
 from probe.errors import ProbeError
+from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import as_said, told
 from probe.transcripts.prompts import Setting, reminder, setting_named, system_prompt
@@ -59,12 +60,16 @@ class Message:
 
 
 def opening(
-    setting: Setting, points: Points, question: Question, pictures: Sequence[Picture]
+    setting: Setting,
+    points: Points,
+    question: Question,
+    pictures: Sequence[Picture],
+    scale: PictureScale = USUAL_SCALE,
 ) -> tuple[Message, Message]:
     """What a model gets first: the rules, then the question with its pictures."""
     lines = [question.text, *(f"{letter}: {text}" for letter, text in question.options)]
     asked = told("\n".join(lines), points)
-    return Message("system", system_prompt(setting, points)), Message(
+    return Message("system", system_prompt(setting, points, scale)), Message(
         "user", asked, tuple(pictures)
     )
 
@@ -89,7 +94,7 @@ def messages(
     if len(later) != len(record.steps):
         raise OtherPictures(record.task, len(record.steps), len(later))
     setting = setting_named(seat.setting)
-    told_first = opening(setting, seat.points, record.question, first)
+    told_first = opening(setting, seat.points, record.question, first, record.scale)
     return [*told_first, *_conversation(record, seat, setting, later)]
 
 

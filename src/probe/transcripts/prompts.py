@@ -13,8 +13,9 @@ import yaml
 from probe.episodes.participation import Points
 from probe.errors import BadData, UnknownName
 from probe.files import fault
+from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
-from probe.transcripts.coordinates import IN_WORDS
+from probe.transcripts.coordinates import in_words
 
 Setting = Literal["agentic", "direct", "blind", "oracle-view"]
 """How a model may answer: with tools, from one picture, none, or pictures of the evidence."""
@@ -58,10 +59,17 @@ def check_setting(name: str) -> None:
         raise UnknownName("setting", name, [*get_args(Setting), "agentic, pointer NAME"])
 
 
-def system_prompt(setting: Setting, points: Points) -> str:
+def system_prompt(setting: Setting, points: Points, scale: PictureScale = USUAL_SCALE) -> str:
     """What a model is told before the question."""
     text: str = getattr(_prompts(), setting.replace("-", "_"))
-    return text.format(turns=TURNS, manipulations=MANIPULATIONS, places=IN_WORDS[points])
+    straight, down = ("down obliquely", "from the front") if scale.oblique else ("straight", "down")
+    return text.format(
+        turns=TURNS,
+        manipulations=MANIPULATIONS,
+        places=in_words(points, scale.side_px),
+        straight=straight,
+        down=down,
+    )
 
 
 def reminder(setting: Setting, *, answered: bool = False) -> str:

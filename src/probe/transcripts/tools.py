@@ -6,14 +6,16 @@ from collections.abc import Mapping
 from typing import Any, cast
 
 from probe.episodes.participation import Points
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.tools import ToolSchema, tool_schemas
-from probe.transcripts.coordinates import told
+from probe.transcripts.coordinates import check_countable, told
 
 
-def tools_for(points: Points) -> tuple[ToolSchema, ...]:
-    """All five tools; in pixels they are the toolshed's, byte for byte."""
-    return tool_schemas() if points == "pixels" else tuple(map(_counted, tool_schemas()))
+def tools_for(points: Points, scale: PictureScale = USUAL_SCALE) -> tuple[ToolSchema, ...]:
+    """All five tools; in pixels they are the toolshed's, byte for byte; see check_countable()."""
+    tools = tool_schemas(scale)
+    check_countable(points, scale)
+    return tools if points == "pixels" else tuple(map(_counted, tools))
 
 
 def _counted(tool: ToolSchema) -> ToolSchema:
@@ -29,7 +31,7 @@ def _in_thousandths(schema: Any) -> Any:
     if not isinstance(schema, dict):
         return schema
     parts = dict(cast("dict[str, Any]", schema))
-    if parts.get("exclusiveMaximum") == PICTURE_PX:
+    if parts.get("exclusiveMaximum") == USUAL_SCALE.side_px:
         del parts["exclusiveMaximum"]
         parts = {"maximum": 1000, **parts}
     return {name: _in_thousandths(part) for name, part in parts.items()}
@@ -51,7 +53,7 @@ def expressible(schema: Mapping[str, Any], limits: bool = True) -> dict[str, Any
     return parts
 
 
-def as_sent(points: Points) -> list[dict[str, Any]]:
+def as_sent(points: Points, scale: PictureScale = USUAL_SCALE) -> list[dict[str, Any]]:
     """The five tools as servers that speak OpenAI's protocol get them, the order of keys included.
 
     A template writes them out as they come: training has to see the same. The harness tells such
@@ -67,7 +69,7 @@ def as_sent(points: Points) -> list[dict[str, Any]]:
                 "strict": True,
             },
         }
-        for tool in tools_for(points)
+        for tool in tools_for(points, scale)
     ]
 
 

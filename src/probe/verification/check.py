@@ -51,7 +51,7 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
             digest=digest_of(task),
             problems={"text": broken},
         )
-    anew = Remeasurement(task.scene, library, renderer)
+    anew = Remeasurement(task.scene, library, renderer, task.camera)
     problems = {
         "text": tuple(text_problems(task, library)),
         "hidden": tuple(hidden_problems(task, anew)),

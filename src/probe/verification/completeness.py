@@ -2,48 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
 
 from probe.assets.library import Library
 from probe.errors import UnknownName
-from probe.scene.layout import top_camera
-from probe.tasks.options import CANDIDATES
-from probe.tasks.task import PAIR, QuestionType, Task
-
-
-@dataclass(frozen=True)
-class _Makeup:
-    """What every task of a type has.
-
-    Attributes:
-        targets: How many; None for any number.
-        candidates: How many its certificate lists.
-        measures: Numbers that its certificate must state.
-        cover: Whether it names a cover.
-        named: Whether it names things to remove.
-    """
-
-    targets: int | None
-    candidates: int = CANDIDATES
-    measures: tuple[str, ...] = ()
-    cover: bool = False
-    named: bool = False
-
-
-_MAKEUPS: dict[QuestionType, _Makeup] = {
-    "beneath": _Makeup(1, cover=True),
-    "compare": _Makeup(len(PAIR), 2 * len(PAIR), ("patch_lead",)),
-    "count": _Makeup(None, measures=("clear", "hidden")),
-    "find": _Makeup(1, measures=("partly",)),
-    "reduce": _Makeup(1, named=True),
-    "size": _Makeup(len(PAIR), len(PAIR), ("area_lead", "length_lead")),
-}
+from probe.tasks.task import PAIR, Task
+from probe.tasks.type_rules import rules_of
+from probe.verification.type_verifier import verifier_of
 
 
 def makeup_problems(task: Task, library: Library) -> Iterator[str]:
     """What a task lacks, or has too much of; other checks rely on what this lets pass."""
-    makeup, proof = _MAKEUPS[task.question_type], task.certificate
+    verifier, proof = verifier_of(task.question_type), task.certificate
+    makeup = verifier.makeup
     if makeup.targets not in (None, len(task.targets)):
         yield f"it has {len(task.targets)} targets, not {makeup.targets}"
     if len(proof.candidates) != makeup.candidates:
@@ -57,12 +28,12 @@ def makeup_problems(task: Task, library: Library) -> Iterator[str]:
     yield from _marks(task, paired=makeup.targets == len(PAIR))
     unknown = list(_unknown(task, library))
     yield from unknown
-    if task.question_type == "compare" and not unknown:
-        yield from _compare(task, library)
+    if not unknown:
+        yield from verifier.listed(task, library)
 
 
 def _unknown(task: Task, library: Library) -> Iterator[str]:
-    listed = () if task.question_type == "count" else task.certificate.candidates
+    listed = () if rules_of(task.question_type).numbered else task.certificate.candidates
     for object_id in (*(placed.object_id for placed in task.scene.objects), *listed):
         try:
             library[object_id]
@@ -70,30 +41,12 @@ def _unknown(task: Task, library: Library) -> Iterator[str]:
             yield f"the catalogue has no {object_id!r}"
 
 
-def _compare(task: Task, library: Library) -> Iterator[str]:
-    """Whether its twins could be twins, and what it compares with is there."""
-    for mark, twin in zip(task.marks, task.certificate.candidates[len(PAIR) :], strict=False):
-        one, other = library[task.scene[mark.instance].object_id], library[twin]
-        if (one.category, one.size, one.mass) != (other.category, other.size, other.mass):
-            yield f"{one.id} and {twin} aren't of one shape"
-    if task.form == "like":
-        called = instances_called(task.subject, task, library)
-        if len(called) != 1:
-            yield f"{len(called)} things on the table are called {task.subject!r}"
-
-
 def _marks(task: Task, *, paired: bool) -> Iterator[str]:
     letters = [mark.letter for mark in task.marks]
     if letters != (list(PAIR) if paired else []):
         yield f"its marks are {letters or 'none'}"
-    camera = top_camera()
+    camera = task.viewpoint.camera
     for mark in task.marks:
         u, v = mark.point
         if not (0 <= u < camera.width_px and 0 <= v < camera.height_px):
             yield f"mark {mark.letter} lies outside of the picture"
-
-
-def instances_called(name: str, task: Task, library: Library) -> Sequence[int]:
-    """Instances on a task's table whose name in the catalogue is this one."""
-    known = {spec.id: spec.name for spec in library.specs}
-    return [o.instance for o in task.scene.objects if known.get(o.object_id) == name]

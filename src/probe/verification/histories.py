@@ -37,7 +37,7 @@ def history_problems(task: Task, record: EpisodeRecord, renderer: Renderer) -> I
     first, last = (Counter(o.object_id for o in s.objects) for s in (task.scene, record.scenes[-1]))
     if first != last:
         yield "things came or went"
-    places = Counter(whereabouts(o.pose) for o in record.scenes[-1].objects)
+    places = Counter(whereabouts(o.pose, task.scene.setup) for o in record.scenes[-1].objects)
     if sum(places.values()) != len(task.scene.objects):
         yield "things are neither on the table, nor in the basket, nor off both"
     labels = labels_of(renderer, record.scenes[-1], record.sight.camera)
@@ -50,4 +50,6 @@ def history_problems(task: Task, record: EpisodeRecord, renderer: Renderer) -> I
 
 def is_reachable(task: Task, last: Scene) -> bool:
     """Whether everything that decides is still on the table or in the basket."""
-    return all(whereabouts(last[number].pose) != "off the table" for number in task.targets)
+    return all(
+        whereabouts(last[number].pose, last.setup) != "off the table" for number in task.targets
+    )

@@ -8,6 +8,7 @@ from probe.assets.library import Library
 from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, longest, told_apart
 from probe.tasks.options import MOST_COUNTED
 from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Task
+from probe.tasks.type_rules import rules_of
 
 _ROUNDING = 1e-9
 
@@ -24,7 +25,7 @@ def option_problems(task: Task, library: Library) -> Iterator[str]:
         if texts != [f"Object {letter}" for letter in PAIR]:
             yield f"it offers {_shown(texts)}"
         return
-    if task.question_type == "count":
+    if rules_of(task.question_type).numbered:
         yield from _numbers(task)
         drawn, truth = task.certificate.candidates, str(len(task.targets))
     else:

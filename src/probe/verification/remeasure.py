@@ -10,6 +10,7 @@ from probe.generation.restored_stage import RestoredStage
 from probe.generation.scene_view import SceneView
 from probe.generation.twin_worlds import CompareQuestion, look_at_worlds
 from probe.render.renderer import Renderer
+from probe.scene.cameras import View
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.visibility import Visibility
 from probe.types import Array
@@ -18,11 +19,15 @@ from probe.types import Array
 class Remeasurement:
     """Measures one scene; what was loaded in the renderer is replaced."""
 
-    def __init__(self, scene: Scene, library: Library, renderer: Renderer) -> None:
+    def __init__(
+        self, scene: Scene, library: Library, renderer: Renderer, camera: View = "top"
+    ) -> None:
         self.scene = scene
         self.library = library
         self._renderer = renderer
-        self.view = SceneView(renderer, library, [placed.object_id for placed in scene.objects])
+        self.view = SceneView(
+            renderer, library, [placed.object_id for placed in scene.objects], scene.setup, camera
+        )
 
     @cached_property
     def restaged(self) -> RestoredStage:

@@ -11,15 +11,9 @@ from scipy.spatial import ConvexHull
 
 from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.assets.spec import ObjectSpec
-from probe.scene.layout import (
-    BASKET_POSITION,
-    BASKET_SIZE,
-    FLOOR_DEPTH,
-    TABLE_SIZE,
-    WORK_AREA,
-)
+from probe.scene.setup import FLOOR_DEPTH, UR5_TABLE, Basket, Setup
 from probe.types import Pose, Vector3
-from probe.world.robot.robot import BASE_POSE, add_robot
+from probe.world.robot.robot import add_robot
 
 TIME_STEP = 0.003
 """Seconds; contacts of 20 g objects stay stable up to here."""
@@ -64,7 +58,7 @@ class Post:
     radius: float
 
 
-def new_spec() -> mujoco.MjSpec:
+def new_spec(table_size: tuple[float, float]) -> mujoco.MjSpec:
     """An empty model with this project's solver options and the table."""
     spec = mujoco.MjSpec()
     option = spec.option
@@ -75,14 +69,14 @@ def new_spec() -> mujoco.MjSpec:
     option.impratio = 100.0
     option.sleep_tolerance = _SLEEP_TOLERANCE
     option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
-    half = (TABLE_SIZE[0] / 2, TABLE_SIZE[1] / 2, _TABLE_THICKNESS / 2)
+    half = (table_size[0] / 2, table_size[1] / 2, _TABLE_THICKNESS / 2)
     _add_fixed_box(spec, "table", (0.0, 0.0, -_TABLE_THICKNESS / 2), half)
     return spec
 
 
-def add_walls(spec: mujoco.MjSpec, posts: Sequence[Post] = ()) -> None:
+def add_walls(spec: mujoco.MjSpec, work_area: float, posts: Sequence[Post] = ()) -> None:
     """Four walls around the work area, to keep a pile in while it is dropped, and posts."""
-    reach, half_height = WORK_AREA / 2, WALL_HEIGHT / 2
+    reach, half_height = work_area / 2, WALL_HEIGHT / 2
     for name, x, y in (("e", 1, 0), ("w", -1, 0), ("n", 0, 1), ("s", 0, -1)):
         across = reach + _WALL_THICKNESS
         offset = reach + _WALL_THICKNESS / 2
@@ -132,10 +126,10 @@ def add_item(spec: mujoco.MjSpec, item: Item) -> mujoco.MjsBody:
     return body
 
 
-def add_basket(spec: mujoco.MjSpec) -> None:
+def add_basket(spec: mujoco.MjSpec, basket: Basket) -> None:
     """The clearing basket: a floor and four walls on the table."""
-    x, y, z = BASKET_POSITION
-    length, width, height = BASKET_SIZE
+    x, y, z = basket.position
+    length, width, height = basket.size
     half = _BASKET_WALL / 2
     sides = [
         ("floor", (x, y, z + half), (length / 2, width / 2, half)),
@@ -149,19 +143,23 @@ def add_basket(spec: mujoco.MjSpec) -> None:
         spec.geom(f"basket/{name}").conaffinity = 1 | GHOST_BIT
 
 
-def build_pile(items: Sequence[Item], posts: Sequence[Post] = ()) -> mujoco.MjModel:
+def build_pile(
+    items: Sequence[Item], posts: Sequence[Post] = (), setup: Setup = UR5_TABLE
+) -> mujoco.MjModel:
     """A model for settling: table, walls, and the items, weightless until they are dropped."""
-    spec = new_spec()
-    add_walls(spec, posts)
+    spec = new_spec(setup.table_size)
+    add_walls(spec, setup.work_area, posts)
     for item in items:
         add_item(spec, item)
         spec.body(item.name).gravcomp = 1.0
     return spec.compile()
 
 
-def build_cell(items: Sequence[Item], poses: Mapping[int, Pose]) -> mujoco.MjModel:
+def build_cell(
+    items: Sequence[Item], poses: Mapping[int, Pose], setup: Setup = UR5_TABLE
+) -> mujoco.MjModel:
     """A model for manipulation: table, floor, basket, robot, and the items at their poses."""
-    spec = new_spec()
+    spec = new_spec(setup.table_size)
     spec.worldbody.add_geom(
         name="floor",
         type=mujoco.mjtGeom.mjGEOM_PLANE,
@@ -170,8 +168,8 @@ def build_cell(items: Sequence[Item], poses: Mapping[int, Pose]) -> mujoco.MjMod
         friction=[0.7, *_FRICTION_REST],
         condim=4,
     )
-    add_basket(spec)
-    add_robot(spec, BASE_POSE)
+    add_basket(spec, setup.basket)
+    add_robot(spec, setup.mount, setup.gripper)
     for item in items:
         body = add_item(spec, item)
         body.pos, body.quat = poses[item.instance].position, poses[item.instance].wxyz

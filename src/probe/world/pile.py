@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 
-from probe.scene.layout import VIEW_SIZE
 from probe.scene.sampling import Drop
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.types import Array, Pose
 from probe.world.model import TIME_STEP, Item, Post, build_pile
 
@@ -31,9 +31,12 @@ _WALLS = ("wall/e", "wall/w", "wall/n", "wall/s")
 class Pile:
     """A table with walls onto which items are dropped; weightless and far away until then."""
 
-    def __init__(self, items: Sequence[Item], posts: Sequence[Post] = ()) -> None:
+    def __init__(
+        self, items: Sequence[Item], posts: Sequence[Post] = (), setup: Setup = UR5_TABLE
+    ) -> None:
         self.items = tuple(items)
-        self.model = build_pile(items, posts)
+        self._setup = setup
+        self.model = build_pile(items, posts, setup)
         self._walls = [*_WALLS, *(f"wall/post/{number}" for number in range(len(posts)))]
         self.data = mujoco.MjData(self.model)
         self._body = {i.instance: self.model.body(i.name).id for i in items}
@@ -158,7 +161,8 @@ class Pile:
     def is_inside(self, instance: int) -> bool:
         """Whether an item rests on the table, all of it within the camera's view of the table."""
         low, high = self.bounds(instance)
-        within = (low[:2] >= -VIEW_SIZE / 2).all() and (high[:2] <= VIEW_SIZE / 2).all()
+        reach = self._setup.view_size / 2
+        within = (low[:2] >= -reach).all() and (high[:2] <= reach).all()
         return bool(within and low[2] > -SINK_LIMIT)
 
     def _speed(self) -> float:

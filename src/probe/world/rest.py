@@ -38,7 +38,10 @@ def scene_unrest(scene: Scene, library: Library) -> str | None:
         Item(placed.instance, library[placed.object_id], library.body(placed.object_id))
         for placed in scene.objects
     ]
-    pile, poses = Pile(items), {placed.instance: placed.pose for placed in scene.objects}
+    pile, poses = (
+        Pile(items, setup=scene.setup),
+        {placed.instance: placed.pose for placed in scene.objects},
+    )
     way = furthest_way(pile, poses)
     return f"something moves by {1000 * way:.1f} mm" if way > STILL else unrest(pile, poses)
 

@@ -9,6 +9,7 @@ import numpy as np
 from probe.errors import Unsatisfiable
 from probe.scene.sampling import Drop, draw_drop
 from probe.scene.scene import PlacedObject
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.types import Array
 from probe.world.model import Item
 from probe.world.pile import SINK_LIMIT, Pile
@@ -31,7 +32,10 @@ _REST_CHECKS = 4
 
 
 def settle(
-    items: Sequence[Item], drops: Mapping[int, Drop], rng: np.random.Generator
+    items: Sequence[Item],
+    drops: Mapping[int, Drop],
+    rng: np.random.Generator,
+    setup: Setup = UR5_TABLE,
 ) -> tuple[PlacedObject, ...]:
     """Drop items in the given order and let them come to rest.
 
@@ -41,11 +45,12 @@ def settle(
         items: What falls, in this order.
         drops: How each falls, by instance.
         rng: For the spots of those that are dropped again.
+        setup: The table.
 
     Raises:
         Unsatisfiable: Something keeps leaving the table, or never rests.
     """
-    pile = Pile(items)
+    pile = Pile(items, setup=setup)
     waiting = [item.instance for item in items]
     for respot in range(_RESPOTS + 1):
         pile.set_walls(standing=True)

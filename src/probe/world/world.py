@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
 
 from probe.assets.library import Library
-from probe.scene.layout import BASKET_POSITION
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import Setup
 from probe.types import Array, Pose
 from probe.world.model import GHOST_BIT, TIME_STEP, Item, build_cell
 from probe.world.robot.arm_model import servo_command
 from probe.world.robot.gripper import joint_for, opening
-from probe.world.robot.robot import ARM_JOINTS, GRIPPER_DRIVE, GRIPPER_JOINT, PARKED
+from probe.world.robot.robot import ARM_JOINTS, GRIPPER_DRIVE, GRIPPER_JOINT
 
 _ABOVE = 0.02
 """Metres over the basket's floor at which something that is taken away is let go."""
@@ -39,7 +39,7 @@ class World:
             for placed in scene.objects
         ]
         self._scene = scene
-        self._model = build_cell(items, {o.instance: o.pose for o in scene.objects})
+        self._model = build_cell(items, {o.instance: o.pose for o in scene.objects}, scene.setup)
         self._data = mujoco.MjData(self._model)
         self._arm_qpos = [int(self._model.joint(name).qposadr[0]) for name in ARM_JOINTS]
         self._arm_servo = [int(self._model.actuator(name).id) for name in ARM_JOINTS]
@@ -52,9 +52,14 @@ class World:
             item.instance: np.concatenate([piece.vertices for piece in item.body.pieces])
             for item in items
         }
-        self._data.qpos[self._arm_qpos] = PARKED
-        self._data.ctrl[self._arm_servo] = PARKED
+        self._data.qpos[self._arm_qpos] = scene.setup.mount.parked
+        self._data.ctrl[self._arm_servo] = scene.setup.mount.parked
         mujoco.mj_forward(self._model, self._data)
+
+    @property
+    def setup(self) -> Setup:
+        """What stands around the objects."""
+        return self._scene.setup
 
     @property
     def time(self) -> float:
@@ -69,7 +74,7 @@ class World:
     @property
     def opening(self) -> float:
         """Distance between the pads, metres."""
-        return opening(float(self._data.qpos[self._grip_qpos]))
+        return opening(float(self._data.qpos[self._grip_qpos]), self.setup.gripper)
 
     def command(self, joints: Array, velocities: Array) -> None:
         """Where the arm should be now and how fast it should move, shapes (6,)."""
@@ -77,7 +82,7 @@ class World:
 
     def command_opening(self, metres: float) -> None:
         """Distance between the pads that the gripper should take up."""
-        self._data.ctrl[self._grip_drive] = joint_for(metres)
+        self._data.ctrl[self._grip_drive] = joint_for(metres, self.setup.gripper)
 
     def step(self, count: int = 1) -> None:
         """Advance by so many time steps of TIME_STEP seconds."""
@@ -106,7 +111,9 @@ class World:
         low, high = self._bounds(instance)
         middle = np.array([*(low + high)[:2] / 2, low[2]])
         at, dof = self._object_qpos[instance], self._dof(instance)
-        self._data.qpos[at : at + 3] += np.add(BASKET_POSITION, (0.0, 0.0, _ABOVE)) - middle
+        self._data.qpos[at : at + 3] += (
+            np.add(self.setup.basket.position, (0.0, 0.0, _ABOVE)) - middle
+        )
         self._data.qvel[dof : dof + 6] = (0.0, 0.0, -1e-6, 0.0, 0.0, 0.0)
         mujoco.mj_forward(self._model, self._data)
 
@@ -116,7 +123,7 @@ class World:
             PlacedObject(placed.instance, placed.object_id, self._pose(placed.instance))
             for placed in self._scene.objects
         )
-        return Scene(self._scene.seed, self._scene.table, objects)
+        return replace(self._scene, objects=objects)
 
     def save(self) -> Snapshot:
         """The exact state; restoring it gives the same future, bit for bit."""

@@ -20,6 +20,7 @@ from probe.episodes.folder import claim_setting, start_folder  # noqa: E402
 from probe.episodes.grading import question_of  # noqa: E402
 from probe.interfaces.human.session_manager import SessionManager  # noqa: E402
 from probe.perception.oracle import Oracle  # noqa: E402
+from probe.scene.setup import UR5_TABLE  # noqa: E402
 from probe.tasks.suite import Suite  # noqa: E402
 from probe.tasks.task import Option, Task  # noqa: E402
 from probe.toolshed.toolshed import Toolshed  # noqa: E402
@@ -57,7 +58,7 @@ class Room:
         assert self.gate.wait(20)
         self.set += 1
         station = PaintedStation(BLOCKS)
-        tools = Toolshed(station, Oracle(SPECS), _Hand(self.slow), (0, 0, 0))
+        tools = Toolshed(station, Oracle(SPECS), _Hand(self.slow), UR5_TABLE)
         question = question_of(task, tools.first_picture())
         return Episode(task.id, question, tools, station, agent_name=name, run=run)
 

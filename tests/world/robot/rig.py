@@ -8,15 +8,14 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from probe.scene.setup import UR5_TABLE
 from probe.types import Array, Pose, quaternion_of
 from probe.world.robot import ik
 from probe.world.robot.arm_model import servo_command
 from probe.world.robot.robot import (
     ARM_JOINTS,
-    BASE_POSE,
     GRIPPER_DRIVE,
     GRIPPER_JOINT,
-    PARKED,
     TOOL_BODY,
     add_robot,
 )
@@ -33,7 +32,7 @@ def world(integrator: int = mujoco.mjtIntegrator.mjINT_EULER) -> mujoco.MjSpec:
     spec.option.integrator = integrator
     spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     spec.worldbody.add_geom(name="table", type=mujoco.mjtGeom.mjGEOM_PLANE, size=[2, 2, 0.1])
-    add_robot(spec, BASE_POSE)
+    add_robot(spec, UR5_TABLE.mount, UR5_TABLE.gripper)
     return spec
 
 
@@ -46,7 +45,7 @@ class Rig:
     def of(spec: mujoco.MjSpec, joints: Array | None = None) -> Rig:
         model = spec.compile()
         rig = Rig(model, mujoco.MjData(model))
-        start = np.array(PARKED) if joints is None else joints
+        start = np.array(UR5_TABLE.mount.parked) if joints is None else joints
         rig.data.qpos[rig.arm] = start
         rig.data.ctrl[rig.servos] = start
         mujoco.mj_forward(model, rig.data)
@@ -120,4 +119,4 @@ def minimum_jerk(start: Array, goal: Array, speed: float, time: float) -> tuple[
 def hand_down(point: tuple[float, float, float], reach: float, seed: Array) -> Array:
     """Joint angles that hold the hand straight down with what is `reach` from tool0 at a point."""
     pose = Pose.of(np.asarray(point) + [0.0, 0.0, reach], quaternion_of(DOWN))
-    return ik.nearest(ik.inverse(BASE_POSE.inverse() @ pose), seed)
+    return ik.nearest(ik.inverse(UR5_TABLE.mount.base.inverse() @ pose), seed)

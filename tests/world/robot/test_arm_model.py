@@ -6,9 +6,10 @@ import mujoco
 import numpy as np
 import pytest
 
+from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
 from probe.world.robot import ur5
-from probe.world.robot.robot import ARM_JOINTS, BASE_POSE
+from probe.world.robot.robot import ARM_JOINTS
 from world.robot.rig import Rig, world
 
 INTEGRATORS = [mujoco.mjtIntegrator.mjINT_EULER, mujoco.mjtIntegrator.mjINT_IMPLICITFAST]
@@ -25,7 +26,7 @@ def test_model_and_formula_agree_even_on_fresh_data_with_sleeping_enabled() -> N
         data.qpos[arm] = joints
         mujoco.mj_forward(model, data)
         tool = data.body("robot/wrist_3")
-        expected = BASE_POSE @ ur5.forward(joints)
+        expected = UR5_TABLE.mount.base @ ur5.forward(joints)
         np.testing.assert_allclose(tool.xpos, expected.position, atol=1e-6)
         np.testing.assert_allclose(tool.xmat.reshape(3, 3), expected.rotation, atol=1e-6)
 

@@ -20,7 +20,7 @@ def test_opening_and_joint_are_inverse(joint: float) -> None:
 
 
 def test_stated_range() -> None:
-    assert pytest.approx(0.1285, abs=2e-4) == gripper.MAX_OPENING
+    assert pytest.approx(0.1285, abs=2e-4) == gripper.opening(0.0)
     assert gripper.opening(gripper.JOINT_LIMIT) == 0.0
     openings = [gripper.opening(joint) for joint in np.linspace(0, 0.69, 50)]
     assert openings == sorted(openings, reverse=True)

@@ -33,7 +33,7 @@ def test_pads_open_as_stated_and_stay_parallel(integrator: int) -> None:
         rig.grip(command)
         rig.wait(1.0)
         (left, left_turn), (right, right_turn) = pads(rig)
-        gap = right[1] - left[1] - 2 * gripper.PAD_HALF[1]
+        gap = right[1] - left[1] - gripper.PAD_THICKNESS
         assert gap == pytest.approx(gripper.opening(command), abs=2e-3)
         assert left[2] == pytest.approx(gripper.pad_reach(command), abs=1e-3)
         assert left[1] + right[1] == pytest.approx(0.0, abs=5e-4)
@@ -90,7 +90,9 @@ def test_grip_force_lies_in_the_makers_range(half_width: float) -> None:
         assert low < pad_force(rig, pad) < high
     drive = rig.model.actuator(GRIPPER_DRIVE).forcerange[1]
     tilt = math.cos(gripper.TILT - rig.gripper)
-    expected = drive / 2 / (gripper.CRANK * tilt)  # virtual work on a parallelogram
+    expected = (
+        drive / 2 / (gripper.crank(gripper.ROBOTIQ_2F140) * tilt)
+    )  # virtual work on a parallelogram
     assert pad_force(rig, PADS[0]) == pytest.approx(expected, rel=0.1)
 
 

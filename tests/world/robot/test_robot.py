@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from probe.scene.setup import UR5_TABLE, ArmMount
 from probe.types import Array, Pose
 from probe.world.robot import gripper, ik
-from probe.world.robot.robot import ARM_JOINTS, BASE_POSE, GRIPPER_DRIVE, PARKED, PREFIX, add_robot
+from probe.world.robot.robot import ARM_JOINTS, GRIPPER_DRIVE, PREFIX, add_robot
 from world.robot.rig import Rig, hand_down, world
 
 NEAR = np.array([0.0, -1.9, 2.2, -1.9, -1.57, 0.0])
@@ -72,7 +73,7 @@ def hand_poses(
 
 def reached(rig: Rig, poses: Iterator[Pose]) -> bool:
     for pose in poses:
-        for joints in ik.inverse(BASE_POSE.inverse() @ pose):
+        for joints in ik.inverse(UR5_TABLE.mount.base.inverse() @ pose):
             rig.data.qpos[rig.arm] = joints
             mujoco.mj_forward(rig.model, rig.data)
             if not touching(rig):
@@ -91,7 +92,7 @@ def test_robot_joins_a_world_that_counts_angles_in_degrees() -> None:
     hinge = spec.worldbody.add_body(name="lid")
     hinge.add_joint(name="lid", type=mujoco.mjtJoint.mjJNT_HINGE, range=[0, 90])
     hinge.add_geom(size=[0.1, 0, 0])
-    add_robot(spec, Pose((1.0, 0.0, 0.0)))
+    add_robot(spec, ArmMount(Pose((1.0, 0.0, 0.0))), UR5_TABLE.gripper)
     model = spec.compile()
     assert model.joint("lid").range[1] == pytest.approx(np.pi / 2)
     assert model.joint(ARM_JOINTS[2]).range[1] == pytest.approx(np.pi)
@@ -104,6 +105,6 @@ def test_same_steps_give_the_same_state() -> None:
     for _ in range(2):
         rig = Rig.of(world())
         rig.grip(0.5)
-        rig.move(np.array(PARKED) + 0.3, 1.0)
+        rig.move(np.array(UR5_TABLE.mount.parked) + 0.3, 1.0)
         states.append(rig.data.qpos.copy())
     np.testing.assert_array_equal(states[0], states[1])

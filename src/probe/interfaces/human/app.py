@@ -76,7 +76,7 @@ def app_of(sessions: SessionManager) -> Starlette:
         _act("remark", _Remarking, _seated(sessions, _remark)),
     ]
     return Starlette(
-        routes=[*page_routes(), *acts, *_sights(sessions)],
+        routes=[*page_routes(sessions.scale), *acts, *_sights(sessions)],
         middleware=guards(_MOST_BYTES),
         exception_handlers={ProbeError: _told, Exception: _failed},
     )

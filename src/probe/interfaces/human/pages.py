@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import jinja2
@@ -13,16 +14,21 @@ from starlette.staticfiles import StaticFiles
 from probe.interfaces.human.names import LONGEST, BadName, name_of
 from probe.interfaces.human.words import RULES
 from probe.report.rendering import joined
+from probe.scene.setup import PictureScale
 from probe.toolshed.tools import tool_schemas
 
 _HERE = Path(__file__).parent
 
 
-def page_routes() -> list[BaseRoute]:
-    """The door, where one gives a name; the seat; styles and scripts."""
+def page_routes(scale: PictureScale) -> list[BaseRoute]:
+    """The door, where one gives a name; the seat; styles and scripts.
+
+    Args:
+        scale: Of the pictures that the tools' texts speak of.
+    """
     return [
         Route("/", _door),
-        Route("/seat", _seat, name="seat"),
+        Route("/seat", partial(_seat, scale), name="seat"),
         Route("/base.css", _base),
         Route("/favicon.ico", _no_icon),
         Mount("/static", StaticFiles(directory=_HERE / "static")),
@@ -33,7 +39,7 @@ def _door(_: Request) -> Response:
     return _page("door.html", {"trouble": None, "said": ""})
 
 
-def _seat(request: Request) -> Response:
+def _seat(scale: PictureScale, request: Request) -> Response:
     said = request.query_params.get("name", "")
     try:
         name = name_of(said)
@@ -41,7 +47,7 @@ def _seat(request: Request) -> Response:
         return _page("door.html", {"trouble": str(error), "said": said[: 2 * LONGEST]}, 400)
     if name != said:
         return RedirectResponse(request.url_for("seat").include_query_params(name=name))
-    return _page("seat.html", {"name": name, "tools": tool_schemas()})
+    return _page("seat.html", {"name": name, "tools": tool_schemas(scale)})
 
 
 def _base(_: Request) -> Response:

@@ -11,6 +11,7 @@ from probe.interfaces.human.names import name_of
 from probe.interfaces.human.session import HumanSession
 from probe.interfaces.human.session_store import SessionStore
 from probe.interfaces.human.words import NotNow
+from probe.scene.setup import PictureScale
 from probe.tasks.suite import Suite
 
 
@@ -34,6 +35,11 @@ class SessionManager:
         self._number = seats
         self._lock = threading.Lock()
         self._seats: dict[str, HumanSession] = {}
+
+    @property
+    def scale(self) -> PictureScale:
+        """Of the suite's pictures, by its first task."""
+        return self._suite.tasks[0].scale
 
     def enter(self, said: str) -> HumanSession:
         """The seat of a person, with a table or one on its way.

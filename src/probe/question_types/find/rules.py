@@ -7,4 +7,5 @@ RULES = TypeRules(
     answers="objects",
     fewest_targets=1,
     pointed=True,
+    strata=True,
 )

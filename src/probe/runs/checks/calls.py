@@ -21,7 +21,7 @@ def amiss_in_calls(record: EpisodeRecord) -> Iterator[str]:
         yield f"it has {record.manipulations} manipulations, and the rules allow {MANIPULATIONS}"
     before, used = record.start, 0
     for number, step in enumerate(record.steps, start=1):
-        request = request_of(step)
+        request = request_of(step, record.sight.camera.width_px)
         moves = isinstance(request, GraspAndRemove | Push)
         for reason in (_of_status(step, request, used), _of_table(step, before, moves=moves)):
             if reason:
@@ -30,10 +30,10 @@ def amiss_in_calls(record: EpisodeRecord) -> Iterator[str]:
         before = step.after
 
 
-def request_of(step: Step) -> Request | None:
+def request_of(step: Step, side_px: int) -> Request | None:
     """What a call asks for; None if no tool takes it."""
     try:
-        return parse(step.call.name, step.call.values)
+        return parse(step.call.name, step.call.values, side_px)
     except Refusal:
         return None
 

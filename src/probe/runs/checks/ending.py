@@ -48,7 +48,8 @@ def _has_tools(seat: Participation) -> bool:
 
 
 def _with_tools(record: EpisodeRecord) -> Iterator[str]:
-    requests = [request_of(step) for step in record.steps]
+    side_px = record.sight.camera.width_px
+    requests = [request_of(step, side_px) for step in record.steps]
     if any(isinstance(request, AnswerQuestion) for request in requests[:-1]):
         yield "calls follow its answer"
     last = requests[-1] if requests else None

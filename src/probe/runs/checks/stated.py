@@ -16,7 +16,7 @@ from probe.scene.lighting import AMBIENT
 from probe.scene.scene import Scene
 from probe.tasks.task import Task
 from probe.transcripts.prompts import check_setting
-from probe.types import Pose
+from probe.types import Camera, Pose
 
 _SAME = 1e-9
 """Metres, and parts of a quaternion: physics normalises quaternions, which may change a bit."""
@@ -33,9 +33,7 @@ def amiss_beside_task(record: EpisodeRecord, task: Task) -> Iterator[str]:
         yield "its table at the start isn't that of the suite"
     camera = camera_of(task, record.conditions.camera)
     # What came to nothing may say nothing of how it would have been seen.
-    if record.end != "fault" and not _same_pose(
-        record.sight.camera.world_from_camera, camera.world_from_camera
-    ):
+    if record.end != "fault" and not _same_camera(record.sight.camera, camera):
         yield "its camera isn't where its conditions put it"
 
 
@@ -77,12 +75,18 @@ def _of_seat(record: EpisodeRecord) -> Iterator[str]:
 
 
 def _same_scene(scene: Scene, other: Scene) -> bool:
-    if (scene.seed, scene.table) != (other.seed, other.table):
+    if (scene.seed, scene.table, scene.setup) != (other.seed, other.table, other.setup):
         return False
     if things_of(scene) != things_of(other):
         return False
     pairs = zip(scene.objects, other.objects, strict=True)
     return all(_same_pose(one.pose, two.pose) for one, two in pairs)
+
+
+def _same_camera(one: Camera, other: Camera) -> bool:
+    if (one.width_px, one.fov_y_deg) != (other.width_px, other.fov_y_deg):
+        return False
+    return _same_pose(one.world_from_camera, other.world_from_camera)
 
 
 def _same_pose(one: Pose, other: Pose) -> bool:

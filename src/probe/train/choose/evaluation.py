@@ -14,6 +14,7 @@ from probe.scene.scene import Scene
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of
 from probe.tasks.task import Task
+from probe.tasks.type_rules import rules_of
 from probe.train.collect.making import FIRST_EPISODE
 
 Leak = Literal["task", "seed", "scene", "object", "unsplit object"]
@@ -91,7 +92,8 @@ class Evaluation:
         if self.split is None:
             return
         parts = self.split.parts
-        offered = [] if task.question_type == "count" else list(task.certificate.candidates)
+        numbered = rules_of(task.question_type).numbered
+        offered = [] if numbered else list(task.certificate.candidates)
         evaluated = {self.groups.get(id, id) for id, part in parts.items() if part == "evaluation"}
         for id in [*(placed.object_id for placed in task.scene.objects), *offered]:
             if self.groups.get(id, id) in evaluated:

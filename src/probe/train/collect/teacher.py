@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from probe.agents.first_look_policy import FirstLookAnswer, FirstLookQuestion, at_a_glance
 from probe.agents.phrases import PhraseBook
 from probe.agents.reading import read_graph
 from probe.agents.scripted import Scripted
+from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, plan_for
 from probe.assets.library import Library
 from probe.episodes.grading import question_of
 from probe.episodes.participation import ModelReply, Participation, Points
@@ -102,7 +102,7 @@ class TeacherWorker(WorkerSetup):
         )
         graph = read_graph(tools.call("perceive_scene", {}).text)
         asked = FirstLookQuestion(question_of(task), task.subject, task.form, graph)
-        said = at_a_glance(task.question_type, asked, speaker(task, job.run))
+        said = plan_for(task.question_type).at_sight(asked, speaker(task, job.run))
         return answered(replace(stopped(job, order), sight=sight), order, said)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources import files
 
 from probe.assets.spec import ObjectSpec
-from probe.scene.layout import PICTURE_PX
+from probe.scene.setup import UR5_TABLE
 from probe.train.choose.chosen import LoadedSelection
 from probe.train.dataset.manifest import Manifest
 
@@ -29,14 +29,14 @@ def card(
     if not any(file.startswith("images/") for file in manifest.files):
         words = _without(words, ("| `llamafactory/`", "| `vila/`", "| `images/`"))
     document = chosen.document
-    side = manifest.side_px
+    side, whole = manifest.side_px, UR5_TABLE.picture_px
     return words.format(
         name=name,
         total=manifest.total,
         counts=_counts(manifest.examples),
         pictures=f"{manifest.pictures:,}",
         side=side,
-        shrunk="" if side == PICTURE_PX else f", made smaller from {PICTURE_PX} x {PICTURE_PX}",
+        shrunk="" if side == whole else f", made smaller from {whole} x {whole}",
         points=_PLACES[manifest.points],
         teachers=", ".join(sorted({record.agent for _, record in chosen.episodes})),
         sources=", ".join(document.sources),

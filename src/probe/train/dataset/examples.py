@@ -75,7 +75,7 @@ def example_of(
     assert record.seat is not None
     setting = setting_named(record.seat.setting)
     conversation = _until_last_reply(messages(record, shown.first, shown.later))
-    tools = json.dumps(as_sent(record.seat.points)) if setting == "agentic" else ""
+    tools = json.dumps(as_sent(record.seat.points, record.scale)) if setting == "agentic" else ""
     made = TrainingExample(
         id=f"{task.id}-{record.agent}-{setting}-{record.run}".replace("/", "-"),
         question_type=task.question_type,

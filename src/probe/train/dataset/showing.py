@@ -12,8 +12,8 @@ from probe.episodes.record import EpisodeRecord, Step
 from probe.errors import ProbeError
 from probe.perception.things import Thing, Words
 from probe.report.scene_renderer import SceneRenderer
-from probe.scene.layout import PICTURE_PX
 from probe.scene.scene import Scene
+from probe.scene.setup import UR5_TABLE
 from probe.tasks.marks import drawn
 from probe.tasks.task import Task
 from probe.toolshed.pictures import outlined
@@ -55,7 +55,10 @@ class EpisodePictures:
 
 
 def shown(
-    task: Task, record: EpisodeRecord, scene_renderer: SceneRenderer, side_px: int = PICTURE_PX
+    task: Task,
+    record: EpisodeRecord,
+    scene_renderer: SceneRenderer,
+    side_px: int = UR5_TABLE.picture_px,
 ) -> EpisodePictures:
     """Draw an episode's pictures.
 

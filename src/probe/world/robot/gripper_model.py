@@ -6,17 +6,18 @@ import math
 
 import mujoco
 
+from probe.scene.setup import GripperSize
 from probe.world.robot.bodies import add_hinge, add_solids, set_inertia
 from probe.world.robot.gripper import (
-    CRANK,
     FINGER_SPEED,
     INNER_PIVOT,
     JOINT_LIMIT,
     PIVOT,
     TILT,
+    crank,
     tendon_force,
 )
-from probe.world.robot.gripper_shape import INNER_CRANK, INNER_FINGER, OUTER_CRANK, PAD, PALM
+from probe.world.robot.gripper_shape import INNER_FINGER, PALM, inner_crank, outer_crank, pad
 from probe.world.robot.solids import SolidBox, box_inertia, cylinder_inertia
 
 DRIVE = "grip"
@@ -54,34 +55,36 @@ PAD_IMPEDANCE = (0.95, 0.99, 0.001, 0.5, 2.0)
 The time constant sets how fast a held object creeps: 1 mm in a swing of a radian at 90 deg/s."""
 
 
-def add_gripper(spec: mujoco.MjSpec, flange: mujoco.MjsBody) -> None:
+def add_gripper(spec: mujoco.MjSpec, flange: mujoco.MjsBody, size: GripperSize) -> None:
     """Add the gripper with its drive; the specification's angles must be in radians.
 
     Args:
         spec: What to add to.
         flange: The body whose frame is the gripper's frame.
+        size: The gripper's.
     """
     palm = flange.add_body(name="palm", gravcomp=1.0)
     set_inertia(palm, PALM_MASS, (0.0, 0.0, 0.035), cylinder_inertia(PALM_MASS, 0.0375, 0.09, 2))
     add_solids(palm, PALM)
     for side in SIDES:
-        _add_finger(spec, palm, side)
+        _add_finger(spec, palm, side, size)
     _tie(spec, "right_outer_crank", "left_outer_crank")
-    _add_drive(spec)
+    _add_drive(spec, size)
 
 
-def _add_finger(spec: mujoco.MjSpec, palm: mujoco.MjsBody, side: str) -> None:
-    outer = _add_crank(palm, side, "outer_crank", PIVOT, OUTER_CRANK)
+def _add_finger(spec: mujoco.MjSpec, palm: mujoco.MjsBody, side: str, size: GripperSize) -> None:
+    length = crank(size)
+    outer = _add_crank(palm, side, "outer_crank", PIVOT, outer_crank(size), length)
     outer.joints[0].armature = ARMATURE
-    outer.joints[0].damping[0] = _drive_damping() / 2
-    _add_crank(palm, side, "inner_crank", INNER_PIVOT, INNER_CRANK)
-    finger = outer.add_body(name=f"{side}_finger", gravcomp=1.0, pos=[0.0, 0.0, CRANK])
+    outer.joints[0].damping[0] = _drive_damping(size) / 2
+    _add_crank(palm, side, "inner_crank", INNER_PIVOT, inner_crank(size), length)
+    finger = outer.add_body(name=f"{side}_finger", gravcomp=1.0, pos=[0.0, 0.0, length])
     finger.quat = _about_x(-TILT)
     hull = INNER_FINGER[0]
     set_inertia(finger, INNER_MASS, hull.centre, box_inertia(INNER_MASS, hull.half_size))
     add_hinge(finger, f"{side}_finger", (1.0, 0.0, 0.0), (-0.1, 0.8), LIGHT)
     add_solids(finger, INNER_FINGER)
-    _add_pad(finger, side)
+    _add_pad(finger, side, pad(size))
     for follower in ("inner_crank", "finger"):
         _tie(spec, f"{side}_{follower}", f"{side}_outer_crank")
     for other in ("outer_crank", "finger"):
@@ -94,29 +97,30 @@ def _add_crank(
     name: str,
     pivot: tuple[float, float],
     solids: tuple[SolidBox, ...],
+    length: float,
 ) -> mujoco.MjsBody:
     """A crank that turns from `TILT` outwards to upright; the right one is turned about z by pi."""
     sign = -1.0 if side == "left" else 1.0
     crank = palm.add_body(name=f"{side}_{name}", gravcomp=1.0, pos=[0.0, sign * pivot[0], pivot[1]])
     w, x, _, _ = _about_x(TILT)
     crank.quat = [w, x, 0.0, 0.0] if side == "left" else [0.0, 0.0, x, w]
-    half = (0.012, 0.01, CRANK / 2)
-    set_inertia(crank, CRANK_MASS, (0.0, 0.0, CRANK / 2), box_inertia(CRANK_MASS, half))
+    half = (0.012, 0.01, length / 2)
+    set_inertia(crank, CRANK_MASS, (0.0, 0.0, length / 2), box_inertia(CRANK_MASS, half))
     add_hinge(crank, f"{side}_{name}", (-1.0, 0.0, 0.0), (-0.01, JOINT_LIMIT + 0.01), LIGHT)
     add_solids(crank, solids)
     return crank
 
 
-def _add_pad(finger: mujoco.MjsBody, side: str) -> None:
-    pad = finger.add_geom(name=f"{side}_pad", rgba=[*PAD.colour, 1.0])
-    pad.type = mujoco.mjtGeom.mjGEOM_BOX
-    pad.pos = PAD.centre
-    pad.size = PAD.half_size
-    pad.friction = PAD_FRICTION
-    pad.condim = 4
-    pad.priority = 1
-    pad.solref = STIFF
-    pad.solimp = PAD_IMPEDANCE
+def _add_pad(finger: mujoco.MjsBody, side: str, solid: SolidBox) -> None:
+    geom = finger.add_geom(name=f"{side}_pad", rgba=[*solid.colour, 1.0])
+    geom.type = mujoco.mjtGeom.mjGEOM_BOX
+    geom.pos = solid.centre
+    geom.size = solid.half_size
+    geom.friction = PAD_FRICTION
+    geom.condim = 4
+    geom.priority = 1
+    geom.solref = STIFF
+    geom.solimp = PAD_IMPEDANCE
 
 
 def _tie(spec: mujoco.MjSpec, follower: str, leader: str) -> None:
@@ -129,7 +133,7 @@ def _tie(spec: mujoco.MjSpec, follower: str, leader: str) -> None:
     tie.solimp = TIE_IMPEDANCE
 
 
-def _add_drive(spec: mujoco.MjSpec) -> None:
+def _add_drive(spec: mujoco.MjSpec, size: GripperSize) -> None:
     """One servo on the mean of both outer cranks, limited in force."""
     tendon = spec.add_tendon(name=DRIVE)
     for side in SIDES:
@@ -137,13 +141,13 @@ def _add_drive(spec: mujoco.MjSpec) -> None:
     drive = spec.add_actuator(name=DRIVE, target=DRIVE, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     drive.set_to_position(STIFFNESS, kv=0.0)
     drive.ctrlrange = [0.0, JOINT_LIMIT]
-    force = tendon_force(GRIP_FORCE)
+    force = tendon_force(GRIP_FORCE, size)
     drive.forcerange = [-force, force]
 
 
-def _drive_damping() -> float:
+def _drive_damping(size: GripperSize) -> float:
     """Damping of the drive, Nm s/rad, at which its full force closes at `FINGER_SPEED`."""
-    return tendon_force(GRIP_FORCE) / (FINGER_SPEED / CRANK)
+    return tendon_force(GRIP_FORCE, size) / (FINGER_SPEED / crank(size))
 
 
 def _about_x(angle: float) -> list[float]:

@@ -10,15 +10,17 @@ import math
 
 import numpy as np
 
+from probe.scene.setup import GripperSize
 from probe.types import Array, Vector3
 from probe.world.robot.gripper import (
-    CRANK,
     INNER_PIVOT,
     PAD_CENTRE,
-    PAD_HALF,
     PIVOT,
+    ROBOTIQ_2F140,
     TILT,
+    crank,
     joint_for,
+    pad_half,
 )
 from probe.world.robot.solids import BLACK, GREY, RUBBER, SILVER, Cylinder, SolidBox
 
@@ -27,37 +29,67 @@ PALM = (
     SolidBox((0.0, 0.0, 0.058), (0.0125, 0.0424, 0.012), GREY),
     SolidBox((0.0, 0.0, 0.080), (0.0105, 0.0260, 0.010), GREY),
 )
-OUTER_CRANK = (
+_OUTER_CRANK = (
     SolidBox((0.0, -0.005, 0.002), (0.0120, 0.020, 0.016), SILVER),
     SolidBox((0.0, -0.017, 0.045), (0.0125, 0.012, 0.027), BLACK),
     SolidBox((0.0, -0.004, 0.088), (0.0125, 0.010, 0.018), BLACK),
 )
-INNER_CRANK = (SolidBox((0.0, 0.0, 0.050), (0.0150, 0.006, 0.056), BLACK),)
+_INNER_CRANK = (SolidBox((0.0, 0.0, 0.050), (0.0150, 0.006, 0.056), BLACK),)
 INNER_FINGER = (SolidBox((0.0, 0.009, 0.019), (0.0075, 0.0149, 0.025), BLACK),)
-PAD = SolidBox((0.0, *PAD_CENTRE), PAD_HALF, RUBBER)
 
 SLICES = 3  # pieces that a tilted crank is cut into before it is boxed
 
 
-def boxes(opening: float) -> list[tuple[Array, Array]]:
+def outer_crank(size: GripperSize) -> tuple[SolidBox, ...]:
+    """What an outer crank is made of."""
+    return _stretched(_OUTER_CRANK, size)
+
+
+def inner_crank(size: GripperSize) -> tuple[SolidBox, ...]:
+    """What an inner crank is made of."""
+    return _stretched(_INNER_CRANK, size)
+
+
+def pad(size: GripperSize) -> SolidBox:
+    """A pad."""
+    return SolidBox((0.0, *PAD_CENTRE), pad_half(size), RUBBER)
+
+
+def boxes(opening: float, size: GripperSize = ROBOTIQ_2F140) -> list[tuple[Array, Array]]:
     """What the gripper occupies, on the safe side.
 
     Args:
         opening: Distance between the pads, metres.
+        size: The gripper's.
 
     Returns:
         Centres and half sizes, each of shape (3,), of boxes along the axes of tool0: the palm
         first, then both fingers.
     """
-    joint = joint_for(opening)
-    finger = [_bounds(_corners(box, joint, PIVOT)) for solid in OUTER_CRANK for box in _cut(solid)]
-    finger += [
-        _bounds(_corners(box, joint, INNER_PIVOT)) for solid in INNER_CRANK for box in _cut(solid)
+    joint = joint_for(opening, size)
+    finger = [
+        _bounds(_corners(box, joint, pivot))
+        for solids, pivot in ((outer_crank(size), PIVOT), (inner_crank(size), INNER_PIVOT))
+        for solid in solids
+        for box in _cut(solid)
     ]
-    end = _crank_end(joint)
-    finger += [_bounds(solid.corners + end) for solid in (*INNER_FINGER, PAD)]
+    end = _crank_end(joint, crank(size))
+    finger += [_bounds(solid.corners + end) for solid in (*INNER_FINGER, pad(size))]
     mirror = np.array([1.0, -1.0, 1.0])
     return [_palm(), *finger, *((centre * mirror, half) for centre, half in finger)]
+
+
+def _stretched(solids: tuple[SolidBox, ...], size: GripperSize) -> tuple[SolidBox, ...]:
+    """A crank's solids at the length that a size gives it."""
+    factor = crank(size) / crank(ROBOTIQ_2F140)
+    return tuple(
+        SolidBox(
+            (*solid.centre[:2], factor * solid.centre[2]),
+            (*solid.half_size[:2], factor * solid.half_size[2]),
+            solid.colour,
+        )
+        for solid in solids
+    )
 
 
 def _palm() -> tuple[Array, Array]:
@@ -84,6 +116,6 @@ def _corners(box: SolidBox, joint: float, pivot: tuple[float, float]) -> Array:
     return np.column_stack([x, c * y - s * z - pivot[0], s * y + c * z + pivot[1]])
 
 
-def _crank_end(joint: float) -> Array:
+def _crank_end(joint: float, length: float) -> Array:
     tilt = TILT - joint
-    return np.array([0.0, -PIVOT[0] - CRANK * math.sin(tilt), PIVOT[1] + CRANK * math.cos(tilt)])
+    return np.array([0.0, -PIVOT[0] - length * math.sin(tilt), PIVOT[1] + length * math.cos(tilt)])

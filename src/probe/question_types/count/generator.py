@@ -5,19 +5,28 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import LOOSE_TOLERANCE, draw_alike, unlike
-from probe.generation.covers import Cover, Footprint, draw_cover, footprint_of
+from probe.generation.covers import NEEDS_COVER, Cover, Footprint, draw_cover, footprint_of
 from probe.generation.frame import SceneFrame
-from probe.generation.object_selection import CAST_TRIES, LEADING, draw_crowd, hideable
-from probe.generation.plan import TaskPlan
+from probe.generation.object_selection import (
+    CAST_TRIES,
+    LARGEST,
+    LEADING,
+    draw_crowd,
+    hideable,
+    needs_alike,
+)
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.stage import Poses, Stage
+from probe.generation.task_generator import TaskGenerator
+from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.generation.twins import build_nest, right_above
 from probe.generation.visibility_rules import is_clear, is_hidden
@@ -33,6 +42,9 @@ from probe.world.model import Post
 NESTS = 2
 """Things hidden beneath others in every scene; those that aren't counted are there as decoys, so
 that a suspicious cover tells nothing."""
+
+INSTANCES = PlannedProperty("count", tuple(product(range(4), range(3))))
+"""How many instances are clear, and how many hidden."""
 
 _FEWEST, _MOST = 12, 15
 _FROM_MIDDLE = 0.11
@@ -65,17 +77,18 @@ def generate_count(
         Rejected: It failed a check.
     """
     rng = generator(seed, "count")
+    visible, hidden_ones = INSTANCES.of(plan)
     cast = select_count(library, plan, rng)
     posts = _draw_posts(cast.covers, rng)
-    stage = Stage(cast.specs, library, posts)
+    stage = Stage(cast.specs, library, posts, plan.setup)
     table = tables[int(rng.integers(len(tables)))]
-    frame = SceneFrame.of(cast.specs, seed, table, rng)
+    frame = SceneFrame.of(cast.specs, seed, table, rng, plan.setup)
     scene = frame.scene(_settle(cast, stage, posts, rng))
-    view = SceneView(renderer, library, frame.ids.values())
+    view = SceneView(renderer, library, frame.ids.values(), plan.setup)
     hidden = [frame.number_of[number] for number in range(1, NESTS + 1)]
     _check(cast, scene, view, hidden)
     truth = how_many(scene, cast.counted.id)
-    candidates = count_candidates(plan.visible, rng)
+    candidates = count_candidates(visible, rng)
     draft = Draft(
         question_type="count",
         scene=scene,
@@ -84,7 +97,7 @@ def generate_count(
         candidates=candidates,
         truth=candidates.index(str(truth)),
         targets=tuple(o.instance for o in scene.objects if o.object_id == cast.counted.id),
-        measures={"clear": float(plan.visible), "hidden": float(plan.hidden)},
+        measures={"clear": float(visible), "hidden": float(hidden_ones)},
         drawn_from=candidates,
     )
     return TaskCandidate(write_task(draft, plan, view))
@@ -113,14 +126,13 @@ def select_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> 
         raise Rejected("cover", reason)
     if library.leading and not any(map(library.leads, (counted, *(c.spec for c in covers)))):
         raise Rejected(LEADING, f"neither {counted.name} nor what covers it is of your own")
-    beneath = [counted] * plan.hidden + decoys[: NESTS - plan.hidden]
+    visible, hidden = INSTANCES.of(plan)
+    beneath = [counted] * hidden + decoys[: NESTS - hidden]
     order = [int(index) for index in rng.permutation(NESTS)]
     total = int(rng.integers(_FEWEST, _MOST + 1))
     free = unlike(free, [cover.spec for cover in covers])
-    crowd = draw_crowd(free, total - 2 * NESTS - plan.visible, rng)
-    return _Cast(
-        counted, tuple(beneath[index] for index in order), tuple(covers), crowd, plan.visible
-    )
+    crowd = draw_crowd(free, total - 2 * NESTS - visible, rng)
+    return _Cast(counted, tuple(beneath[index] for index in order), tuple(covers), crowd, visible)
 
 
 def _draw_covers(
@@ -175,3 +187,12 @@ def _check(cast: _Cast, scene: Scene, view: SceneView, hidden: Sequence[int]) ->
     for number in set(instances) - set(hidden):
         if not is_clear(seen[number]):
             raise Rejected("clear", f"only {seen[number].fraction:.0%} of one in the open")
+
+
+GENERATOR = TaskGenerator(
+    generate=generate_count,
+    select=select_count,
+    needs=f"{needs_alike(LARGEST, LOOSE_TOLERANCE, 1 + NESTS)}; "
+    f"over any of them, {NESTS} times, {NEEDS_COVER}",
+    turns=(INSTANCES,),
+)

@@ -9,16 +9,24 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.generation.alike import TWIN_TOLERANCE
-from probe.generation.covers import draw_cover
+from probe.generation.covers import NEEDS_COVER, draw_cover
 from probe.generation.frame import frame_of
-from probe.generation.object_selection import LARGEST, ObjectSelection, draw_cast
-from probe.generation.plan import TaskPlan
+from probe.generation.object_selection import LARGEST, ObjectSelection, draw_cast, needs_alike
 from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
-from probe.generation.stage import Stage
+from probe.generation.stage import Poses, Stage
+from probe.generation.task_generator import TaskGenerator
+from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.twins import Twin, check_hidden, draw_post, draw_twins, right_above
+from probe.generation.twins import (
+    Twin,
+    build_nest,
+    check_hidden,
+    draw_post,
+    draw_twins,
+    right_above,
+)
 from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_seen
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -38,12 +46,16 @@ def generate_beneath(
     rng = generator(seed, "beneath")
     cast = select_beneath(library, plan, rng)
     post = draw_post(cast.covers, _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, [post])
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
+    stage = Stage(cast.specs, library, [post], plan.setup)
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
     judge = _Judge(cast, GhostRemoval(stage, view, frame))
     lay = right_above(cast.covering[0], cast.covers[0])
-    twins = draw_twins(cast, stage, post, lay, judge.check, frame, rng)
+
+    def nest(target: int) -> Poses:
+        return build_nest(stage, target, lay, post, rng)
+
+    twins = draw_twins(cast, stage, nest, judge.check, frame, rng)
     true = cast.draw_true(rng)
     scene, cover = twins[true].scene, frame.number_of[cast.covering[0]]
     ids = [spec.id for spec in cast.candidates]
@@ -106,3 +118,10 @@ class _Judge:
             "covered_share": share,
             **revealed,
         }
+
+
+GENERATOR = TaskGenerator(
+    generate=generate_beneath,
+    select=select_beneath,
+    needs=f"{needs_alike(LARGEST, TWIN_TOLERANCE)}; over any of them {NEEDS_COVER}",
+)

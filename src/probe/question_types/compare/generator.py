@@ -8,7 +8,9 @@ from functools import lru_cache
 import numpy as np
 
 from probe.assets.library import Library
+from probe.generation.covers import NEEDS_SHIELD
 from probe.generation.marked import (
+    MARKABLE,
     MarkedSelection,
     build_set,
     cast_marked,
@@ -17,9 +19,10 @@ from probe.generation.marked import (
     settle_around,
 )
 from probe.generation.paint_twins import PaintTwins, paint_twins
-from probe.generation.plan import TaskPlan
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
+from probe.generation.task_generator import TaskGenerator
+from probe.generation.task_plan import CROSSED, MORE_CUES, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.generation.twin_pairs import ColourQuestion, draw_duels
 from probe.generation.twin_placement import check_unpainted, draw_unpainted
@@ -44,10 +47,11 @@ def generate_compare(
         Rejected: It failed a check.
     """
     rng = generator(seed, "compare")
+    _, tells, more = CROSSED.of(plan)
     asked, cast = select_compare(library, plan, rng)
-    made = build_set(cast, seed, library, renderer, tables, rng)
+    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup)
     twins = asked.twins[0].id, asked.twins[1].id
-    more_of_a = plan.cues[1] == (plan.letter == PAIR[0])
+    more_of_a = more == (plan.letter == PAIR[0])
     nests = draw_unpainted(made, twins, library, asked.facing, more_of_a, rng)
     scene = settle_around(made, nests, rng)
     labels = made.view.labels(scene)
@@ -57,7 +61,7 @@ def generate_compare(
     check_unpainted(made, scene, labels, twins, library, more_of_a)
     matter = CompareQuestion(plan.form, made.marked, twins, asked.word, reference)
     measures = look_at_worlds(matter, scene, labels, asked.right, library, renderer)
-    if (measures["patch_lead"] > 0) != plan.cues[0]:
+    if (measures["patch_lead"] > 0) != tells:
         raise Rejected("cues", "in the picture, the other patch fits better")
     draft = Draft(
         question_type="compare",
@@ -111,3 +115,12 @@ def _check_reference(view: SceneView, scene: Scene, labels: Array, reference: in
     seen = view.visibility(scene, labels, [reference])[reference]
     if not is_clear(seen):
         raise Rejected("reference", f"only {seen.fraction:.0%} of what it is compared with show")
+
+
+GENERATOR = TaskGenerator(
+    generate=generate_compare,
+    select=select_compare,
+    needs="two kinds of things, each in two paints of one shape, which scans never are "
+    f"({MARKABLE}); over either, two {NEEDS_SHIELD}",
+    turns=(MORE_CUES,),
+)

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from imaginary_results import draw_chances, draw_units, two_settings
 from probe.scores.intervals import bootstrap, student
 from probe.scores.pairs import no_difference_p
 from probe.scores.power import PowerAssumptions, detectable_gap, expected_error
 from probe.scores.scorecard import icc
 from probe.scores.setting_effect import setting_effect
-from probe.scores.simulated import draw_chances, draw_units, two_settings
 from probe.scores.units import strata_of
 
 RNG = np.random.default_rng

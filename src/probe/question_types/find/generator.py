@@ -9,15 +9,23 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE
-from probe.generation.covers import draw_cover, draw_lean
+from probe.generation.covers import NEEDS_COVER, NEEDS_LEAN, draw_cover, draw_lean
 from probe.generation.frame import SceneFrame, frame_of
-from probe.generation.object_selection import ObjectSelection, draw_cast
-from probe.generation.plan import TaskPlan
+from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.stage import Layer, Poses, Stage
+from probe.generation.task_generator import TaskGenerator
+from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.twins import Twin, check_hidden, draw_post, draw_twins, right_above
+from probe.generation.twins import (
+    Twin,
+    build_nest,
+    check_hidden,
+    draw_post,
+    draw_twins,
+    right_above,
+)
 from probe.generation.visibility_rules import PARTLY, is_partly_visible
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
@@ -31,6 +39,9 @@ LARGEST_HIDDEN, LARGEST_PARTLY = 0.11, 0.16
 """Longest side of what is to be found, metres."""
 
 _KEEP_OFF_HIDDEN, _KEEP_OFF_PARTLY = 0.8, 1.0
+PARTLY_SEEN = PlannedProperty("partly", (False, False, True))
+"""Whether the target is partly visible rather than hidden."""
+
 _NEST_TRIES = 8
 _NEST_WINDOW = (PARTLY[0], PARTLY[1] + 0.1)
 
@@ -44,12 +55,12 @@ def generate_find(
         Rejected: It failed a check.
     """
     rng = generator(seed, "find")
-    cast = select_find(library, plan, rng)
-    post = draw_post(cast.covers, _KEEP_OFF_PARTLY if plan.partly else _KEEP_OFF_HIDDEN, rng)
-    stage = Stage(cast.specs, library, [post])
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
-    if plan.partly:
+    cast, partly = select_find(library, plan, rng), PARTLY_SEEN.of(plan)
+    post = draw_post(cast.covers, _KEEP_OFF_PARTLY if partly else _KEEP_OFF_HIDDEN, rng)
+    stage = Stage(cast.specs, library, [post], plan.setup)
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
+    if partly:
         scene, twins = _partly_scene(cast, stage, post, view, frame, rng), ()
     else:
         scene, twins = _hidden_scene(cast, stage, post, view, frame, rng)
@@ -64,7 +75,7 @@ def generate_find(
         candidates=tuple(spec.name for spec in cast.candidates),
         truth=ids.index(target.object_id),
         targets=(target.instance,),
-        measures={"visible_share": seen.fraction, "partly": float(plan.partly)},
+        measures={"visible_share": seen.fraction, "partly": float(partly)},
         drawn_from=tuple(ids),
     )
     return TaskCandidate(write_task(draft, plan, view), twins)
@@ -72,7 +83,7 @@ def generate_find(
 
 def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """Who plays; see draw_cast()."""
-    if plan.partly:
+    if PARTLY_SEEN.of(plan):
         # A colour that shows would tell; so all candidates have it.
         return draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
     return draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng)
@@ -93,7 +104,11 @@ def _hidden_scene(
         check_hidden(seen)
 
     lay = right_above(cast.covering[0], cast.covers[0])
-    twins = draw_twins(cast, stage, post, lay, check, frame, rng)
+
+    def nest(target: int) -> Poses:
+        return build_nest(stage, target, lay, post, rng)
+
+    twins = draw_twins(cast, stage, nest, check, frame, rng)
     return twins[cast.draw_true(rng)].scene, tuple(twin.scene for twin in twins)
 
 
@@ -141,3 +156,14 @@ def _partly_nest(
 
 def _seen(view: SceneView, scene: Scene, target: int) -> Visibility:
     return view.visibility(scene, view.labels(scene), [target])[target]
+
+
+GENERATOR = TaskGenerator(
+    generate=generate_find,
+    select=select_find,
+    needs=f"{needs_alike(LARGEST_HIDDEN, TWIN_TOLERANCE)}; "
+    f"over any of them {NEEDS_COVER}. For every third task "
+    f"{needs_alike(LARGEST_PARTLY, LOOSE_TOLERANCE)} but for the colour's name; "
+    f"over any of them {NEEDS_LEAN}",
+    turns=(PARTLY_SEEN,),
+)

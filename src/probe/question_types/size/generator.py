@@ -12,6 +12,7 @@ from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import told_apart
 from probe.generation.colour_views import ColourViews
+from probe.generation.covers import NEEDS_SHIELD
 from probe.generation.marked import (
     MARKABLE,
     CoveredThing,
@@ -25,10 +26,11 @@ from probe.generation.marked import (
 )
 from probe.generation.pairing import draw_nests
 from probe.generation.palettes import main_colour
-from probe.generation.plan import TaskPlan
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.size_cues import WINDOWS, SizeCues, VisiblePatch, are_within, leads_of
 from probe.generation.sizes import extent_of
+from probe.generation.task_generator import TaskGenerator
+from probe.generation.task_plan import CROSSED, MORE_CUES, PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -36,6 +38,9 @@ from probe.scene.visibility import Visibility
 from probe.tasks.task import PAIR
 from probe.tasks.truth import Extent, which_size
 from probe.types import Array
+
+LIGHTER = PlannedProperty("lighter", (True, False))
+"""Whether the larger thing is the lighter one."""
 
 _PAIRS = 400
 
@@ -54,7 +59,7 @@ def generate_size(
     rng = generator(seed, "size")
     cast = select_size(library, plan, rng)
     a, b = (extent_of(library, spec.id) for spec in cast.marked)
-    made = build_set(cast, seed, library, renderer, tables, rng)
+    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup)
     view = made.view
     scene = settle_around(made, _nests(made, plan, rng), rng)
     labels, (first, second) = view.labels(scene), made.marked
@@ -156,7 +161,7 @@ def draw_pairs(
 def _covered(cast: MarkedSelection, plan: TaskPlan) -> MarkedSelection:
     """The cast with its longer cover on the thing that it is planned for."""
     longer_on_a = max(cast.covers[0].spec.size) > max(cast.covers[1].spec.size)
-    if longer_on_a == (plan.longer_cover == _a_is_larger(plan)):
+    if longer_on_a == (MORE_CUES.of(plan)[1] == _a_is_larger(plan)):
         return cast
     return replace(cast, covers=(cast.covers[1], cast.covers[0]))
 
@@ -167,7 +172,7 @@ def _a_is_larger(plan: TaskPlan) -> bool:
 
 def _is_lighter_as_planned(plan: TaskPlan, a: Array, b: Array) -> bool:
     """By colours in CIELAB."""
-    return bool(a[0] > b[0]) == (plan.lighter == _a_is_larger(plan))
+    return bool(a[0] > b[0]) == (LIGHTER.of(plan) == _a_is_larger(plan))
 
 
 def _bare_ratio(a: ObjectSpec, b: ObjectSpec) -> float:
@@ -200,4 +205,15 @@ def _leads(plan: TaskPlan, a: VisiblePatch, b: VisiblePatch) -> SizeCues:
 
 
 def _signs(plan: TaskPlan) -> list[int]:
-    return [1 if cue else -1 for cue in plan.cues]
+    """1 or -1: the larger thing shows by more pixels; what shows is longer; more adjoins it."""
+    cues = (*CROSSED.of(plan)[1:], MORE_CUES.of(plan)[0])
+    return [1 if cue else -1 for cue in cues]
+
+
+GENERATOR = TaskGenerator(
+    generate=generate_size,
+    select=select_size,
+    needs="two things of which one is clearly larger "
+    f"({MARKABLE}); over either, two {NEEDS_SHIELD}",
+    turns=(MORE_CUES, LIGHTER),
+)

@@ -11,16 +11,25 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import TWIN_TOLERANCE
-from probe.generation.covers import Cover, draw_slab, draw_topping
+from probe.generation.covers import NEEDS_SLAB, Cover, draw_slab, draw_topping
 from probe.generation.frame import frame_of
-from probe.generation.object_selection import ObjectSelection, draw_cast
-from probe.generation.plan import TaskPlan
+from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
 from probe.generation.removal import GhostRemoval, RemovalView
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
-from probe.generation.stage import Layer, Stage
+from probe.generation.stage import Layer, Poses, Stage
+from probe.generation.task_generator import TaskGenerator
+from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.twins import Lay, Twin, check_hidden, draw_post, draw_twins, right_above
+from probe.generation.twins import (
+    Lay,
+    Twin,
+    build_nest,
+    check_hidden,
+    draw_post,
+    draw_twins,
+    right_above,
+)
 from probe.generation.visibility_rules import (
     CLEAR_SHARE,
     HIDDEN_SHARE,
@@ -39,6 +48,9 @@ LARGEST, LARGEST_BENEATH_MORE = 0.09, 0.05
 
 MOST_REVEALED = PARTLY[1]
 """Visible share that the hidden thing may reach when only one of several is gone."""
+
+REMOVALS = PlannedProperty("removals", (1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 5))
+"""How many things are to be removed."""
 
 _HIDING = 2
 _SAILS = np.array([[1, 1], [-1, -1], [1, -1], [-1, 1]])
@@ -60,15 +72,19 @@ def generate_reduce(
     """
     rng = generator(seed, "reduce")
     cast = select_reduce(library, plan, rng)
-    many = plan.removals >= _MANY
+    many = REMOVALS.of(plan) >= _MANY
     post = draw_post(cast.covers, _KEEP_OFF_MANY if many else _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, [post])
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs])
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng)
+    stage = Stage(cast.specs, library, [post], plan.setup)
+    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
+    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
     judge = _Judge(cast, GhostRemoval(stage, view, frame))
-    lay = _fanned(cast) if plan.removals > 1 else right_above(cast.covering[0], cast.covers[0])
-    hiding = min(_HIDING, plan.removals)
-    twins = draw_twins(cast, stage, post, lay, judge.check, frame, rng, hiding)
+    lay = _fanned(cast) if REMOVALS.of(plan) > 1 else right_above(cast.covering[0], cast.covers[0])
+    hiding = min(_HIDING, REMOVALS.of(plan))
+
+    def nest(target: int) -> Poses:
+        return build_nest(stage, target, lay, post, rng, hiding)
+
+    twins = draw_twins(cast, stage, nest, judge.check, frame, rng)
     true = cast.draw_true(rng)
     scene = twins[true].scene
     ids = [spec.id for spec in cast.candidates]
@@ -98,11 +114,11 @@ def select_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
         Rejected: The library has no such set.
     """
     # Many slabs need the room that a larger crowd would take.
-    many = plan.removals >= _MANY
+    many = REMOVALS.of(plan) >= _MANY
     count = int(rng.integers(_FEWEST, (_FEWEST if many else _MOST) + 1))
-    if plan.removals == 1:
+    if REMOVALS.of(plan) == 1:
         return draw_cast(library, draw_slab, LARGEST, TWIN_TOLERANCE, rng, count)
-    more = ([draw_slab] * (len(_SAILS) - 1) + [draw_topping])[: plan.removals - 1]
+    more = ([draw_slab] * (len(_SAILS) - 1) + [draw_topping])[: REMOVALS.of(plan) - 1]
     return draw_cast(library, draw_slab, LARGEST_BENEATH_MORE, TWIN_TOLERANCE, rng, count, more)
 
 
@@ -190,3 +206,13 @@ class _Judge:
                 if most > MOST_REVEALED:
                     raise Rejected(f"one tells {how}", f"{most:.0%} show without one of them")
         return most
+
+
+GENERATOR = TaskGenerator(
+    generate=generate_reduce,
+    select=select_reduce,
+    needs=f"{needs_alike(LARGEST, TWIN_TOLERANCE)} "
+    f"(beneath several, up to {100 * LARGEST_BENEATH_MORE:g} cm); "
+    f"over any of them one to five flat things {NEEDS_SLAB}",
+    turns=(REMOVALS,),
+)

@@ -1,0 +1,110 @@
+"""Uncovers what lies beneath or behind named things; answers on evidence or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from probe.agents.clearing import Search
+from probe.agents.moves import Plan, answer, none_of_them
+from probe.agents.phrases import Reason
+from probe.agents.reading import Box, Graph, same
+from probe.agents.type_plan import ScriptedQuestion
+from probe.episodes.turns import Question
+
+_MARGIN_PX = 40
+"""What lay beneath a cover may have been dragged so far when that was lifted."""
+
+
+@dataclass(frozen=True)
+class FoundAnswer:
+    """A letter, and the occasion to say how it came, with what fills the phrase's slots."""
+
+    letter: str
+    occasion: str
+    slots: Mapping[str, str]
+
+
+def conclude(asked: ScriptedQuestion, found: FoundAnswer | None, search: Search) -> Plan[None]:
+    """Answer; without evidence by chance if bold, else not at all."""
+    if found is None and asked.bold:
+        options = asked.question.options
+        found = FoundAnswer(options[int(search.rng.integers(len(options)))][0], "guess", {})
+    if found is not None:
+        words = search.say(found.occasion, {"letter": found.letter, **found.slots})
+        yield from answer(found.letter, words=words)
+
+
+def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[None]:
+    """Clear away all that is named, then what lies there still, and name what comes to light.
+
+    Args:
+        asked: The question.
+        names: What is to be cleared away.
+        why: The reason.
+    """
+    question = asked.question
+    search = Search(
+        lambda seen: False, asked.first, asked.rng, say=asked.say, scale=asked.question.scale
+    )
+    yield from search.begin()
+    known = {seen.name for seen in search.graph.named}
+    place = _around([seen.box for name in names for seen in search.graph.called(name)])
+    found: FoundAnswer | None = None
+    while place is not None:
+        left = [seen for name in names for seen in search.graph.called(name)]
+        fresh = [seen for seen in left if search.may_clear(seen)]
+        # Pushed, a cover takes along what is beneath: that is where it went.
+        place = _around([place, *(seen.box for seen in left)]) or place
+        if not fresh or len(names) == 1:
+            found = _uncovered(question, search.graph, known, place)
+        if found is not None:
+            break
+        if fresh:
+            # What lies on top of the others goes first: it would drag them along.
+            highest = min(fresh, key=lambda seen: len(search.graph.over(seen)))
+            yield from search.clear(highest, why)
+        elif not (yield from _clear_around(search, place, known)):
+            break
+    yield from conclude(asked, found, search)
+
+
+def _around(boxes: Sequence[Box]) -> Box | None:
+    """The box around all of some; None around none."""
+    if not boxes:
+        return None
+    left, top, right, bottom = zip(*boxes, strict=True)
+    return min(left), min(top), max(right), max(bottom)
+
+
+def _uncovered(
+    question: Question, graph: Graph, known: set[str | None], place: Box
+) -> FoundAnswer | None:
+    """Letter of what came to light in a place; None as long as that isn't clear."""
+    here = [s for s in graph.objects if _inside(s.point, place)]
+    new = [s.name for s in here if s.name is not None and s.name not in known]
+    letters = {letter: n for letter, text in question.options for n in new if same(n, text)}
+    if len(letters) == 1:
+        ((letter, name),) = letters.items()
+        return FoundAnswer(letter, "came out", {"thing": name})
+    half_hidden = any(s.name is None for s in here)
+    none = none_of_them(question)
+    if none is None or not new or letters or half_hidden:
+        return None
+    return FoundAnswer(none, "came out none", {"thing": new[0]})
+
+
+def _clear_around(search: Search, place: Box, known: set[str | None]) -> Plan[bool]:
+    """Move away the largest thing in a place that was already known; False if there is none."""
+    here = [s for s in search.graph.named if _inside(s.point, place) and s.name in known]
+    here = [seen for seen in here if search.may_clear(seen)]
+    if not here:
+        return False
+    yield from search.clear(max(here, key=lambda seen: seen.area), Reason("place"))
+    return True
+
+
+def _inside(point: tuple[int, int], box: Box) -> bool:
+    left, top, right, bottom = box
+    across = left - _MARGIN_PX <= point[0] <= right + _MARGIN_PX
+    return across and top - _MARGIN_PX <= point[1] <= bottom + _MARGIN_PX

@@ -1,0 +1,1 @@
+"""Convex pieces for an object's collisions. Knows no physics engine."""

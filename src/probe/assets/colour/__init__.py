@@ -1,0 +1,1 @@
+"""Colours by their everyday names."""

@@ -1,0 +1,1 @@
+"""The pools of the library: procedural objects, scans, a user's own."""

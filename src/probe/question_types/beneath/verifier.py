@@ -1,0 +1,57 @@
+"""How frozen tasks of Beneath are checked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from probe.assets.library import Library
+from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_hidden, is_seen
+from probe.tasks.task import Task
+from probe.tasks.truth import which_beneath
+from probe.verification.remeasure import Remeasurement
+from probe.verification.subjects import spec_of, subject_is
+from probe.verification.type_verifier import Makeup, Verifier
+
+
+def _slots(task: Task, library: Library) -> Mapping[str, str]:
+    assert task.cover is not None
+    return {"cover": spec_of(task, task.cover, library).name}
+
+
+def _subject(task: Task, library: Library) -> Iterator[str]:
+    assert task.cover is not None
+    if task.cover in task.targets:
+        yield "what covers and what is covered are the same"
+    yield from subject_is(task, spec_of(task, task.cover, library).name)
+
+
+def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
+    (target,), cover = task.targets, task.cover
+    assert cover is not None
+    if not is_hidden(anew.seen[target]):
+        yield f"the answer shows by {anew.seen[target].fraction:.0%}"
+    if not is_seen(anew.seen[cover]):
+        yield f"only {anew.seen[cover].fraction:.0%} of the cover show"
+    for how, after in anew.removals([cover]):
+        if after[target].fraction < REVEALED_SHARE:
+            yield f"without its cover ({how}) only {after[target].fraction:.0%} of it show"
+        gains = [after[n].fraction - anew.seen[n].fraction for n in after if n != target]
+        if max(gains, default=0.0) > LARGEST_GAIN:
+            yield f"without the cover ({how}) another thing gains {max(gains):.0%}"
+
+
+def _true_text(task: Task, anew: Remeasurement) -> str:
+    assert task.cover is not None
+    scene, drawn = task.scene, task.certificate.candidates
+    known = [o.instance for o in scene.objects if o.object_id in drawn]
+    shapes = anew.view.silhouettes(scene, [*known, task.cover])
+    return anew.library[which_beneath(scene, drawn, task.cover, shapes).object_id].name
+
+
+VERIFIER = Verifier(
+    makeup=Makeup(1, cover=True),
+    slots=_slots,
+    subject=_subject,
+    hidden=_hidden,
+    true_text=_true_text,
+)

@@ -1,0 +1,46 @@
+"""How the scripted agent goes about Find: it searches until an option shows, and points at it."""
+
+from __future__ import annotations
+
+from probe.agents.clearing import Search
+from probe.agents.moves import Plan, answer, none_of_them
+from probe.agents.phrases import Say
+from probe.agents.reading import Graph, Seen, same
+from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
+from probe.episodes.turns import Question
+
+
+def _begin(asked: ScriptedQuestion) -> Plan[None]:
+    """Clear things away until one of the options shows, and point at it."""
+    question, say = asked.question, asked.say
+    options = [text for _, text in question.options]
+
+    def offered(seen: Seen) -> bool:
+        return any(same(seen.name or "", option) for option in options)
+
+    search = Search(offered, asked.first, asked.rng, say=say, scale=asked.question.scale)
+    yield from search.begin()
+    while not (shown := _shown_options(question, search.graph)) and not search.complete:
+        if not (yield from search.clear_one()):
+            break
+    if shown:
+        letter, seen = shown[0]
+        words = say("find", {"thing": seen.name or "", "letter": letter})
+        yield from answer(letter, seen.point, words)
+    elif (search.complete or asked.bold) and (none := none_of_them(question)):
+        words = say("find none" if search.complete else "guess", {"letter": none})
+        yield from answer(none, words=words)
+
+
+def _shown_options(question: Question, graph: Graph) -> list[tuple[str, Seen]]:
+    return [(letter, seen) for letter, text in question.options for seen in graph.called(text)]
+
+
+def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
+    for letter, seen in _shown_options(asked.question, asked.graph):
+        slots = {"thing": seen.name or "", "letter": letter}
+        return FirstLookAnswer(letter, say("find", slots), seen.point)
+    return None
+
+
+PLAN = TypePlan(_begin, _at_sight)

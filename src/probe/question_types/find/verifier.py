@@ -1,0 +1,29 @@
+"""How frozen tasks of Find are checked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from probe.generation.visibility_rules import is_hidden, is_partly_visible
+from probe.tasks.task import Task
+from probe.verification.remeasure import Remeasurement
+from probe.verification.subjects import no_slots, no_subject
+from probe.verification.truth import candidate_on_table
+from probe.verification.type_verifier import Makeup, Verifier
+
+
+def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
+    seen = anew.seen[task.targets[0]]
+    partly = bool(task.certificate.measures["partly"])
+    if not (is_partly_visible if partly else is_hidden)(seen):
+        wanted = "a little" if partly else "hidden"
+        yield f"the answer shows by {seen.fraction:.0%}, which isn't {wanted}"
+
+
+VERIFIER = Verifier(
+    makeup=Makeup(1, measures=("partly",)),
+    slots=no_slots,
+    subject=no_subject,
+    hidden=_hidden,
+    true_text=candidate_on_table,
+)

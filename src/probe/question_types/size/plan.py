@@ -1,0 +1,51 @@
+"""How the scripted agent goes about Size: it uncovers both things and goes by their boxes."""
+
+from __future__ import annotations
+
+import math
+
+from probe.agents.clearing import Search
+from probe.agents.marks import guess_mark, marked_at_sight, uncover_both
+from probe.agents.moves import Plan, answer
+from probe.agents.phrases import Say
+from probe.agents.reading import Seen
+from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
+
+
+def _begin(asked: ScriptedQuestion) -> Plan[None]:
+    """Uncover both marked things and go by the boxes that they then have."""
+    form, say = asked.form, asked.say
+    search = Search(lambda seen: False, asked.first, asked.rng, say=say, scale=asked.question.scale)
+    yield from search.begin()
+    one, other = yield from uncover_both(asked.question, search, bold=asked.bold)
+    if one is not None and other is not None:
+        letter = _larger(form, one, other)
+        slots = {"one": one.name or "", "two": other.name or "", "letter": letter}
+        yield from answer(letter, words=say(f"size {form}", slots))
+    elif asked.bold:
+        yield from guess_mark(asked.rng, say)
+
+
+def _larger(form: str, one: Seen, other: Seen) -> str:
+    """Letter of the longer, larger or smaller one, by their boxes."""
+    a, b = (_length(seen) if form == "longer" else seen.area for seen in (one, other))
+    return "A" if (a > b) != (form == "smaller") else "B"
+
+
+def _length(seen: Seen) -> float:
+    """Its longest side in pixels, as far as a box tells: the diagonal, for what lies askew."""
+    left, top, right, bottom = seen.box
+    return math.hypot(right - left, bottom - top)
+
+
+def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
+    """Only if nothing lies on either."""
+    one, two = marked_at_sight(asked)
+    if one is None or two is None or asked.graph.over(one) or asked.graph.over(two):
+        return None
+    letter = _larger(asked.form, one, two)
+    slots = {"one": one.name or "", "two": two.name or "", "letter": letter}
+    return FirstLookAnswer(letter, say(f"size {asked.form}", slots))
+
+
+PLAN = TypePlan(_begin, _at_sight)

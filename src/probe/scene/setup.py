@@ -1,0 +1,146 @@
+"""A table's set-up as one value: arm, gripper, cameras, basket and areas. Data only.
+
+Metres and radians, world frame. The origin is the middle of the table's top, x points away from
+the robot, y to its left. In the top camera's picture the right is +x and the top is +y.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from probe.scene.cameras import CameraPlacement, View
+from probe.types import Camera, Pose, Vector3
+
+FLOOR_DEPTH = 0.75
+"""How far below the table's top the floor lies."""
+
+
+@dataclass(frozen=True)
+class ArmMount:
+    """Where the arm, a UR5, stands and waits.
+
+    Attributes:
+        base: world_from_base. By default the arm points along +x at shoulder pan 0; on its
+            pedestal it grasps every point within 0.3 m of the middle and up to 0.3 m high from
+            above, and standing on the table it would miss an eighth of them.
+        parked: Joint angles at which it is out of every camera's view, radians. By default they
+            keep the robot behind x = -0.42 m, hand down.
+    """
+
+    base: Pose = Pose((-0.5, 0.0, 0.2), (0.0, 0.0, 0.0, 1.0))
+    parked: tuple[float, ...] = (
+        math.pi / 2,
+        -1.9,
+        2.2,
+        -0.3 - math.pi / 2,
+        -math.pi / 2,
+        0.0,
+    )
+
+
+@dataclass(frozen=True)
+class GripperSize:
+    """Sizes of a gripper built like the 2F-140: two parallel pads, each led by a parallelogram.
+
+    Attributes:
+        max_opening: Distance between the open pads; by default that of cranks of 0.1 m.
+        pad_width: Of each pad.
+        pad_length: Of each pad, along the fingers.
+    """
+
+    max_opening: float = 0.12853334344642042
+    pad_width: float = 0.027
+    pad_length: float = 0.065
+
+
+@dataclass(frozen=True)
+class Basket:
+    """Where removed objects go.
+
+    Attributes:
+        position: Middle of its floor.
+        size: Inner extent along x and y, and the height of its walls.
+    """
+
+    position: Vector3 = (-0.55, -0.44, 0.0)
+    size: Vector3 = (0.36, 0.36, 0.16)
+
+    def holds(self, x: float, y: float) -> bool:
+        """Whether a place lies between its walls."""
+        beside = (abs(x - self.position[0]), abs(y - self.position[1]))
+        return beside[0] <= self.size[0] / 2 and beside[1] <= self.size[1] / 2
+
+
+@dataclass(frozen=True)
+class Setup:
+    """All that is fixed about a table before anything lies on it.
+
+    Attributes:
+        name: What people call it.
+        mount: The arm's place.
+        gripper: The hand's sizes.
+        top: The camera that looks straight down. Whatever settles has to lie in its view.
+        front: The oblique camera, before the edge that the top camera's picture shows below.
+        basket: Beside the table's middle, out of the top camera's picture. Tasks that the front
+            camera shows need it out of that one's, too.
+        work_area: Edge of the square around the origin in which objects are dropped.
+        table_size: Extent of the table's top along x and y.
+        picture_px: Edge of the pictures in pixels.
+        depth_noise: Standard deviation of the depth that cameras measure, at each pixel.
+    """
+
+    name: str = "ur5"
+    mount: ArmMount = ArmMount()
+    gripper: GripperSize = GripperSize()
+    top: CameraPlacement = CameraPlacement.above(1.20, 0.58)
+    front: CameraPlacement = CameraPlacement((0.0, -0.92, 0.50), (0.0, 0.0, 0.11), 40.0)
+    basket: Basket = Basket()
+    work_area: float = 0.50
+    table_size: tuple[float, float] = (1.6, 1.4)
+    picture_px: int = 1024
+    depth_noise: float = 0.0
+
+    @property
+    def view_size(self) -> float:
+        """Edge of the square of table that the top camera sees."""
+        return self.top.width
+
+    def placement(self, view: View) -> CameraPlacement:
+        """Where a fixed camera stands, by name."""
+        return self.top if view == "top" else self.front
+
+    def camera(self, view: View = "top") -> Camera:
+        """A fixed camera, by name."""
+        return self.placement(view).camera(self.picture_px)
+
+
+UR5_TABLE = Setup()
+"""The set-up of the packaged suites."""
+
+
+@dataclass(frozen=True)
+class PictureScale:
+    """What agents have to know to read lengths off a picture.
+
+    Attributes:
+        side_px: Edge of the picture, pixels.
+        width: How much table it shows across its middle, metres.
+        oblique: Whether it is seen from the front rather than from straight above.
+        opening: How far the gripper opens, metres.
+    """
+
+    side_px: int
+    width: float
+    oblique: bool
+    opening: float
+
+
+def picture_scale(setup: Setup, camera: Camera) -> PictureScale:
+    """The scale of a camera's pictures, by its set-up; one that strayed a little doesn't count."""
+    oblique = not camera.looks_down
+    placed = setup.front if oblique else setup.top
+    return PictureScale(camera.width_px, placed.width, oblique, setup.gripper.max_opening)
+
+
+USUAL_SCALE = picture_scale(UR5_TABLE, UR5_TABLE.camera())
