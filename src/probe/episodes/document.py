@@ -7,10 +7,11 @@ from typing import Annotated, Literal
 
 import pydantic
 
-from probe.episodes.conditions_document import ConditionsDocument, SightDocument
+from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import Noise
 from probe.episodes.participation_document import ParticipationDocument
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
+from probe.episodes.sight_document import SightDocument
 from probe.episodes.turns import Call, Question
 from probe.scene.document import SceneDocument
 from probe.scene.setup import UR5_TABLE
@@ -88,7 +89,7 @@ class EpisodeDocument(_Document):
     seconds: SecondsDocument | None
     noise: NoiseDocument
     # Records of before there were conditions are of none.
-    conditions: ConditionsDocument = ConditionsDocument()
+    conditions: Conditions = AS_FROZEN
     sight: SightDocument | None = None
     # None of agents that are no models, and in records of before there were any.
     seat: ParticipationDocument | None = None
@@ -110,7 +111,7 @@ class EpisodeDocument(_Document):
             fault=record.fault,
             seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
-            conditions=ConditionsDocument.of(record.conditions),
+            conditions=record.conditions,
             sight=SightDocument.of(record.sight),
             seat=record.seat and ParticipationDocument.of(record.seat),
         )
@@ -130,7 +131,7 @@ class EpisodeDocument(_Document):
             fault=self.fault,
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
             noise=Noise(self.noise.grasp, self.noise.push),
-            conditions=self.conditions.conditions(),
+            conditions=self.conditions,
             sight=self.sight.sight() if self.sight else Viewpoint(),
             seat=self.seat and self.seat.seat(),
         )

@@ -1,67 +1,18 @@
-"""Conditions and sight of an episode on disk, as parts of its record."""
+"""What an episode's camera saw by, on disk, as a part of its record."""
 
 from __future__ import annotations
 
-from dataclasses import asdict
-from typing import Annotated
-
 import pydantic
 
-from probe.episodes.conditions import Conditions, Ideal, LightKind, TableKind
-from probe.perception.dials import Dials
 from probe.scene.lighting import Lighting
-from probe.scene.perturb import CameraName
 from probe.scene.pose_document import Position, Rotation
 from probe.scene.setup import UR5_TABLE
 from probe.scene.setup_file import MOST_PX
 from probe.scene.viewpoint import Viewpoint
 from probe.types import Camera, Pose
 
-Rate = Annotated[float, pydantic.Field(ge=0, le=1)]
 
-
-class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
-    pass
-
-
-class DialsDocument(_Document):
-    """Rates of the oracle's errors."""
-
-    over: Rate = 0.0
-    under: Rate = 0.0
-    missed: Rate = 0.0
-    hallucinated: Rate = 0.0
-
-
-class ConditionsDocument(_Document):
-    """In what the run differed from its tasks; by default in nothing. The jitter is in metres."""
-
-    lighting: LightKind = "ambient"
-    camera: CameraName = "fixed"
-    table: TableKind = "own"
-    pose_jitter: float = 0.0
-    dials: DialsDocument = DialsDocument()
-    ideal: Ideal = "none"
-
-    @staticmethod
-    def of(conditions: Conditions) -> ConditionsDocument:
-        """The document of conditions."""
-        return ConditionsDocument.model_validate(asdict(conditions))
-
-    def conditions(self) -> Conditions:
-        """The conditions it describes."""
-        rates = self.dials
-        return Conditions(
-            lighting=self.lighting,
-            camera=self.camera,
-            table=self.table,
-            pose_jitter=self.pose_jitter,
-            dials=Dials(rates.over, rates.under, rates.missed, rates.hallucinated),
-            ideal=self.ideal,
-        )
-
-
-class SightDocument(_Document):
+class SightDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
     """Pose of the camera (world_from_camera) and the light, if they weren't the usual ones.
 
     Field of view and size of the pictures are left out where they are those of the usual camera.
