@@ -65,16 +65,19 @@ def lesson(
         steps, replies = [], (ModelReply(0, f"I see it.\nANSWER: {letter}"),)
     record = EpisodeRecord(
         task.id, "teacher", run, question_of(task), table, tuple(steps), Answer(letter), "answered",
-        seat=Participation(setting, replies=replies, cost=0.25),
+        participation=Participation(setting, replies=replies, cost=0.25),
     )  # fmt: skip
     return EpisodeCandidate(task, record, right)
 
 
 def reminded(it: EpisodeCandidate) -> EpisodeCandidate:
     """The same episode, in which the teacher first said something that called for a reminder."""
-    assert it.record.seat is not None
-    replies = (ModelReply(0, "Let me think."), *it.record.seat.replies)
-    return replace(it, record=replace(it.record, seat=replace(it.record.seat, replies=replies)))
+    assert it.record.participation is not None
+    replies = (ModelReply(0, "Let me think."), *it.record.participation.replies)
+    return replace(
+        it,
+        record=replace(it.record, participation=replace(it.record.participation, replies=replies)),
+    )
 
 
 def grade_of(it: EpisodeCandidate) -> EpisodeGrade:
@@ -87,7 +90,7 @@ def grade_of(it: EpisodeCandidate) -> EpisodeGrade:
         correct=it.correct,
         outcome="right" if it.correct else "wrong",
         manipulations=it.record.manipulations,
-        cost=it.record.seat.cost if it.record.seat else None,
+        cost=it.record.participation.cost if it.record.participation else None,
     )
 
 

@@ -65,7 +65,9 @@ def test_an_agent_is_scored_and_its_record_replays(example, tmp_path):
     records = read_records(tmp_path / "run" / "records.jsonl")
     tasks = read_suite(tmp_path / "run" / "suite.json").tasks
     assert [record.task for record in records] == [task.id for task in tasks]
-    assert all(record.agent == "LiftWhatIsNamed" and record.seat is None for record in records)
+    assert all(
+        record.agent == "LiftWhatIsNamed" and record.participation is None for record in records
+    )
     record, task = records[0], tasks[0]
     assert record.answer and record.answer.choice == task.answer
     assert record.manipulations == 1

@@ -112,11 +112,11 @@ def test_an_audit_with_a_flipped_bit_is_refused(out, key):
 def test_what_needs_a_model_again_cannot_be_replayed_and_is_counted(tmp_path):
     pointed = Participation("agentic, pointer self", replies=(ModelReply(4),))
     spoken = Participation("direct", replies=(ModelReply(0, SPEECH),))
-    in_words = replace(RECORD, steps=(), seconds=Seconds(), seat=spoken)
+    in_words = replace(RECORD, steps=(), seconds=Seconds(), participation=spoken)
     fault = replace(
-        in_words, run=1, seat=None, answer=None, end="fault", fault="RenderFailed: gone"
+        in_words, run=1, participation=None, answer=None, end="fault", fault="RenderFailed: gone"
     )
-    records = (RECORD, replace(RECORD, seat=pointed), in_words, fault)
+    records = (RECORD, replace(RECORD, participation=pointed), in_words, fault)
     audit = begin(
         out := write_folder(tmp_path, *records), read_suite(out / SUITE), tmp_path / "key"
     )

@@ -62,8 +62,8 @@ def kept(out: Path) -> dict[str, EpisodeRecord]:
 
 
 def seat_of(record: EpisodeRecord) -> Participation:
-    assert record.seat is not None
-    return record.seat
+    assert record.participation is not None
+    return record.participation
 
 
 def values_of(log: EvalLog) -> dict[str, Any]:

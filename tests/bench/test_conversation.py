@@ -56,7 +56,7 @@ def test_what_is_lacking_is_asked_for_once(task, said, reminded, answer):
     assert found == answer
     assert [it.text for it in conversation.messages if it.role == "user"] == reminded
     seat = Participation("direct", replies=tuple(conversation.replies))
-    record = replace(episode(task), steps=(), seat=seat)
+    record = replace(episode(task), steps=(), participation=seat)
     assert [it.text for it in messages(record, [b""])[2:]] == [
         it.text for it in conversation.messages[1:]
     ]

@@ -36,7 +36,7 @@ PRICES = "gpt-5.4:\n  tokens_in: 2\n  tokens_out: 10\n"
 
 
 def in_the_seat(task: Task, model: str = "gpt-5.4", setting: str = "agentic", **more: Any):
-    return replace(episode(task, agent=model, **more), seat=Participation(setting))
+    return replace(episode(task, agent=model, **more), participation=Participation(setting))
 
 
 def test_a_reply_in_words_costs_its_pictures_once():

@@ -96,12 +96,12 @@ def test_faults_are_in_the_records(played):
     assert "no reply 1" in records[DOWN.id].fault
     assert script.hits[DOWN.id] >= 2
     for task in (FIRST, SLOW):
-        (fault,) = records[task.id].seat.faults
+        (fault,) = records[task.id].participation.faults
         assert fault.startswith("reply 1: the server failed once")
-    assert records[BROKEN.id].seat.faults == (
+    assert records[BROKEN.id].participation.faults == (
         "reply 1: find_object was called with what is no JSON object",
     )
-    assert records[MUTE.id].seat.faults == ("reply 1: empty", "reply 2: empty")
+    assert records[MUTE.id].participation.faults == ("reply 1: empty", "reply 2: empty")
     assert records[MUTE.id].end == "stopped"
 
 
@@ -119,8 +119,8 @@ def test_two_calls_in_a_reply_are_two_turns(played):
     record = records[TWICE.id]
     names = [step.call.name for step in record.steps]
     assert names == ["push", "find_object", "grasp_and_remove", "perceive_scene", "answer_question"]
-    assert [reply.calls for reply in record.seat.replies] == [2, 2, 1]
-    assert (record.seat.tokens_in, record.seat.tokens_out) == (300, 30)
+    assert [reply.calls for reply in record.participation.replies] == [2, 2, 1]
+    assert (record.participation.tokens_in, record.participation.tokens_out) == (300, 30)
     said = [json.loads(step.call.arguments) for step in record.steps]
     assert said[1] == {"description": "white ball"}
 

@@ -42,7 +42,7 @@ def script(number: int, body: dict) -> Reply:
 
 def unfaulted(record: EpisodeRecord) -> bytes:
     seat = replace(seat_of(record), faults=())
-    return line_of(replace(record, seat=seat), timed=False)
+    return line_of(replace(record, participation=seat), timed=False)
 
 
 def test_a_table_that_dies_costs_no_reply(tmp_path):

@@ -12,7 +12,7 @@ from bench.sitting_in import run_in, seat_of
 from model_server import serving
 from policy_server import Policy, agent_in_run_0
 from probe.assets.library import open_library
-from probe.assets.tables import load_table
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.files import line_of, read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.noise import NOISES
@@ -32,7 +32,7 @@ def test_a_policy_over_the_wire_gives_the_same_bytes(tmp_path):
         direct = {
             (task.id, run): play(
                 task, agent_in_run_0("scripted", task, run, things, renderer), "scripted", things,
-                load_table(task.scene.table, None), renderer, run, NOISES["paper"],
+                renderer, Circumstances(run, NOISES["paper"]),
             )
             for task in SUITE.tasks for run in range(2)
         }  # fmt: skip
@@ -44,7 +44,7 @@ def test_a_policy_over_the_wire_gives_the_same_bytes(tmp_path):
     assert records.keys() == direct.keys()
     for key, record in records.items():
         assert seat_of(record).faults == ()
-        alone = replace(record, seat=None)
+        alone = replace(record, participation=None)
         assert line_of(alone, timed=False) == line_of(direct[key], timed=False)
         assert seat_of(record).tokens_in == 100 * len(record.steps)
     # The hand's errors are each run's own, or a mistaken number of the run would go unseen.

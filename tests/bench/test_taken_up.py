@@ -59,7 +59,8 @@ def test_what_is_missing_is_counted_in_the_records(tmp_path):
     told = [episode(one, agent="m"), episode(one, agent="else"), episode(two, agent="m")]
     lost = replace(told[2], run=1, end="fault", fault="no reply")
     write_records(
-        tmp_path / RECORDS, [replace(it, seat=Participation("agentic")) for it in (*told, lost)]
+        tmp_path / RECORDS,
+        [replace(it, participation=Participation("agentic")) for it in (*told, lost)],
     )
     assert missing_of(asked, order_of(asked)) == 2
 

@@ -18,11 +18,11 @@ from probe.agents.scripted import Scripted
 from probe.api.rows import ROWS_CSV, SCORES
 from probe.assets.folders import audit_key_file
 from probe.assets.library import open_library
-from probe.assets.tables import load_table
 from probe.audit.audit_file import AUDIT, ReplayVerdict, hashes_of_lines, keep
 from probe.cli.audit import NotAsRecorded, NotRepeated, audit
 from probe.cli.report import write_run_report
 from probe.cli.rescore import rescore
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS
 from probe.episodes.noise import NOISES
@@ -95,7 +95,7 @@ def test_an_audit_that_came_with_the_folder_is_set_aside(tmp_path, capsys):
 
 def test_what_cannot_be_repeated_fails_an_audit_of_all(tmp_path, capsys):
     pointed = Participation("agentic, pointer self", replies=(ModelReply(4),))
-    out = write_folder(tmp_path, replace(honest(), seat=pointed))
+    out = write_folder(tmp_path, replace(honest(), participation=pointed))
     with pytest.raises(NotRepeated, match="1 of 1 results couldn't be repeated"):
         audit(out, replay="all")
     assert "1 can't be replayed: perception asked a model (pointer self)" in told(capsys)
@@ -245,8 +245,7 @@ def played(cache) -> EpisodeRecord:
         task.question_type, task.subject, generator(task.seed, "audit"), form=task.form
     )
     with Renderer() as renderer:
-        top = load_table(task.scene.table, None)
-        return play(task, agent, "anna", library, top, renderer, noise=NOISES["paper"])
+        return play(task, agent, "anna", library, renderer, Circumstances(noise=NOISES["paper"]))
 
 
 def invented(record: EpisodeRecord) -> EpisodeRecord:

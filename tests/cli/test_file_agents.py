@@ -134,8 +134,8 @@ def test_one_that_breaks_has_stopped_and_is_not_missing(tmp_path, file):
     assert {record.task for record in records} == {task.id for task in demo.tasks[:2]}
     for record in records:
         assert (record.agent, record.end, record.fault) == ("Breaks", "stopped", None)
-        assert record.seat is not None
-        assert record.seat.faults == ("ended its process with status 3",)
+        assert record.participation is not None
+        assert record.participation.faults == ("ended its process with status 3",)
         assert [step.call.name for step in record.steps] == ["perceive_scene"]
     rows = rows_of(out, "two", graded(out))
     assert [(row.correct, row.missing, row.answer) for row in rows] == [(False, False, None)] * 2

@@ -168,7 +168,7 @@ def test_a_pointer_is_asked_at_the_endpoint_too(tmp_path):
     models = [str(body["model"]) for body in asked(server)]
     assert (models[0], models[-1]) == ("mine", "mine") and "eyes" in models
     # The server counts 100 tokens for each request, a dollar each; only the pointer has a price.
-    assert record.seat and record.seat.cost == 100 * models.count("eyes")
+    assert record.participation and record.participation.cost == 100 * models.count("eyes")
     said = refused("audit", tmp_path / "out", "--replay", "all")
     assert "1 can't be replayed: perception asked a model (pointer openai-api/" in said
 

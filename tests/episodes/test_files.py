@@ -39,7 +39,9 @@ def test_conditions_and_sight_survive_the_disk(tmp_path, play):
     record = replace(
         play(),
         conditions=Conditions("hdri", "raised", "other", 0.003, Dials(missed=0.2), "grasp"),
-        sight=Viewpoint(replace(UR5_TABLE.camera(), world_from_camera=pose), Lighting("loft", 0.5)),
+        viewpoint=Viewpoint(
+            replace(UR5_TABLE.camera(), world_from_camera=pose), Lighting("loft", 0.5)
+        ),
     )
     write_records(tmp_path / "records.jsonl", [record])
     assert read_records(tmp_path / "records.jsonl") == [record]

@@ -16,7 +16,7 @@ TASK = DEMO.tasks[0]
 SEAT = Participation(
     "direct", "0-1000", (ModelReply(0, "Hm."), ModelReply(2)), 100, 20, 0.25, ("reply 1: empty",)
 )
-RECORD = replace(episode(TASK), seat=SEAT)
+RECORD = replace(episode(TASK), participation=SEAT)
 
 
 def test_it_is_read_as_it_was_written():
@@ -28,11 +28,11 @@ def test_records_of_before_have_none():
     document = json.loads(line_of(episode(TASK)))
     del document["seat"], document["sum"]
     old = record_of(json.dumps(document).encode())
-    assert old.seat is None and old.setting == ""
+    assert old.participation is None and old.setting == ""
 
 
 def test_settings_of_a_model_are_apart():
-    agentic = replace(RECORD, seat=replace(SEAT, setting="agentic"))
+    agentic = replace(RECORD, participation=replace(SEAT, setting="agentic"))
     assert standing([RECORD, agentic]) == [RECORD, agentic]
 
 

@@ -5,7 +5,6 @@ from importlib import resources
 import pytest
 
 from probe.assets.library import open_library
-from probe.assets.tables import load_table
 from probe.episodes.play import set_table
 from probe.perception.choice import Perceiver, dialled, ideal, pointing
 from probe.perception.dials import Dials
@@ -21,13 +20,10 @@ def tools_of(cache):
     with resources.as_file(resources.files("probe.tasks") / "data/demo.json") as path:
         task = next(t for t in read_suite(path).tasks if t.question_type == "beneath")
     things = open_library("procedural", None, cache)
-    table = load_table(task.scene.table, None)
     with Renderer() as renderer:
 
         def tools_of(perceiver: Perceiver):
-            return task, *set_table(
-                task, things, table, renderer, pictures=False, perceiver=perceiver
-            )
+            return task, *set_table(task, things, renderer, pictures=False, perceiver=perceiver)
 
         yield tools_of
 

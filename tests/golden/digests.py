@@ -15,6 +15,7 @@ import probe  # first: it decides how NumPy sums
 from probe.api.agents import make_agent
 from probe.api.resources import everything
 from probe.assets.library import Library
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.files import line_of
 from probe.episodes.noise import NOISES
 from probe.episodes.play import play, score
@@ -62,8 +63,8 @@ def digests(task: Task, library: Library, renderer: Renderer) -> dict[str, str]:
     frame = photograph(renderer, task.scene)
     assert frame.rgb is not None and frame.labels is not None
     agent = Watched(make_agent("scripted", task, 0, library, renderer))
-    noise = NOISES["paper"]
-    record = play(task, agent, "scripted", library, table, renderer, noise=noise, pictures=True)
+    paper = Circumstances(noise=NOISES["paper"])
+    record = play(task, agent, "scripted", library, renderer, paper, pictures=True)
     worth = score(task, record, renderer)
     texts = "\n".join(step.text for step in record.steps)
     return {

@@ -14,7 +14,6 @@ from interfaces.clients import Player, Reply, playing, wired
 from interfaces.test_mcp_server import texts
 from probe.agents.scripted import Scripted
 from probe.assets.library import open_library
-from probe.assets.tables import load_table
 from probe.episodes.files import line_of, read_records
 from probe.episodes.grading import question_of
 from probe.episodes.play import play, score
@@ -85,8 +84,7 @@ def test_an_episode_over_mcp_is_the_benchmarks_episode(server, task, library, tm
     assert len(pictures) >= 3 and all(p.shape == (1024, 1024, 3) for p in pictures)
     assert np.abs(pictures[0].astype(int) - pictures[-1]).mean() > 1
     with Renderer() as renderer:
-        table = load_table(task.scene.table, None)
-        near = play(task, scripted(task), "scripted", library, table, renderer)
+        near = play(task, scripted(task), "scripted", library, renderer)
         assert score(task, record, renderer).correct
     assert line_of(record, timed=False) == line_of(near, timed=False)
 

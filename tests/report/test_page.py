@@ -111,7 +111,7 @@ def test_a_complete_run_has_a_headline_with_all_that_belongs_to_it(tmp_path):
 def test_what_went_wrong_between_models_and_us_is_all_named(tmp_path):
     faults = ("reply 1: the server failed 2 times: 429", "reply 3: empty")
     episodes = [
-        replace(episode(task, agent="m"), seat=Participation("agentic", faults=said))
+        replace(episode(task, agent="m"), participation=Participation("agentic", faults=said))
         for task, said in zip(DEMO.tasks, (faults, (), (EVIL,), *[()] * 3), strict=True)
     ]
     page = Page(write_page(tmp_path, [played(each) for each in episodes]))

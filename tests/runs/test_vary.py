@@ -14,7 +14,7 @@ from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
 from probe.runs.jitter import jitter
 from probe.runs.vary import vary
-from probe.runs.viewpoints import camera_of, sight_of
+from probe.runs.viewpoints import camera_of, viewpoint_of
 from probe.scene.setup import UR5_TABLE
 from probe.scene.viewpoint import Viewpoint
 from probe.tasks.suite_file import demo_suite
@@ -95,11 +95,11 @@ def test_what_would_fall_is_left_as_it_is():
 
 
 def test_the_usual_sight_is_the_default():
-    assert sight_of(TASK, Conditions(), None) == Viewpoint()
+    assert viewpoint_of(TASK, Conditions(), None) == Viewpoint()
 
 
 def test_light_is_drawn_for_each_task():
     hdri = Conditions(lighting="hdri")
-    found = {sight_of(replace(TASK, seed=seed), hdri, None).lighting for seed in range(5)}
+    found = {viewpoint_of(replace(TASK, seed=seed), hdri, None).lighting for seed in range(5)}
     assert len(found) == 5
-    assert sight_of(TASK, hdri, None) == sight_of(TASK, hdri, None)
+    assert viewpoint_of(TASK, hdri, None) == viewpoint_of(TASK, hdri, None)

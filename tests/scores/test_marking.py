@@ -80,7 +80,7 @@ def test_a_row_says_what_the_record_and_the_score_say():
 
 def test_what_a_model_used_is_in_its_record():
     seat = Participation("agentic", tokens_in=10, tokens_out=20, cost=0.25)
-    row = row_of(FIND, replace(RECORD, seat=seat), MISSED, suite="v1", setting="agentic")
+    row = row_of(FIND, replace(RECORD, participation=seat), MISSED, suite="v1", setting="agentic")
     assert (row.tokens_in, row.tokens_out, row.cost) == (10, 20, 0.25)
 
 

@@ -42,7 +42,7 @@ def taught(library):
 
 def test_it_says_something_with_each_call_and_counts_in_whole_thousandths(taught):
     assert record_of(line_of(taught)) == taught
-    assert taught.end == "answered" and taught.seat.setting == "agentic"
+    assert taught.end == "answered" and taught.participation.setting == "agentic"
     assert all(step.call.words for step in taught.steps)
     told = messages(taught, [b""], [None] * len(taught.steps))
     places = [call.arguments for it in told for _, call in it.calls if call.name == "find_object"]
@@ -52,15 +52,14 @@ def test_it_says_something_with_each_call_and_counts_in_whole_thousandths(taught
 def test_its_pictures_are_those_that_the_tools_gave(taught, library):
     things = library()
     with Renderer() as renderer:
-        table = things.table(TASK.scene.table)
-        episode = open_episode(TASK, TEACHER, things, table, renderer)
+        episode = open_episode(TASK, TEACHER, things, renderer)
         first = episode.record.question.picture
         came = [episode.step(step.call).result.picture for step in taught.steps]
     with SceneRenderer(part(DEMO, TASK), library) as scene_renderer:
         drawn = shown(TASK, taught, scene_renderer)
         with pytest.raises(OtherPerception, match="Collect with --pointer oracle"):
-            seat = replace(taught.seat, setting="agentic, pointer self")
-            shown(TASK, replace(taught, seat=seat), scene_renderer)
+            seat = replace(taught.participation, setting="agentic, pointer self")
+            shown(TASK, replace(taught, participation=seat), scene_renderer)
         small = shown(TASK, taught, scene_renderer, 64)
     assert first is not None and drawn.first == (jpeg(first),)
     assert drawn.later == tuple(None if it is None else jpeg(it) for it in came)

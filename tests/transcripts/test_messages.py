@@ -38,7 +38,7 @@ def test_an_agent_without_a_model_is_told_call_by_call():
 def test_replies_are_told_as_they_were():
     replies = (ModelReply(0, "Hm."), ModelReply(1), ModelReply(3))
     told = messages(
-        replace(RECORD, seat=Participation("agentic", replies=replies)), [b"first"], LATER
+        replace(RECORD, participation=Participation("agentic", replies=replies)), [b"first"], LATER
     )
     roles = [message.role for message in told]
     assert roles == [
@@ -63,7 +63,7 @@ def test_arguments_that_are_no_object_are_left_out():
 
 def test_an_episode_in_words():
     seat = Participation("direct", replies=(ModelReply(0, "Hm."), ModelReply(0, "ANSWER: B")))
-    record = replace(RECORD, steps=(), seat=seat)
+    record = replace(RECORD, steps=(), participation=seat)
     told = messages(record, [b"first"])
     assert [message.role for message in told] == [
         "system",

@@ -7,6 +7,7 @@ from types import TracebackType
 
 from probe.api.scenes import running
 from probe.assets.library import Library
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.episode import Episode
 from probe.episodes.noise import Noise, NoiseName, noise_of
 from probe.episodes.play import open_episode as _open_episode
@@ -112,17 +113,8 @@ def open_episode(
     """
     with ExitStack() as started:
         drawing = started.enter_context(running(renderer))
-        table = library.table(task.scene.table)
-        episode = _open_episode(
-            task,
-            "by hand",
-            library,
-            table,
-            drawing,
-            run=run,
-            noise=noise_of(noise),
-            perceiver=perceiver,
-        )
+        circumstances = Circumstances(run, noise_of(noise))
+        episode = _open_episode(task, "by hand", library, drawing, circumstances, perceiver)
         return OpenEpisode(task, episode, library, drawing, started.pop_all())
 
 
@@ -158,10 +150,8 @@ def play(
     """
     called = name or type(agent).__name__
     with running(renderer) as drawing:
-        table = library.table(task.scene.table)
-        return _play(
-            task, agent, called, library, table, drawing, run, noise_of(noise), pictures=pictures
-        )
+        circumstances = Circumstances(run, noise_of(noise))
+        return _play(task, agent, called, library, drawing, circumstances, pictures=pictures)
 
 
 def score(

@@ -75,9 +75,9 @@ class Replayer:
 
 def unable(record: EpisodeRecord) -> str | None:
     """Why doing a record's calls again can't come out as before; None if it can."""
-    if record.seat is None:
+    if record.participation is None:
         return None
-    setting, _, more = record.seat.setting.partition(", ")
+    setting, _, more = record.participation.setting.partition(", ")
     if more:
         return f"perception asked a model ({more})"
     return None if setting == "agentic" else f"a model answered in words (setting {setting})"

@@ -104,7 +104,7 @@ def _worth(played: FinishedEpisode) -> dict[str, Any]:
         "letter_correct": score.letter_correct,
         "manipulations": record.manipulations,
         "turns": len(record.steps),
-        "faults": list(record.seat.faults) if record.seat else [],
+        "faults": list(record.participation.faults) if record.participation else [],
     }
     value = RIGHT if score.correct else WRONG
     return {"value": value, "answer": said, "explanation": score.outcome, "metadata": metadata}

@@ -123,7 +123,7 @@ class ModelRunner:
         except EpisodeProcessLost as error:
             # What was done at the lost table can't be told any more.
             seat = replace(conversation.seat(order.setting, order.points), replies=())
-            record = replace(failed(job, order, str(error)), seat=seat)
+            record = replace(failed(job, order, str(error)), participation=seat)
             left = EpisodeFinished(line_of(record), None)
         await run_sync(add_line, self._plan.out, left.line)
         played = FinishedEpisode(left, conversation, limit)

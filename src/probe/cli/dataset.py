@@ -84,7 +84,9 @@ def _examples(
 
 def _points_of(chosen: LoadedSelection) -> Points:
     """How the teachers counted, if all did so in the same way."""
-    ways: set[Points] = {it.seat.points if it.seat else "pixels" for _, it in chosen.episodes}
+    ways: set[Points] = {
+        it.participation.points if it.participation else "pixels" for _, it in chosen.episodes
+    }
     if len(ways) > 1:
         reason = f"places are counted in several ways: {', '.join(sorted(ways))}"
         raise BadData("--points", reason, "Say one of them")

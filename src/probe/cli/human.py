@@ -16,6 +16,7 @@ from probe.api.resources import cache_folder, everything
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
 from probe.episodes.folder import RECORDS, check_suite, claim_setting, occupied
@@ -119,12 +120,12 @@ class HumanResources:
 
     @contextmanager
     def furnish(self) -> Generator[Callable[[Task, str, int], Episode]]:
-        """A renderer of one's own, and what sets tables with it."""
+        """A renderer for one seat, and a function that sets tables with it."""
         with Renderer(cache_folder() / "light") as renderer:
 
             def set_table(task: Task, name: str, run: int) -> Episode:
                 with self._lock:
-                    top = self.things.table(task.scene.table)
-                    return open_episode(task, name, self.things, top, renderer, run, self.noise)
+                    circumstances = Circumstances(run, self.noise)
+                    return open_episode(task, name, self.things, renderer, circumstances)
 
             yield set_table

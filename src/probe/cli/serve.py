@@ -75,4 +75,4 @@ def _open(suite: Suite, things: Library, renderer: Renderer, agent: str) -> Epis
     """Set the table of a suite's only task."""
     check_objects(suite, things)
     (task,) = suite.tasks
-    return open_episode(task, agent, things, things.table(task.scene.table), renderer)
+    return open_episode(task, agent, things, renderer)

@@ -11,8 +11,8 @@ from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import Noise
 from probe.episodes.participation_document import ParticipationDocument
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
-from probe.episodes.sight_document import SightDocument
 from probe.episodes.turns import Call, Question
+from probe.episodes.viewpoint_document import ViewpointDocument
 from probe.scene.document import SceneDocument
 from probe.scene.setup import UR5_TABLE
 from probe.scene.setup_file import MOST_PX
@@ -72,7 +72,7 @@ class NoiseDocument(_Document):
     push: float = pydantic.Field(ge=0)
 
 
-class EpisodeDocument(_Document):
+class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True):
     """One episode."""
 
     version: Literal[2] = 2
@@ -90,9 +90,9 @@ class EpisodeDocument(_Document):
     noise: NoiseDocument
     # Records of before there were conditions are of none.
     conditions: Conditions = AS_FROZEN
-    sight: SightDocument | None = None
+    viewpoint: Annotated[ViewpointDocument | None, pydantic.Field(alias="sight")] = None
     # None of agents that are no models, and in records of before there were any.
-    seat: ParticipationDocument | None = None
+    participation: Annotated[ParticipationDocument | None, pydantic.Field(alias="seat")] = None
 
     @staticmethod
     def of(record: EpisodeRecord, *, timed: bool = True) -> EpisodeDocument:
@@ -112,8 +112,8 @@ class EpisodeDocument(_Document):
             seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
             conditions=record.conditions,
-            sight=SightDocument.of(record.sight),
-            seat=record.seat and ParticipationDocument.of(record.seat),
+            viewpoint=ViewpointDocument.of(record.viewpoint),
+            participation=record.participation and ParticipationDocument.of(record.participation),
         )
 
     def record(self) -> EpisodeRecord:
@@ -132,8 +132,8 @@ class EpisodeDocument(_Document):
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
             noise=Noise(self.noise.grasp, self.noise.push),
             conditions=self.conditions,
-            sight=self.sight.sight() if self.sight else Viewpoint(),
-            seat=self.seat and self.seat.seat(),
+            viewpoint=self.viewpoint.viewpoint() if self.viewpoint else Viewpoint(),
+            participation=self.participation and self.participation.participation(),
         )
 
 

@@ -11,6 +11,7 @@ from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question, Turn
 from probe.errors import ProbeError
 from probe.scene.scene import Scene
+from probe.scene.viewpoint import Viewpoint
 from probe.texts import writable
 from probe.toolshed.refusals import EpisodeOver
 from probe.toolshed.result import ToolResult
@@ -44,6 +45,7 @@ class Episode:
         agent_name: For the record.
         run: Number of the run, for the record.
         noise: How far the hand errs, for the record.
+        viewpoint: From where and in which light the table is seen, for the record.
     """
 
     def __init__(
@@ -56,13 +58,23 @@ class Episode:
         agent_name: str,
         run: int = 0,
         noise: Noise = NO_NOISE,
+        viewpoint: Viewpoint | None = None,
     ) -> None:
         self._toolshed = toolshed
         self._state = state
         start = _table(state)
         # Replaced whole after each step, so that it is true whenever it is looked at.
         self._record = EpisodeRecord(
-            task, agent_name, run, question, start, (), None, "stopped", noise=noise
+            task,
+            agent_name,
+            run,
+            question,
+            start,
+            (),
+            None,
+            "stopped",
+            noise=noise,
+            viewpoint=viewpoint or Viewpoint(),
         )
         self._idle_since = time.perf_counter()
 

@@ -71,19 +71,19 @@ class OracleRule:
     vanishing: Callable[[Task, TableSight], set[int]]
 
 
-def over_marked(task: Task, sight: TableSight) -> set[int]:
+def over_marked(task: Task, viewpoint: TableSight) -> set[int]:
     """All that lies over a marked thing."""
-    return sight.over(set(task.targets), set(task.targets))
+    return viewpoint.over(set(task.targets), set(task.targets))
 
 
-def over_faint(task: Task, sight: TableSight) -> set[int]:
+def over_faint(task: Task, viewpoint: TableSight) -> set[int]:
     """All that hides anything of which too little shows; of what is asked for, nothing vanishes.
 
     So "none of them" is seen to be true as well.
     """
     kept = set(task.targets)
-    gone = sight.over(kept, kept)
-    counts = np.bincount(sight.labels().ravel(), minlength=max(sight.outlines) + 1)
+    gone = viewpoint.over(kept, kept)
+    counts = np.bincount(viewpoint.labels().ravel(), minlength=max(viewpoint.outlines) + 1)
     # What can't be named comes to light.
-    faint = {n for n, mask in sight.outlines.items() if counts[n] < SEEN_SHARE * mask.sum()}
-    return gone | sight.over(faint - gone, kept | faint, gone)
+    faint = {n for n, mask in viewpoint.outlines.items() if counts[n] < SEEN_SHARE * mask.sum()}
+    return gone | viewpoint.over(faint - gone, kept | faint, gone)

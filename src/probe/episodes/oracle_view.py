@@ -41,19 +41,19 @@ class OracleView:
 
 
 def oracle_view(
-    task: Task, library: Library, renderer: Renderer, sight: Viewpoint | None = None
+    task: Task, library: Library, renderer: Renderer, viewpoint: Viewpoint | None = None
 ) -> OracleView:
-    """Draw a task's evidence, as always or in another sight; replaces what was loaded before."""
-    sight = sight or task.viewpoint
+    """Draw a task's evidence, as it was made or seen otherwise; replaces what was loaded before."""
+    viewpoint = viewpoint or task.viewpoint
     load_scene(renderer, task.scene, library, library.table(task.scene.table))
-    light = light_of(sight.lighting, library.assets)
-    first = photograph(renderer, task.scene, camera=sight.camera, light=light)
+    light = light_of(viewpoint.lighting, library.assets)
+    first = photograph(renderer, task.scene, camera=viewpoint.camera, light=light)
     assert first.rgb is not None
-    removed = tuple(sorted(vanishing(task, renderer, sight.camera)))
+    removed = tuple(sorted(vanishing(task, renderer, viewpoint.camera)))
     rest = task.scene.without(*removed)
     return OracleView(
         replace(first, rgb=drawn(first.rgb, task.marks)),
-        photograph(renderer, rest, camera=sight.camera, light=light),
+        photograph(renderer, rest, camera=viewpoint.camera, light=light),
         removed,
     )
 

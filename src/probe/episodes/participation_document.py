@@ -33,11 +33,11 @@ class ParticipationDocument(_Document, validate_by_name=True, serialize_by_alias
     faults: tuple[str, ...]
 
     @staticmethod
-    def of(seat: Participation) -> ParticipationDocument:
+    def of(participation: Participation) -> ParticipationDocument:
         """The document of a model's part."""
-        return ParticipationDocument.model_validate(asdict(seat))
+        return ParticipationDocument.model_validate(asdict(participation))
 
-    def seat(self) -> Participation:
+    def participation(self) -> Participation:
         """The part it describes."""
         replies = tuple(ModelReply(reply.calls, reply.words) for reply in self.replies)
         return Participation(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import NO_NOISE, Noise
 from probe.episodes.participation import Participation
@@ -69,8 +70,8 @@ class EpisodeRecord:
         seconds: Timing, which no comparison takes into account.
         noise: How far the hand erred; with the task's seed and the run it gives the same luck.
         conditions: In what the run differed from its tasks.
-        sight: From where and in which light the table was seen.
-        seat: How a model took part, or how an agent's own process failed; else None.
+        viewpoint: From where and in which light the table was seen.
+        participation: How a model took part, or how an agent's own process failed; else None.
     """
 
     task: str
@@ -85,13 +86,13 @@ class EpisodeRecord:
     seconds: Seconds = Seconds()
     noise: Noise = NO_NOISE
     conditions: Conditions = AS_FROZEN
-    sight: Viewpoint = field(default_factory=Viewpoint)
-    seat: Participation | None = None
+    viewpoint: Viewpoint = field(default_factory=Viewpoint)
+    participation: Participation | None = None
 
     @property
     def setting(self) -> str:
         """How a model was allowed to answer; empty for other agents, whose names say it."""
-        return self.seat.setting if self.seat else ""
+        return self.participation.setting if self.participation else ""
 
     @property
     def scenes(self) -> tuple[Scene, ...]:
@@ -99,9 +100,23 @@ class EpisodeRecord:
         return (self.start.scene, *(step.after.scene for step in self.steps))
 
     @property
+    def circumstances(self) -> Circumstances:
+        """Under which it came about."""
+        return Circumstances(self.run, self.noise, self.conditions, self.viewpoint)
+
+    def under(self, circumstances: Circumstances) -> EpisodeRecord:
+        """The record with what it says of its circumstances, the number of its run apart."""
+        return replace(
+            self,
+            noise=circumstances.noise,
+            conditions=circumstances.conditions,
+            viewpoint=circumstances.viewpoint or self.viewpoint,
+        )
+
+    @property
     def scale(self) -> PictureScale:
         """What its pictures show."""
-        return picture_scale(self.start.scene.setup, self.sight.camera)
+        return picture_scale(self.start.scene.setup, self.viewpoint.camera)
 
     @property
     def manipulations(self) -> int:

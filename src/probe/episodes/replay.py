@@ -24,8 +24,8 @@ _FIELDS = (
     "fault",
     "noise",
     "conditions",
-    "sight",
-    "seat",
+    "viewpoint",
+    "participation",
 )
 _PARTS = ("call", "status", "text", "point_px", "after")
 
@@ -58,7 +58,7 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, state: StateReader) -> Epi
     Args:
         record: What happened the first time.
         toolshed: Fresh, over a table that stands as at the record's start, with the record's
-            noise, conditions, sight and run.
+            circumstances.
         state: Tells the new record where things are.
     """
     again = run_episode(
@@ -70,13 +70,7 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, state: StateReader) -> Epi
         agent_name=record.agent,
         run=record.run,
     )
-    return replace(
-        again,
-        noise=record.noise,
-        conditions=record.conditions,
-        sight=record.sight,
-        seat=record.seat,
-    )
+    return replace(again.under(record.circumstances), participation=record.participation)
 
 
 def resume(record: EpisodeRecord, episode: Episode) -> tuple[Turn, ...]:

@@ -207,8 +207,7 @@ def _attempt(
         return Rejection(RESTLESS, restless), ()
     if resources.unchecked:
         return result, ()
-    table = resources.library.table(result.task.scene.table)
-    return result, trials(result.task, resources.library, table, resources.renderer)
+    return result, trials(result.task, resources.library, resources.renderer)
 
 
 def without_notes(task: Task) -> Task:

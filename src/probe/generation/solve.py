@@ -9,7 +9,7 @@ from typing import get_args
 from probe.agents.moves import Way
 from probe.agents.scripted import Scripted
 from probe.assets.library import Library
-from probe.assets.tables import TableMaterial
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.noise import NOISES
 from probe.episodes.play import play, score
 from probe.render.renderer import Renderer
@@ -48,9 +48,7 @@ class SolveAttempt:
     manipulations: int = 0
 
 
-def trials(
-    task: Task, library: Library, table: TableMaterial, renderer: Renderer
-) -> tuple[SolveAttempt, ...]:
+def trials(task: Task, library: Library, renderer: Renderer) -> tuple[SolveAttempt, ...]:
     """Attempts until one solves the task, all have been made, or MOST_MANIPULATIONS have.
 
     The hand errs.
@@ -59,9 +57,7 @@ def trials(
     scripted agents achieve on tasks that were not selected by them.
     """
     return enough(
-        _try(task, way, attempt, library, table, renderer)
-        for attempt in range(ATTEMPTS)
-        for way in WAYS
+        _try(task, way, attempt, library, renderer) for attempt in range(ATTEMPTS) for way in WAYS
     )
 
 
@@ -80,18 +76,17 @@ def _try(
     way: Way,
     attempt: int,
     library: Library,
-    table: TableMaterial,
     renderer: Renderer,
 ) -> SolveAttempt:
     rng = generator(task.seed, "solve", way, attempt)
     agent = Scripted(task.question_type, task.subject, rng, way, form=task.form)
-    name, run, noise = f"scripted-{way}", FIRST_RUN + attempt, NOISES["paper"]
-    record = play(task, agent, name, library, table, renderer, run, noise)
+    circumstances = Circumstances(FIRST_RUN + attempt, NOISES["paper"])
+    record = play(task, agent, f"scripted-{way}", library, renderer, circumstances)
     solved = score(task, record, renderer).correct
     return SolveAttempt(way, attempt, solved, record.manipulations)
 
 
-def solves_as_noted(task: Task, library: Library, table: TableMaterial, renderer: Renderer) -> bool:
+def solves_as_noted(task: Task, library: Library, renderer: Renderer) -> bool:
     """Whether the attempt that the certificate notes solves the task again.
 
     On another kind of machine it may not, and another attempt may.
@@ -100,7 +95,7 @@ def solves_as_noted(task: Task, library: Library, table: TableMaterial, renderer
     if _ATTEMPT not in notes:
         return False
     way: Way = "push" if notes[_BY_PUSHING] else "grasp"
-    return _try(task, way, int(notes[_ATTEMPT]), library, table, renderer).solved
+    return _try(task, way, int(notes[_ATTEMPT]), library, renderer).solved
 
 
 def noted(task: Task, made: tuple[SolveAttempt, ...]) -> Task:

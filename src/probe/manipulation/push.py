@@ -60,7 +60,7 @@ class PushResult:
         status: See PushStatus.
         frame: The table afterwards.
         swept: How far the tool came along the push from where the thing was, metres.
-        moved: How far the thing went that way, by its looks, metres; None if lost from sight.
+        moved: How far the thing went that way, by its looks, metres; None if lost from viewpoint.
         strokes: Sweeps that were begun.
     """
 

@@ -150,8 +150,8 @@ def detail_of(played: ReportEpisode) -> dict[str, Any]:
             for step, picture in zip(record.steps, played.pictures[1:], strict=True)
         ],
         # What a model said without calling a tool: all of it, where it has none.
-        "said": [reply.words for reply in record.seat.replies if reply.words]
-        if record.seat
+        "said": [reply.words for reply in record.participation.replies if reply.words]
+        if record.participation
         else [],
         "seconds": [played.row.seconds_agent, played.row.seconds_tools],
     }

@@ -130,7 +130,11 @@ def _values(report: Report) -> dict[str, object]:
         "unknown": unknown_measures(cards),
         "missing": missing_table(cards),
         "repeated": [each for each in played if not each.counts],
-        "faulted": [each for each in played if each.record.seat and each.record.seat.faults],
+        "faulted": [
+            each
+            for each in played
+            if each.record.participation and each.record.participation.faults
+        ],
         "panels": panels(cards),
         "classes": CLASSES,
         "bar_width": WIDTH,

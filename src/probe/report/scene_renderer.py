@@ -50,20 +50,20 @@ class SceneRenderer:
     ) -> None:
         self._open.close()
 
-    def frame(self, task: Task, scene: Scene, sight: Viewpoint, *, rgb: bool = True) -> Frame:
+    def frame(self, task: Task, scene: Scene, viewpoint: Viewpoint, *, rgb: bool = True) -> Frame:
         """A task's table as it stood in a scene of a record and was seen; the last one is kept.
 
         Raises:
             BadData: An object isn't what it was when the suite was made.
         """
-        if self._last and self._last[0] == (scene, sight):
+        if self._last and self._last[0] == (scene, viewpoint):
             kept = self._last[1]
             if kept.rgb is not None or not rgb:
                 return kept
         renderer, library = self._loaded(task)
-        light = light_of(sight.lighting, library.assets)
-        found = photograph(renderer, scene, rgb=rgb, camera=sight.camera, light=light)
-        self._last = (scene, sight), found
+        light = light_of(viewpoint.lighting, library.assets)
+        found = photograph(renderer, scene, rgb=rgb, camera=viewpoint.camera, light=light)
+        self._last = (scene, viewpoint), found
         return found
 
     def score(self, task: Task, record: EpisodeRecord) -> Score:
@@ -74,7 +74,7 @@ class SceneRenderer:
         """
         labels = np.zeros((0, 0), np.uint8)
         if needs_labels(task, record):
-            drawn = self.frame(task, record.scenes[-1], record.sight, rgb=False).labels
+            drawn = self.frame(task, record.scenes[-1], record.viewpoint, rgb=False).labels
             assert drawn is not None
             labels = drawn
         return grade_episode(task, record, labels)

@@ -40,22 +40,22 @@ class Still:
 
     Attributes:
         scene: The table.
-        sight: From where and in which light.
+        viewpoint: From where and in which light.
         marks: Drawn on it.
         outline: Pixel (u, v) of a thing that is outlined; None for no outline.
     """
 
     scene: Scene
-    sight: Viewpoint = field(default_factory=Viewpoint)
+    viewpoint: Viewpoint = field(default_factory=Viewpoint)
     marks: tuple[Mark, ...] = ()
     outline: tuple[int, int] | None = None
 
 
 def stills_of(task: Task, record: EpisodeRecord) -> tuple[Still, ...]:
     """What to show of an episode: the start, with its marks, and the table after each step."""
-    start = Still(record.start.scene, record.sight, marks=task.marks)
+    start = Still(record.start.scene, record.viewpoint, marks=task.marks)
     return start, *(
-        Still(step.after.scene, record.sight, outline=_found(step)) for step in record.steps
+        Still(step.after.scene, record.viewpoint, outline=_found(step)) for step in record.steps
     )
 
 
@@ -74,7 +74,7 @@ def file_of(still: Still, objects: Mapping[str, Fingerprint]) -> str:
     said = [
         _EDITION,
         SceneDocument.of(still.scene).model_dump(),
-        _words_of(still.sight),
+        _words_of(still.viewpoint),
         [(mark.letter, mark.point) for mark in still.marks],
         still.outline,
         {id: objects[id] for id in sorted(shown)},
@@ -82,9 +82,9 @@ def file_of(still: Still, objects: Mapping[str, Fingerprint]) -> str:
     return hashlib.sha256(json.dumps(said).encode()).hexdigest()[:20] + ".jpg"
 
 
-def _words_of(sight: Viewpoint) -> str:
+def _words_of(viewpoint: Viewpoint) -> str:
     """A viewpoint in the words that the pictures of earlier reports were named by."""
-    return f"Sight(camera={sight.camera!r}, lighting={sight.lighting!r})"
+    return f"Sight(camera={viewpoint.camera!r}, lighting={viewpoint.lighting!r})"
 
 
 def develop(
@@ -105,7 +105,7 @@ def develop(
         except OSError as error:
             reason = error.strerror or str(error)
             raise BadData(folder / path.name, reason, "Delete it; it is drawn again") from error
-    shown = _pixels(still, scene_renderer.frame(task, still.scene, still.sight))
+    shown = _pixels(still, scene_renderer.frame(task, still.scene, still.viewpoint))
     write_bytes(path, encode(Image.fromarray(shown), "JPEG", quality=_QUALITY))
 
 

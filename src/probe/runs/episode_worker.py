@@ -27,7 +27,7 @@ from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, RunOrder
 from probe.runs.stills import stills
-from probe.runs.viewpoints import sight_of
+from probe.runs.viewpoints import circumstances_of, viewpoint_of
 from probe.runs.work import failed
 from probe.runs.worker_messages import (
     CallResult,
@@ -118,19 +118,15 @@ class EpisodeWorker:
             task,
             order.agent,
             self._things,
-            self._things.table(task.scene.table),
             self._renderer,
-            job.run,
-            order.noise,
-            order.conditions,
-            sight_of(task, order.conditions, self._things.assets),
+            circumstances_of(order, job, self._things.assets),
             self._perceiver(),
         )
 
     def _stills(self, job: Job) -> Sequence[Array]:
         """What a model without tools is shown."""
-        sight = sight_of(job.task, self._order.conditions, self._things.assets)
-        return stills(self._setting, job.task, sight, self._things, self._renderer)
+        viewpoint = viewpoint_of(job.task, self._order.conditions, self._things.assets)
+        return stills(self._setting, job.task, viewpoint, self._things, self._renderer)
 
     def _call(self, call: Call) -> CallResult | EpisodeFailed:
         assert self._episode is not None, "a call needs a table that is set"
@@ -143,7 +139,7 @@ class EpisodeWorker:
 
     def _leave(self, leave: FinishEpisode) -> EpisodeFinished:
         assert self._job is not None, "nobody sits at the table"
-        record = replace(self._record(self._job, leave), seat=leave.seat)
+        record = replace(self._record(self._job, leave), participation=leave.participation)
         self._episode = None
         return EpisodeFinished(line_of(record), self._worth(self._job.task, record))
 
@@ -158,16 +154,14 @@ class EpisodeWorker:
 
     def _record(self, job: Job, leave: FinishEpisode) -> EpisodeRecord:
         order = self._order
-        sight = sight_of(job.task, order.conditions, self._things.assets)
+        viewpoint = viewpoint_of(job.task, order.conditions, self._things.assets)
         if self._episode is None:
-            record = replace(failed(job, order, leave.fault or ""), sight=sight)
+            record = replace(failed(job, order, leave.fault or ""), viewpoint=viewpoint)
             if leave.fault is None:
                 end = "answered" if leave.answer else "stopped"
                 record = replace(record, answer=leave.answer, end=end, fault=None)
             return record
-        record = replace(
-            self._episode.record, noise=order.noise, conditions=order.conditions, sight=sight
-        )
+        record = self._episode.record.under(circumstances_of(order, job, self._things.assets))
         return replace(record, end="fault", fault=leave.fault) if leave.fault else record
 
     def _perceiver(self) -> Perceiver:

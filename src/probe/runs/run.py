@@ -95,7 +95,7 @@ def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: RunOrder
 def _counts_otherwise(record: EpisodeRecord, order: RunOrder) -> bool:
     """The same model in the same setting, but told to count places in another way."""
     same = (record.agent, record.setting) == (order.agent, order.setting)
-    return same and record.seat is not None and record.seat.points != order.points
+    return same and record.participation is not None and record.participation.points != order.points
 
 
 def _earlier(out: Path) -> list[EpisodeRecord]:

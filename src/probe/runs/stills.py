@@ -15,24 +15,24 @@ from probe.types import Array
 
 
 def stills(
-    setting: Setting, task: Task, sight: Viewpoint, things: Library, renderer: Renderer
+    setting: Setting, task: Task, viewpoint: Viewpoint, things: Library, renderer: Renderer
 ) -> tuple[Array, ...]:
     """Pictures that come with the question; replaces what the renderer had loaded.
 
     Args:
         setting: None in "blind", two in "oracle-view", else one.
         task: Whose table.
-        sight: From where and in which light it is seen.
+        viewpoint: From where and in which light it is seen.
         things: Has the task's objects.
         renderer: Draws.
     """
     if setting == "blind":
         return ()
     if setting == "oracle-view":
-        frames = oracle_view(task, things, renderer, sight).frames
+        frames = oracle_view(task, things, renderer, viewpoint).frames
         return tuple(frame.rgb for frame in frames if frame.rgb is not None)
     load_scene(renderer, task.scene, things, things.table(task.scene.table))
-    light = light_of(sight.lighting, things.assets)
-    frame = photograph(renderer, task.scene, camera=sight.camera, light=light)
+    light = light_of(viewpoint.lighting, things.assets)
+    frame = photograph(renderer, task.scene, camera=viewpoint.camera, light=light)
     assert frame.rgb is not None
     return (drawn(frame.rgb, task.marks),)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from probe.assets.environments import environment_names
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.conditions import Conditions
+from probe.runs.plan import Job, RunOrder
 from probe.scene.lighting import AMBIENT
 from probe.scene.perturb import VIEW_RANGES, CameraName, any_lighting, moved_view
 from probe.scene.seeds import generator
@@ -14,12 +16,18 @@ from probe.tasks.task import Task
 from probe.types import Camera
 
 
-def sight_of(task: Task, conditions: Conditions, assets: Path | None) -> Viewpoint:
+def viewpoint_of(task: Task, conditions: Conditions, assets: Path | None) -> Viewpoint:
     """Drawn from the task's seed: the same for all agents and runs, another one for each task."""
     lighting = AMBIENT
     if conditions.lighting == "hdri":
         lighting = any_lighting(environment_names(assets), generator(task.seed, "lighting"))
     return Viewpoint(camera_of(task, conditions.camera), lighting)
+
+
+def circumstances_of(order: RunOrder, job: Job, assets: Path | None) -> Circumstances:
+    """What an order's episode differs in from others of its task."""
+    viewpoint = viewpoint_of(job.task, order.conditions, assets)
+    return Circumstances(job.run, order.noise, order.conditions, viewpoint)
 
 
 def camera_of(task: Task, name: CameraName) -> Camera:

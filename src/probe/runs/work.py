@@ -18,7 +18,7 @@ from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.turns import Agent
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, RunOrder
-from probe.runs.viewpoints import sight_of
+from probe.runs.viewpoints import circumstances_of
 from probe.runs.worker_pool import TRIES
 from probe.tasks.task import Task
 
@@ -53,7 +53,7 @@ class WorkerSetup:
             yield partial(self._line, things, renderer)
 
     def _line(self, things: Library, renderer: Renderer, job: Job) -> bytes:
-        """The record of an episode; one that failed on our side is begun anew, TRIES times."""
+        """The record of an episode; one that failed on our side is begun again, TRIES times."""
         record = self._attempt(job, things, renderer)
         for _ in range(TRIES - 1):
             if record.end != "fault":
@@ -71,7 +71,7 @@ class WorkerSetup:
         finally:
             agent.close()
         return (
-            replace(record, seat=Participation("", faults=(agent.fault,)))
+            replace(record, participation=Participation("", faults=(agent.fault,)))
             if agent.fault
             else record
         )
@@ -91,12 +91,8 @@ class WorkerSetup:
             agent,
             order.agent,
             things,
-            things.table(task.scene.table),
             renderer,
-            job.run,
-            order.noise,
-            order.conditions,
-            sight_of(task, order.conditions, things.assets),
+            circumstances_of(order, job, things.assets),
             pictures=pictures,
         )
 
@@ -129,5 +125,5 @@ def stopped(job: Job, order: RunOrder) -> EpisodeRecord:
         end="stopped",
         noise=order.noise,
         conditions=order.conditions,
-        sight=job.task.viewpoint,
+        viewpoint=job.task.viewpoint,
     )

@@ -23,12 +23,12 @@ class FinishEpisode:
     """The model is done; the reply is Left.
 
     Attributes:
-        seat: Its part in it.
+        participation: Its part in it.
         answer: What it said, if it had no tools to say it with.
         fault: What failed on our side, if that is why.
     """
 
-    seat: Participation
+    participation: Participation
     answer: Answer | None = None
     fault: str | None = None
 

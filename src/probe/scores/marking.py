@@ -87,7 +87,7 @@ def row_of(
 
 
 def _usage(record: EpisodeRecord) -> Usage:
-    seat = record.seat
+    seat = record.participation
     return Usage(seat.tokens_in, seat.tokens_out, seat.cost) if seat else Usage()
 
 

@@ -90,7 +90,7 @@ def messages(
     Raises:
         OtherPictures: There are more or fewer.
     """
-    seat = record.seat or _plain(record)
+    seat = record.participation or _plain(record)
     if len(later) != len(record.steps):
         raise OtherPictures(record.task, len(record.steps), len(later))
     setting = setting_named(seat.setting)

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from probe.assets.library import Library
-from probe.assets.tables import TableMaterial
 from probe.generation.attempt import Attempt
 from probe.generation.build import without_notes
 from probe.generation.first_look import look_at
@@ -59,16 +58,15 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
     }
     untrue = list(truth_problems(task, anew))
     problems["at rest"] = tuple(filter(None, [anew.restaged.unrest()]))
-    table = library.table(task.scene.table)
     played = reachable = 0
     if depth.history:
-        for record in histories(task, library, table, renderer):
+        for record in histories(task, library, renderer):
             untrue += history_problems(task, record, renderer)
             played += 1
             reachable += is_reachable(task, record.scenes[-1])
     problems["invariant"] = tuple(untrue)
     if depth.solve:
-        problems["solvable"] = tuple(_unsolved(task, library, table, renderer))
+        problems["solvable"] = tuple(_unsolved(task, library, renderer))
     return TaskVerdict(
         task=task.id,
         question_type=task.question_type,
@@ -81,12 +79,10 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
     )
 
 
-def _unsolved(
-    task: Task, library: Library, table: TableMaterial, renderer: Renderer
-) -> Iterator[str]:
-    if solves_as_noted(task, library, table, renderer):
+def _unsolved(task: Task, library: Library, renderer: Renderer) -> Iterator[str]:
+    if solves_as_noted(task, library, renderer):
         return
-    made = trials(task, library, table, renderer)
+    made = trials(task, library, renderer)
     if not any(trial.solved for trial in made):
         yield f"none of {len(made)} attempts"
 

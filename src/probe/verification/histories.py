@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from probe.agents.random import Random
 from probe.assets.library import Library
-from probe.assets.tables import TableMaterial
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.grading import grade_episode
 from probe.episodes.play import play
 from probe.episodes.record import EpisodeRecord
@@ -23,13 +23,11 @@ from probe.toolshed.result import Answer
 HISTORIES = 3
 
 
-def histories(
-    task: Task, library: Library, table: TableMaterial, renderer: Renderer
-) -> Iterator[EpisodeRecord]:
+def histories(task: Task, library: Library, renderer: Renderer) -> Iterator[EpisodeRecord]:
     """Episodes of an agent that does anything."""
     for number in range(HISTORIES):
         rng = generator(task.seed, "history", number)
-        yield play(task, Random(rng), "random", library, table, renderer, number)
+        yield play(task, Random(rng), "random", library, renderer, Circumstances(number))
 
 
 def history_problems(task: Task, record: EpisodeRecord, renderer: Renderer) -> Iterator[str]:
@@ -40,7 +38,7 @@ def history_problems(task: Task, record: EpisodeRecord, renderer: Renderer) -> I
     places = Counter(whereabouts(o.pose, task.scene.setup) for o in record.scenes[-1].objects)
     if sum(places.values()) != len(task.scene.objects):
         yield "things are neither on the table, nor in the basket, nor off both"
-    labels = labels_of(renderer, record.scenes[-1], record.sight.camera)
+    labels = labels_of(renderer, record.scenes[-1], record.viewpoint.camera)
     for option in task.options:
         answered = replace(record, answer=Answer(option.letter, None))
         grade = grade_episode(task, answered, labels)

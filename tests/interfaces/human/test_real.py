@@ -13,7 +13,6 @@ from browser import Browser, chromium
 from interfaces.human.page import AtPage
 from probe.agents.scripted import Scripted
 from probe.assets.library import open_library
-from probe.assets.tables import load_table
 from probe.episodes.files import read_records
 from probe.episodes.grading import question_of
 from probe.episodes.play import play, score
@@ -85,8 +84,7 @@ def test_a_person_can_do_what_an_agent_can(server, cache, tmp_path):
     solved = set[str]()
     with Renderer() as renderer:
         for task, record in zip(TASKS, records, strict=True):
-            top = load_table(task.scene.table, None)
-            near = play(task, scripted(task), "Ada", things, top, renderer)
+            near = play(task, scripted(task), "Ada", things, renderer)
             correct = score(task, record, renderer).correct
             assert correct == score(task, near, renderer).correct
             solved |= {task.question_type} if correct else set()

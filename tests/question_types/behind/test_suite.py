@@ -10,6 +10,7 @@ import pytest
 from probe.agents.scripted import Scripted
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.noise import NOISES
 from probe.episodes.oracle_view import oracle_view
 from probe.episodes.play import play, score
@@ -88,10 +89,9 @@ def test_the_oracle_view_takes_away_what_is_in_front(library: Library, renderer:
 
 @pytest.mark.slow
 def test_the_scripted_agent_solves_most_with_fresh_luck(library: Library, renderer: Renderer):
-    solved = 0
+    solved, fresh = 0, Circumstances(run=90, noise=NOISES["paper"])
     for task in SUITE.tasks[:5]:
         agent = Scripted("behind", task.subject, generator(task.seed, "fresh"))
-        table = library.table(task.scene.table)
-        record = play(task, agent, "scripted", library, table, renderer, 90, NOISES["paper"])
+        record = play(task, agent, "scripted", library, renderer, fresh)
         solved += score(task, record, renderer).correct
     assert solved >= 4

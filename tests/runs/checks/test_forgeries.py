@@ -35,10 +35,10 @@ OTHER = "A" if TASK.answer != "A" else "B"
 SPEECH = ModelReply(0, f"I see it.\nANSWER: {TASK.answer} (100, 200)")
 SPOKEN = Participation("direct", replies=(ModelReply(0, "Hm."), SPEECH))
 CALLED = Participation("agentic", replies=(ModelReply(3), ModelReply(1)))
-IN_WORDS = replace(with_steps(HONEST), seat=SPOKEN, seconds=Seconds())
+IN_WORDS = replace(with_steps(HONEST), participation=SPOKEN, seconds=Seconds())
 """An honest record of a model that has no tools."""
 
-WITH_TOOLS = replace(HONEST, seat=CALLED)
+WITH_TOOLS = replace(HONEST, participation=CALLED)
 
 
 def checked(out):
@@ -191,7 +191,7 @@ FORGERIES = {
         "a time of its tools is below 0",
     ),
     "another light than its conditions": (
-        replace(HONEST, sight=Viewpoint(lighting=Lighting("loft", 0.5))),
+        replace(HONEST, viewpoint=Viewpoint(lighting=Lighting("loft", 0.5))),
         "its light isn't that of its conditions",
     ),
     "a camera that didn't stray": (
@@ -199,31 +199,31 @@ FORGERIES = {
         "its camera isn't where its conditions put it",
     ),
     "free words after a setting": (
-        replace(WITH_TOOLS, seat=replace(CALLED, setting="agentic, pointing self")),
+        replace(WITH_TOOLS, participation=replace(CALLED, setting="agentic, pointing self")),
         "There is no setting called 'agentic, pointing self'",
     ),
     "nobody who points": (
-        replace(WITH_TOOLS, seat=replace(CALLED, setting="agentic, pointer ")),
+        replace(WITH_TOOLS, participation=replace(CALLED, setting="agentic, pointer ")),
         "There is no setting called 'agentic, pointer '",
     ),
     "a setting without a space": (
-        replace(WITH_TOOLS, seat=replace(CALLED, setting="agentic,pointer self")),
+        replace(WITH_TOOLS, participation=replace(CALLED, setting="agentic,pointer self")),
         "There is no setting called 'agentic,pointer self'",
     ),
     "a pointer without tools": (
-        replace(IN_WORDS, seat=replace(SPOKEN, setting="direct, pointer self")),
+        replace(IN_WORDS, participation=replace(SPOKEN, setting="direct, pointer self")),
         "There is no setting called 'direct, pointer self'",
     ),
     "an unknown setting": (
-        replace(WITH_TOOLS, seat=replace(CALLED, setting="agentical")),
+        replace(WITH_TOOLS, participation=replace(CALLED, setting="agentical")),
         "There is no setting called 'agentical'",
     ),
     "tools in a setting without": (
-        replace(HONEST, seat=SPOKEN),
+        replace(HONEST, participation=SPOKEN),
         "it has calls, and nobody has tools in the setting 'direct'",
     ),
     "calls that no reply made": (
-        replace(WITH_TOOLS, seat=replace(CALLED, replies=(ModelReply(3),))),
+        replace(WITH_TOOLS, participation=replace(CALLED, replies=(ModelReply(3),))),
         "its model's replies made 3 calls, and it has 4",
     ),
     "words that say otherwise": (
@@ -235,11 +235,11 @@ FORGERIES = {
         r"its answer is .* at \(300, 200\), and its replies say .* at \(100, 200\)",
     ),
     "many replies without tools": (
-        replace(IN_WORDS, seat=replace(SPOKEN, replies=(SPEECH,) * 3)),
+        replace(IN_WORDS, participation=replace(SPOKEN, replies=(SPEECH,) * 3)),
         "a model makes 2 replies at most",
     ),
     "a cost below 0": (
-        replace(WITH_TOOLS, seat=replace(CALLED, cost=-1.0)),
+        replace(WITH_TOOLS, participation=replace(CALLED, cost=-1.0)),
         "its tokens or their cost are below 0",
     ),
 }
@@ -316,7 +316,7 @@ def test_places_in_thousandths_may_be_rounded(tmp_path):
     said = ModelReply(0, f"ANSWER: {TASK.answer} (98, 195)")
     seat = Participation("direct", "0-1000", (said,))
     # 98 and 195 thousandths of 1024 pixels are 100.352 and 199.68.
-    record = replace(IN_WORDS, seat=seat)
+    record = replace(IN_WORDS, participation=seat)
     assert checked(write_folder(tmp_path / "near", record)) == [record]
     far = replace(record, answer=Answer(TASK.answer, (102.0, 200.0)))
     with pytest.raises(BadData, match="its replies say"):

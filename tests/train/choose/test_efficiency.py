@@ -44,4 +44,4 @@ def test_a_reply_that_needed_a_reminder_did_nothing(setting):
 
 
 def test_an_agent_without_a_seat_is_reminded_of_nothing():
-    assert waste(replace(lesson(TASK).record, seat=None), 1) is None
+    assert waste(replace(lesson(TASK).record, participation=None), 1) is None

@@ -80,7 +80,9 @@ def test_records_without_grades_and_grades_without_records_are_told(tmp_path):
 def test_a_fault_that_was_made_good_since_is_no_episode(tmp_path):
     batch = write_batch(begin_collection(tmp_path), LESSONS)
     good = LESSONS[1].record
-    fault = replace(good, seat=None, end="fault", fault="gone", answer=None, steps=good.steps[:-1])
+    fault = replace(
+        good, participation=None, end="fault", fault="gone", answer=None, steps=good.steps[:-1]
+    )
     path = batch.setting("agentic") / RECORDS
     records = read_records(path)
     path.unlink()

@@ -41,14 +41,14 @@ def test_tools_come_along_where_there_are_any(examples):
 def test_places_are_counted_as_the_student_counts_them():
     task = training_task(1)
     it = lesson(task, setting="direct")
-    seat = it.record.seat
+    seat = it.record.participation
     assert seat is not None
     reply = replace(seat.replies[0], words="There.\nANSWER: B (512, 256)")
-    record = replace(it.record, seat=replace(seat, replies=(reply,)))
+    record = replace(it.record, participation=replace(seat, replies=(reply,)))
     example = example_of(task, record, shown_in(it), "0-1000")
     assert example.messages[-1].text == "There.\nANSWER: B (500, 250)"
     assert "thousandths" in example.messages[0].text
-    counted = replace(record, seat=replace(seat, points="0-1000"))
+    counted = replace(record, participation=replace(seat, points="0-1000"))
     with pytest.raises(BadData, match="Say --points 0-1000"):
         example_of(task, counted, shown_in(it), "pixels")
 
@@ -64,8 +64,8 @@ def test_words_along_with_calls_count_places_as_the_calls_do():
     assert json.loads(thousandths.calls[0][1].arguments)["description"] == "the mug at (500, 250)"
     assert example_of(it.task, record, shown_in(it), "pixels").messages[2].text == call.words
     # A teacher that counted thousandths said so itself.
-    assert record.seat is not None
-    counted = replace(record, seat=replace(record.seat, points="0-1000"))
+    assert record.participation is not None
+    counted = replace(record, participation=replace(record.participation, points="0-1000"))
     assert example_of(it.task, counted, shown_in(it)).messages[2].text == call.words
 
 

@@ -4,7 +4,7 @@ from probe.episodes.evidence import OracleRule, TableSight
 from probe.tasks.task import Task
 
 
-def _cover(task: Task, sight: TableSight) -> set[int]:
+def _cover(task: Task, viewpoint: TableSight) -> set[int]:
     return set() if task.cover is None else {task.cover}
 
 

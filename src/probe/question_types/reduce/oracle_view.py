@@ -4,7 +4,7 @@ from probe.episodes.evidence import OracleRule, TableSight
 from probe.tasks.task import Task
 
 
-def _named(task: Task, sight: TableSight) -> set[int]:
+def _named(task: Task, viewpoint: TableSight) -> set[int]:
     return set(task.named)
 
 

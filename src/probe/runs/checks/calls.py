@@ -21,7 +21,7 @@ def amiss_in_calls(record: EpisodeRecord) -> Iterator[str]:
         yield f"it has {record.manipulations} manipulations, and the rules allow {MANIPULATIONS}"
     before, used = record.start, 0
     for number, step in enumerate(record.steps, start=1):
-        request = request_of(step, record.sight.camera.width_px)
+        request = request_of(step, record.viewpoint.camera.width_px)
         moves = isinstance(request, GraspAndRemove | Push)
         for reason in (_of_status(step, request, used), _of_table(step, before, moves=moves)):
             if reason:

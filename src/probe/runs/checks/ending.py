@@ -25,8 +25,8 @@ _ROUNDED_PX = 1.0
 def amiss_at_the_end(record: EpisodeRecord) -> Iterator[str]:
     """In what answer, end, fault and the calls or replies of a record don't agree."""
     yield from _of_end(record)
-    if record.seat is not None and not _has_tools(record.seat):
-        yield from _in_words(record, record.seat)
+    if record.participation is not None and not _has_tools(record.participation):
+        yield from _in_words(record, record.participation)
     else:
         yield from _with_tools(record)
 
@@ -48,7 +48,7 @@ def _has_tools(seat: Participation) -> bool:
 
 
 def _with_tools(record: EpisodeRecord) -> Iterator[str]:
-    side_px = record.sight.camera.width_px
+    side_px = record.viewpoint.camera.width_px
     requests = [request_of(step, side_px) for step in record.steps]
     if any(isinstance(request, AnswerQuestion) for request in requests[:-1]):
         yield "calls follow its answer"
@@ -60,8 +60,8 @@ def _with_tools(record: EpisodeRecord) -> Iterator[str]:
     spent = turns >= TURNS and record.answer is None
     if record.end in ("stopped", "out_of_turns") and spent != (record.end == "out_of_turns"):
         yield f'its end is "{record.end}" after {turns} of {TURNS} turns'
-    if record.seat is not None:
-        called = sum(reply.calls for reply in record.seat.replies)
+    if record.participation is not None:
+        called = sum(reply.calls for reply in record.participation.replies)
         # A reply that a failure broke off isn't among them; its first calls may be.
         whole = record.end in ("answered", "out_of_turns")
         if called > turns or (whole and called < turns):

@@ -33,7 +33,7 @@ def amiss_beside_task(record: EpisodeRecord, task: Task) -> Iterator[str]:
         yield "its table at the start isn't that of the suite"
     camera = camera_of(task, record.conditions.camera)
     # What came to nothing may say nothing of how it would have been seen.
-    if record.end != "fault" and not _same_camera(record.sight.camera, camera):
+    if record.end != "fault" and not _same_camera(record.viewpoint.camera, camera):
         yield "its camera isn't where its conditions put it"
 
 
@@ -43,7 +43,7 @@ def amiss_as_stated(record: EpisodeRecord) -> Iterator[str]:
         yield "its agent has no name"
     if min(record.noise.grasp, record.noise.push) < 0:
         yield "its noise is below 0"
-    if record.conditions.lighting == "ambient" and record.sight.lighting != AMBIENT:
+    if record.conditions.lighting == "ambient" and record.viewpoint.lighting != AMBIENT:
         yield "its light isn't that of its conditions"
     yield from _of_times(record)
     yield from _of_seat(record)
@@ -60,7 +60,7 @@ def _of_times(record: EpisodeRecord) -> Iterator[str]:
 
 
 def _of_seat(record: EpisodeRecord) -> Iterator[str]:
-    seat = record.seat
+    seat = record.participation
     if seat is None:
         return
     try:

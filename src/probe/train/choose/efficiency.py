@@ -51,7 +51,9 @@ def waste(record: EpisodeRecord, limit: int) -> Waste | None:
 def reminded(record: EpisodeRecord) -> bool:
     """Whether a model had to be told to call a tool, to answer, or to point at its answer."""
     # Only an episode's last reply may be in words alone.
-    return record.seat is not None and any(it.calls == 0 for it in record.seat.replies[:-1])
+    return record.participation is not None and any(
+        it.calls == 0 for it in record.participation.replies[:-1]
+    )
 
 
 def failures(record: EpisodeRecord) -> Counter[str]:

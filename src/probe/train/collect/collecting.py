@@ -168,7 +168,7 @@ def _grade(
         correct=score and score.correct,
         outcome=score.outcome if score else fault or "fault",
         manipulations=record.manipulations if record else 0,
-        cost=record.seat.cost if record and record.seat else None,
+        cost=record.participation.cost if record and record.participation else None,
     )
 
 

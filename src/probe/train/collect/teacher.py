@@ -14,6 +14,7 @@ from probe.agents.reading import read_graph
 from probe.agents.scripted import Scripted
 from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, plan_for
 from probe.assets.library import Library
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.grading import question_of
 from probe.episodes.participation import ModelReply, Participation, Points
 from probe.episodes.play import set_table
@@ -21,7 +22,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Agent, Call, Question, Turn
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, RunOrder
-from probe.runs.viewpoints import sight_of
+from probe.runs.viewpoints import viewpoint_of
 from probe.runs.work import WorkerSetup, stopped
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
@@ -85,35 +86,34 @@ class TeacherWorker(WorkerSetup):
             return self._told(job, things, renderer)
         record = super().played(job, things, renderer)
         replies = tuple(ModelReply(1) for _ in record.steps)
-        return replace(record, seat=Participation(order.setting, order.points, replies, cost=0.0))
+        return replace(
+            record, participation=Participation(order.setting, order.points, replies, cost=0.0)
+        )
 
     def _told(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
         order, task = self.order, job.task
-        sight = sight_of(task, order.conditions, things.assets)
+        viewpoint = viewpoint_of(task, order.conditions, things.assets)
         tools, _ = set_table(
             task,
             things,
-            things.table(task.scene.table),
             renderer,
+            Circumstances(job.run, conditions=order.conditions, viewpoint=viewpoint),
             pictures=False,
-            conditions=order.conditions,
-            sight=sight,
-            run=job.run,
         )
         graph = read_graph(tools.call("perceive_scene", {}).text)
         asked = FirstLookQuestion(question_of(task), task.subject, task.form, graph)
         said = plan_for(task.question_type).at_sight(asked, speaker(task, job.run))
-        return answered(replace(stopped(job, order), sight=sight), order, said)
+        return answered(replace(stopped(job, order), viewpoint=viewpoint), order, said)
 
 
 def answered(record: EpisodeRecord, order: RunOrder, said: FirstLookAnswer | None) -> EpisodeRecord:
     """A record of an episode that was ended at once, with an answer in words, or with none."""
     if said is None:
         seat = Participation(order.setting, order.points, cost=0.0)
-        return replace(record, seat=seat)
+        return replace(record, participation=seat)
     place = f" ({said.point[0]}, {said.point[1]})" if said.point else ""
     words = told(f"{said.words}\nANSWER: {said.letter}{place}", order.points)
     seat = Participation(order.setting, order.points, (ModelReply(0, words),), cost=0.0)
     point = (float(said.point[0]), float(said.point[1])) if said.point else None
     answer = Answer(said.letter, point)
-    return replace(record, answer=answer, end="answered", seat=seat)
+    return replace(record, answer=answer, end="answered", participation=seat)

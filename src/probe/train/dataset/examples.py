@@ -72,10 +72,14 @@ def example_of(
         Canary: A suite's canary is in a text.
     """
     record = _retold(record, points)
-    assert record.seat is not None
-    setting = setting_named(record.seat.setting)
+    assert record.participation is not None
+    setting = setting_named(record.participation.setting)
     conversation = _until_last_reply(messages(record, shown.first, shown.later))
-    tools = json.dumps(as_sent(record.seat.points, record.scale)) if setting == "agentic" else ""
+    tools = (
+        json.dumps(as_sent(record.participation.points, record.scale))
+        if setting == "agentic"
+        else ""
+    )
     made = TrainingExample(
         id=f"{task.id}-{record.agent}-{setting}-{record.run}".replace("/", "-"),
         question_type=task.question_type,
@@ -90,9 +94,11 @@ def example_of(
 
 def _retold(record: EpisodeRecord, points: Points | None) -> EpisodeRecord:
     """What the teacher said, told in the way in which a student counts places."""
-    seat = record.seat or replace(PLAIN, replies=tuple(ModelReply(1) for _ in record.steps))
+    seat = record.participation or replace(
+        PLAIN, replies=tuple(ModelReply(1) for _ in record.steps)
+    )
     if points is None or points == seat.points:
-        return replace(record, seat=seat)
+        return replace(record, participation=seat)
     if seat.points != "pixels":
         reason = f"the teacher counted places {seat.points}, and wrote them down so"
         remedy = f"Say --points {seat.points}, or collect with --points {points}"
@@ -102,7 +108,7 @@ def _retold(record: EpisodeRecord, points: Points | None) -> EpisodeRecord:
         replace(step, call=replace(step.call, words=told(step.call.words, points)))
         for step in record.steps
     )
-    return replace(record, seat=replace(seat, points=points, replies=replies), steps=steps)
+    return replace(record, participation=replace(seat, points=points, replies=replies), steps=steps)
 
 
 def _until_last_reply(conversation: Sequence[Message]) -> list[Message]:

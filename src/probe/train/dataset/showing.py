@@ -102,7 +102,7 @@ def _result(
     picture = _picture(task, record, before, scene_renderer)
     if step.status != "done" or step.point_px is None:
         return picture
-    labels = scene_renderer.frame(task, before, record.sight).labels
+    labels = scene_renderer.frame(task, before, record.viewpoint).labels
     assert labels is not None
     u, v = step.point_px
     return outlined(picture, Thing.of(labels == labels[v, u], _NOTHING))
@@ -111,7 +111,7 @@ def _result(
 def _picture(
     task: Task, record: EpisodeRecord, scene: Scene, scene_renderer: SceneRenderer
 ) -> Array:
-    frame = scene_renderer.frame(task, scene, record.sight)
+    frame = scene_renderer.frame(task, scene, record.viewpoint)
     assert frame.rgb is not None
     return frame.rgb
 

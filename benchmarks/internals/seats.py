@@ -1,7 +1,9 @@
 """Evaluations of a scripted policy behind a local server that fails in every way, at any size.
 
-    .venv/bin/python benchmarks/seats.py                      # the demo, minutes
-    .venv/bin/python benchmarks/seats.py v1.json --direct 150 --agentic 30 --epochs 3 --alike 30
+Measures internals, not the public API.
+
+    python benchmarks/internals/seats.py                      # the demo, minutes
+    python benchmarks/internals/seats.py v1.json --direct 150 --agentic 30 --epochs 3 --alike 30
 
 Says how long it took, which faults came to pass, and whether nothing was lost; exits with an error
 if something was.
@@ -24,7 +26,7 @@ from typing import Any
 
 import tyro
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 
 from bench.sitting_in import metrics_of, run_in  # noqa: E402
@@ -32,6 +34,7 @@ from model_server import Reply, serving  # noqa: E402
 from policy_server import Policy, agent_in_run_0, task_of  # noqa: E402
 from probe.api.resources import cache_folder, everything, opener  # noqa: E402
 from probe.bench.plan import ModelRunPlan  # noqa: E402
+from probe.episodes.circumstances import Circumstances  # noqa: E402
 from probe.episodes.files import line_of, read_records  # noqa: E402
 from probe.episodes.folder import RECORDS, in_order, standing  # noqa: E402
 from probe.episodes.noise import NOISES  # noqa: E402
@@ -151,7 +154,7 @@ def troubled(plan: ModelRunPlan, script: Script) -> None:
         log = run_in(plan, server.url, EpisodeWorkerSetup, max_retries=4, attempt_timeout=PATIENCE)
     whole = len(plan.tasks) * plan.epochs
     records = records_of(plan)
-    faults = [fault for it in records if it.seat for fault in it.seat.faults]
+    faults = [fault for it in records if it.participation for fault in it.participation.faults]
     missing = sum(it.end == "fault" for it in records)
     seconds = time.monotonic() - start
     print(f"{plan.setting}: {whole} episodes, {server.requests} requests, {seconds:.0f} s")
@@ -224,7 +227,8 @@ def alike(suite: Suite, out: Path) -> None:
             log = run_in(plan, server.url, EpisodeWorkerSetup)
     there = {(it.task, it.run): it for it in records_of(plan)}
     same = sum(
-        line_of(replace(there[key], seat=None), timed=False) == line_of(record, timed=False)
+        line_of(replace(there[key], participation=None), timed=False)
+        == line_of(record, timed=False)
         for key, record in here.items()
     )
     apart = sum(here[it.id, 0].scenes != here[it.id, 1].scenes for it in suite.tasks)
@@ -236,8 +240,7 @@ def alike(suite: Suite, out: Path) -> None:
 
 def played(task: Task, run: int, things: Any, renderer: Renderer) -> EpisodeRecord:
     agent = agent_in_run_0("scripted", task, run, things, renderer)
-    table = things.table(task.scene.table)
-    return play(task, agent, "scripted", things, table, renderer, run, NOISES["paper"])
+    return play(task, agent, "scripted", things, renderer, Circumstances(run, NOISES["paper"]))
 
 
 def records_of(plan: ModelRunPlan) -> list[EpisodeRecord]:

@@ -1,4 +1,6 @@
-"""What a scripted episode without pictures costs: `python benchmarks/episode.py --help`.
+"""What a scripted episode without pictures costs: `python benchmarks/internals/episode.py --help`.
+
+Measures internals, not the public API.
 
 CPU seconds, split by tool and into our process (planning, physics, perception) and the render
 worker with its children.
@@ -20,7 +22,6 @@ from rich.table import Table
 from probe.agents.scripted import Scripted
 from probe.api.resources import assets_folder, cache_folder
 from probe.assets.library import Library, open_library
-from probe.assets.tables import load_table
 from probe.episodes.grading import question_of
 from probe.episodes.play import set_table
 from probe.episodes.run import run_episode
@@ -69,9 +70,8 @@ def worker_seconds(renderer: Renderer) -> float:
 
 def episode(task: Task, things: Library, renderer: Renderer) -> tuple[float, Metered]:
     """CPU seconds of all of it, setting the table included, and the tools that were used."""
-    table = load_table(task.scene.table, assets_folder())
     here, there = time.process_time(), worker_seconds(renderer)
-    tools, station = set_table(task, things, table, renderer, pictures=False)
+    tools, station = set_table(task, things, renderer, pictures=False)
     metered = Metered(tools, renderer)
     agent = Scripted(task.question_type, task.subject, generator(task.seed, "run", "benchmark"))
     run_episode(

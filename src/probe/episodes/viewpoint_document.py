@@ -12,7 +12,7 @@ from probe.scene.viewpoint import Viewpoint
 from probe.types import Camera, Pose
 
 
-class SightDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
+class ViewpointDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
     """Pose of the camera (world_from_camera) and the light, if they weren't the usual ones.
 
     Field of view and size of the pictures are left out where they are those of the usual camera.
@@ -30,13 +30,13 @@ class SightDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
     )
 
     @staticmethod
-    def of(sight: Viewpoint) -> SightDocument | None:
-        """The document of a sight; None for the usual one."""
-        if sight == Viewpoint():
+    def of(viewpoint: Viewpoint) -> ViewpointDocument | None:
+        """The document of a viewpoint; None for the usual one."""
+        if viewpoint == Viewpoint():
             return None
-        camera, light = sight.camera, sight.lighting
+        camera, light = viewpoint.camera, viewpoint.lighting
         usual, pose = UR5_TABLE.camera(), camera.world_from_camera
-        return SightDocument(
+        return ViewpointDocument(
             position=pose.position,
             wxyz=pose.wxyz,
             lighting=light.name,
@@ -45,8 +45,8 @@ class SightDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
             picture_px=None if camera.width_px == usual.width_px else camera.width_px,
         )
 
-    def sight(self) -> Viewpoint:
-        """The sight it describes."""
+    def viewpoint(self) -> Viewpoint:
+        """The viewpoint it describes."""
         usual = UR5_TABLE.camera()
         size = self.picture_px or usual.width_px
         camera = Camera(Pose(self.position, self.wxyz), size, size, self.fov_deg or usual.fov_y_deg)
