@@ -3,13 +3,14 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 BIN := .venv/bin
 WORKERS ?= 2
 
-.PHONY: help demo test test-slow check bench mutants format driver browser
+.PHONY: help demo docs test test-slow check bench mutants format driver browser
 .DELETE_ON_ERROR:
 
 help:
 	@echo "make demo       a scripted agent solves six tasks; outputs/demo/index.html"
 	@echo "make test       the fast tests"
 	@echo "make test-slow  the slow ones; installs PyTorch, Blender and a Chromium"
+	@echo "make docs       the pages as a site; outputs/site/index.html"
 	@echo "make check      format, lint, types, architecture"
 	@echo "make bench      what things cost"
 	@echo "make mutants    whether tests notice errors in grading and statistics"
@@ -24,7 +25,7 @@ test test-slow: export OMP_NUM_THREADS = 1
 test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS)
 
-test-slow: .venv/.ready driver browser .venv/.blender .venv/.torch
+test-slow: .venv/.ready driver browser .venv/.blender .venv/.docs .venv/.torch
 	$(BIN)/pytest -m "slow and not gpu" --durations 15 -n $(WORKERS)
 
 check: .venv/.ready
@@ -32,6 +33,12 @@ check: .venv/.ready
 	$(BIN)/ruff check
 	$(BIN)/pyright
 	$(BIN)/lint-imports
+
+# A dead link is a warning, and a warning is an error. Every page is read again, because Sphinx
+# warns of a page only when it reads it.
+docs: .venv/.docs
+	$(BIN)/sphinx-build -q -W --keep-going -E -a -c docs/site -d outputs/.doctrees . outputs/site
+	@echo "outputs/site/index.html"
 
 # Those that take minutes and need nothing; the others say in their first lines what they take.
 BENCHMARKS ?= episode looks observation report scores
@@ -55,6 +62,9 @@ format: .venv/.ready
 
 .venv/.torch: .venv/.ready requirements-torch.lock requirements-torch-cpu.lock requirements-cuda.lock
 	@PYTHON="$(PYTHON)" scripts/add-torch
+
+.venv/.docs: .venv/.ready requirements-docs.lock
+	@PYTHON="$(PYTHON)" scripts/add-docs
 
 .venv/.mutmut: .venv/.ready requirements-mutants.lock
 	@PYTHON="$(PYTHON)" scripts/add-mutmut

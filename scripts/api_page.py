@@ -1,4 +1,7 @@
-"""Write docs/api.md: each public name with its signature and docstring; a test compares them."""
+"""Write docs/reference/api.md: each public name with its signature and docstring.
+
+A test compares them.
+"""
 
 from __future__ import annotations
 
@@ -9,14 +12,14 @@ from pathlib import Path
 
 import probe
 
-PAGE = Path(__file__).parents[1] / "docs" / "api.md"
+PAGE = Path(__file__).parents[1] / "docs" / "reference" / "api.md"
 
 HEAD = """# The Python API
 
 `import probe` offers the names on this page and no others; everything else may change without
 notice. The package imports each name when you first use it, so `import probe` itself takes
 milliseconds. If your program needs the same tables on every machine, import `probe` before NumPy
-([why](decisions/0020-the-same-sums-everywhere.md)).
+([why](../decisions/0020-the-same-sums-everywhere.md)).
 
 `scripts/api_page.py` writes this page from the docstrings.
 """

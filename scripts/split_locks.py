@@ -1,4 +1,4 @@
-"""Take out of a folder's lock files what others have, and part torch from what graphics cards need.
+"""Remove from a folder's lock files what others have, and split torch from what GPUs need.
 
 A helper of scripts/lock; needs nothing but Python.
 """
@@ -24,9 +24,9 @@ def write(path: Path, head: str, kept: dict[str, str]) -> None:
 
 
 def main(folder: Path) -> None:
-    """Make the lock files of a folder what scripts/lock hands on."""
+    """Turn the lock files that uv wrote into a folder into those of this repository."""
     _, always = entries(folder / "requirements.lock")
-    for name in ("mutants", "train"):
+    for name in ("docs", "mutants", "train"):
         path = folder / f"requirements-{name}.lock"
         head, found = entries(path)
         write(path, head, {key: it for key, it in found.items() if key not in always})

@@ -1,4 +1,4 @@
-"""Write each tool's text, and a picture of it at work, into its page in docs/tools.
+"""Write each tool's text, and a picture of it at work, into its page in docs/reference/tools.
 
 What stands there between the marks is made from the text that a model reads; a test sees that it
 still is. `--draw` plays a few calls on a demo task and draws them as well.
@@ -46,7 +46,12 @@ def block(tool: ToolSchema) -> str:
         lines += textwrap.wrap(f"> `{name}`: {told}", 100, subsequent_indent="> ") + [""]
     if tool.name in SEEN:
         words = SEEN[tool.name]
-        lines += [f"![{words.replace('`', '')}](../pictures/tool_{tool.name}.jpg)", "", words, ""]
+        lines += [
+            f"![{words.replace('`', '')}](../../pictures/tool_{tool.name}.jpg)",
+            "",
+            words,
+            "",
+        ]
     return "\n".join([*lines, END])
 
 
@@ -102,7 +107,7 @@ def main(*, draw: bool = False) -> None:
         draw: Draw the pictures as well.
     """
     for tool in tool_schemas():
-        path = DOCS / "tools" / f"{tool.name}.md"
+        path = DOCS / "reference" / "tools" / f"{tool.name}.md"
         path.write_text(page(tool, path.read_text("utf-8")), "utf-8")
     for name, picture in (pictures() if draw else {}).items():
         image = Image.fromarray(picture)

@@ -105,7 +105,7 @@ def test_a_tampered_hash_stops_the_install_in_words(tmp_path, wheelhouse, instal
     assert refused.returncode == 1 and installed(tmp_path) == []
     assert "HASHES" in refused.stderr
     assert "It is for Python 3.11 to 3.14 on Linux x86_64; this is Python 3." in refused.stderr
-    assert "don't install it" in refused.stderr and "docs/install.md" in refused.stderr
+    assert "don't install it" in refused.stderr and "docs/get-started/install.md" in refused.stderr
     assert install("").returncode == 1 and installed(tmp_path) == []
     assert install(f"--hash=sha256:{digest}").returncode == 0
     assert len(installed(tmp_path)) == 1

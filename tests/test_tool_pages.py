@@ -24,10 +24,10 @@ def pages():
 
 @pytest.mark.parametrize("tool", tool_schemas(), ids=lambda tool: tool.name)
 def test_a_page_is_made_from_the_tools_text(pages, tool):
-    text = (ROOT / "docs/tools" / f"{tool.name}.md").read_text("utf-8")
+    text = (ROOT / "docs/reference/tools" / f"{tool.name}.md").read_text("utf-8")
     assert pages.page(tool, text) == text, "run scripts/tool_pages.py"
     told = " ".join(line[2:] for line in text.splitlines() if line.startswith("> "))
     for sentence in re.split(r"(?<=\.)\s+", " ".join(tool.description.split())):
         assert sentence in told
-    for picture in re.findall(r"\]\(\.\./(pictures/[^)]+)\)", text):
+    for picture in re.findall(r"\]\(\.\./\.\./(pictures/[^)]+)\)", text):
         assert (ROOT / "docs" / picture).stat().st_size < 300_000

@@ -114,7 +114,7 @@ VOUCHED: dict[str, Forge] = {
     "another agent's name": lambda it, _: replace(it, agent="somebody-else"),
     "other times": lambda it, _: _with_steps(it, it.steps),
 }
-"""What no file can prove of itself: docs/audit.md says so."""
+"""What no file can prove of itself: docs/how-to/audit.md says so."""
 
 
 def played(folder: Path) -> Path:

@@ -1,6 +1,6 @@
 """PROBE: questions about a cluttered table that only moving things can answer.
 
-The names below are the public API; `docs/api.md` lists them. They are imported when they
+The names below are the public API; `docs/reference/api.md` lists them. They are imported when they
 are first used.
 """
 

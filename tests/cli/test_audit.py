@@ -297,7 +297,7 @@ def test_a_replay_finds_what_the_checks_cannot(played, tmp_path, capsys, name):
 
 @pytest.mark.slow
 def test_names_and_times_are_what_no_replay_can_tell(played, tmp_path, capsys):
-    """What docs/audit.md says that a signature alone speaks for."""
+    """What docs/how-to/audit.md says that a signature alone speaks for."""
     times = Seconds(*[(0.5,) * len(played.steps)] * 2)
     out = write_folder(tmp_path, replace(played, agent="bea", seconds=times))
     audit(out, replay="1")

@@ -1,4 +1,4 @@
-"""`probe published`: what docs/scores.md says of the paper's table, as the command prints it."""
+"""`probe published` prints what docs/explanation/scores.md says of the paper's table."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from probe.reading import words
 if TYPE_CHECKING:
     from inspect_ai.model import ModelUsage
 
-_REMEDY = "See docs/models.md for its form"
+_REMEDY = "See docs/how-to/models.md for its form"
 _MILLION = 1e6
 _MOST = 2**18
 """Bytes of the file: thousands of models; reading YAML takes long."""

@@ -88,7 +88,7 @@ def _tell(confined: Confinement, sandbox: Sandbox, out: Path) -> None:
         del kept["network"]
     say(f"The agent runs in a process of its own, kept from {_list(kept, True)}.")
     if not all(kept.values()):
-        say(f"This machine can't keep it from {_list(kept, False)}: see docs/agents.md.")
+        say(f"This machine can't keep it from {_list(kept, False)}: see docs/reference/agents.md.")
     say(f"What it prints goes to {out / PRINTS}.")
 
 

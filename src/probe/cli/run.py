@@ -36,7 +36,8 @@ class ModelChoice:
     """A model that acts instead of an agent.
 
     Attributes:
-        model: Model that acts instead of an agent: a name of docs/models.md or the harness's own.
+        model: Model that acts instead of an agent: a name of docs/how-to/models.md or the
+            harness's own.
         setting: How the model may answer: with tools (the default), or at once from what it is
             shown.
         epochs: Episodes of each task, for a model; by default 3.
@@ -64,7 +65,7 @@ class AgentChoice:
 
     Attributes:
         agent: Who acts, without a model; by default "scripted". "FILE.py:ClassName" for an agent of
-            your own, which runs in a process of its own: see docs/agents.md.
+            your own, which runs in a process of its own: see docs/reference/agents.md.
         agent_name: What records call an agent of a file; by default as its class.
         sandbox: What an agent of a file is allowed.
         runs: Episodes of each task, without a model; by default 1.
@@ -96,7 +97,7 @@ def run(
         noise: How far the hand errs; "paper" fails as often as the paper's.
         workers: Processes that run episodes; by default 1, for a model 4.
         shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
-        conditions: In what episodes differ from their tasks; see docs/run.md.
+        conditions: In what episodes differ from their tasks; see docs/how-to/run.md.
     """
     part = parse_shard(shard)
     check_numbers({"--runs": acting.runs, "--epochs": asked.epochs, "--workers": workers})

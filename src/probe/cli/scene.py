@@ -63,10 +63,10 @@ def scene(
             most half of the objects.
         gallery: If above 0, write this many scenes, from this seed on, and a page of them.
         lighting: "ambient", or surroundings that light the table: a painted room
-            (docs/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
+            (docs/reference/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
         camera: From above, or obliquely from the front.
         renderer: What draws colour; blender needs the extra of that name, and more time.
-        setup: File of another set-up (docs/extend/add-a-setup.md); the scene keeps it.
+        setup: File of another set-up (docs/how-to/extend/add-a-setup.md); the scene keeps it.
     """
     check_numbers({"SEED": seed, "--objects": objects, "--buried": buried, "--gallery": gallery})
     if 2 * buried > objects:

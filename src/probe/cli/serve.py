@@ -32,7 +32,7 @@ def serve(
 ) -> None:
     """Let another program use the tools on one task, over MCP on standard input and output.
 
-    One process is one session: one client, one table, one episode. See docs/serve.md.
+    One process is one session: one client, one table, one episode. See docs/how-to/serve.md.
 
     Args:
         suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.

@@ -80,7 +80,7 @@ def build(
         shard: "0/2" and "1/2" in two processes share the work.
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
-        setup: File of another set-up (docs/extend/add-a-setup.md); tasks keep it.
+        setup: File of another set-up (docs/how-to/extend/add-a-setup.md); tasks keep it.
     """
     check_numbers(
         {

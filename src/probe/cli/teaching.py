@@ -21,8 +21,8 @@ class TeachingSetup:
     """Who teaches, with which objects, and under which conditions.
 
     Attributes:
-        model: A model that teaches, by a name of docs/models.md or the harness's own; by default
-            the scripted teacher, which gives its reasons in words.
+        model: A model that teaches, by a name of docs/how-to/models.md or the harness's own; by
+            default the scripted teacher, which gives its reasons in words.
         endpoint: Address of a server that speaks OpenAI's protocol.
         prices: A file that says what tokens cost.
         points: How places are counted; by default as suits the model, or in pixels.

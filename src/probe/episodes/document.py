@@ -7,11 +7,12 @@ from typing import Annotated, Literal
 
 import pydantic
 
-from probe.episodes.conditions_document import ConditionsDocument, ViewpointDocument
+from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import Noise
 from probe.episodes.participation_document import ParticipationDocument
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question
+from probe.episodes.viewpoint_document import ViewpointDocument
 from probe.scene.document import SceneDocument
 from probe.scene.setup import UR5_TABLE
 from probe.scene.setup_file import MOST_PX
@@ -88,7 +89,7 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
     seconds: SecondsDocument | None
     noise: NoiseDocument
     # Records of before there were conditions are of none.
-    conditions: ConditionsDocument = ConditionsDocument()
+    conditions: Conditions = AS_FROZEN
     viewpoint: Annotated[ViewpointDocument | None, pydantic.Field(alias="sight")] = None
     # None of agents that are no models, and in records of before there were any.
     participation: Annotated[ParticipationDocument | None, pydantic.Field(alias="seat")] = None
@@ -110,7 +111,7 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             fault=record.fault,
             seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
-            conditions=ConditionsDocument.of(record.conditions),
+            conditions=record.conditions,
             viewpoint=ViewpointDocument.of(record.viewpoint),
             participation=record.participation and ParticipationDocument.of(record.participation),
         )
@@ -130,7 +131,7 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             fault=self.fault,
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
             noise=Noise(self.noise.grasp, self.noise.push),
-            conditions=self.conditions.conditions(),
+            conditions=self.conditions,
             viewpoint=self.viewpoint.viewpoint() if self.viewpoint else Viewpoint(),
             participation=self.participation and self.participation.participation(),
         )

@@ -38,7 +38,7 @@ class Noise:
 NoiseName = Literal["none", "paper"]
 
 NOISES: dict[NoiseName, Noise] = {"none": Noise(), "paper": Noise(grasp=0.0135)}
-"""By name; "paper" is calibrated to the paper's 73.5 % of grasps (docs/tools/bench.md)."""
+"""By name; "paper" is calibrated to the paper's 73.5 % of grasps (docs/results/tools.md)."""
 
 NO_NOISE = NOISES["none"]
 

@@ -10,8 +10,10 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
+from annotated_types import Interval
 
 from probe.errors import BadData
 from probe.perception.mistakes import cut_in_two, invented, neighbour_of, united
@@ -30,6 +32,10 @@ _TURN = 0.05
 _MASK_PX = 32
 
 
+ErrorRate = Annotated[float, Interval(ge=0, le=1)]
+"""A share of detected objects; what reads one from a file checks its bounds."""
+
+
 @dataclass(frozen=True)
 class Dials:
     """Rates of errors, each 0 to 1, by detected object.
@@ -41,10 +47,10 @@ class Dials:
         hallucinated: Something that isn't there is found on bare table as well.
     """
 
-    over: float = 0.0
-    under: float = 0.0
-    missed: float = 0.0
-    hallucinated: float = 0.0
+    over: ErrorRate = 0.0
+    under: ErrorRate = 0.0
+    missed: ErrorRate = 0.0
+    hallucinated: ErrorRate = 0.0
 
     def __post_init__(self) -> None:
         for name in ("over", "under", "missed", "hallucinated"):

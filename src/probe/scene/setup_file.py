@@ -19,7 +19,7 @@ from probe.types import Pose
 MOST_PX = 4096
 """Edge of the largest pictures, pixels."""
 
-_REMEDY = "See docs/extend/add-a-setup.md"
+_REMEDY = "See docs/how-to/extend/add-a-setup.md"
 
 _Near = Annotated[float, pydantic.Field(ge=-3, le=3)]
 _Place = tuple[_Near, _Near, _Near]

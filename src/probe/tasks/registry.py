@@ -36,7 +36,7 @@ class IncompleteType(ProbeError):
     def __init__(self, name: str, part: str, reason: str) -> None:
         super().__init__(
             f"The question type {name!r} has no usable part {part!r}: {reason}. "
-            "docs/extend/add-a-task.md lists the parts that a type has."
+            "docs/how-to/extend/add-a-task.md lists the parts that a type has."
         )
         self.part = part
 

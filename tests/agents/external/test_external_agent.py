@@ -155,7 +155,7 @@ def test_a_file_without_an_agent_is_refused_in_words(invite, code, name, words):
     with pytest.raises(BadData) as error:
         introduced(invite(code, name))
     assert words in str(error.value)
-    assert "agent.py: " in str(error.value) and "docs/agents.md" in str(error.value)
+    assert "agent.py: " in str(error.value) and "docs/reference/agents.md" in str(error.value)
 
 
 def test_a_function_may_make_it(invite):

@@ -1,4 +1,4 @@
-"""What docs/agents.md says an agent can't get at, tried from within."""
+"""What docs/reference/agents.md says an agent can't get at, tried from within."""
 
 import os
 import socket

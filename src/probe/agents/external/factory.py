@@ -60,7 +60,7 @@ def introduced(invitation: FileAgentFactory) -> tuple[Confinement, AgentReady]:
     try:
         process = AgentProcess(invitation.opening())
     except AgentFailed as failure:
-        remedy = "See docs/agents.md"
+        remedy = "See docs/reference/agents.md"
         raise BadData(invitation.file.path, printable(str(failure))[:WORDS], remedy) from failure
     process.close()
     return process.confined, process.ready

@@ -67,7 +67,7 @@ def find_sources(path: Path, order: ImportOptions) -> list[Source]:
         raise BadData(path, "is not there", "Name a folder or file of objects.")
     found = IMPORTERS[order.format].find(path)
     if not found:
-        remedy = "Name a folder that holds some; docs/extend/import shows each format's layout."
+        remedy = "Name a folder that holds some; docs/how-to/import shows each format's layout."
         raise BadData(path, f"holds no objects of the format {order.format}", remedy)
     return found
 

@@ -109,7 +109,7 @@ def sifted_at(
         if format in ("bop", "gso"):
             claimed |= {source.root for source in free}
     if not found:
-        raise BadData(path, "holds no objects in a format that we read", "See docs/extend/import.")
+        raise BadData(path, "holds no objects in a format that we read", "See docs/how-to/import.")
     kept, passed = sift(found)
     return [Imported(source, order) for source, order in kept], passed
 

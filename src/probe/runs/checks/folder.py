@@ -25,7 +25,7 @@ from probe.tasks.suite import Suite
 from probe.tasks.suite_file import check_name, packaged_suite, packaged_suites
 from probe.tasks.task import Task
 
-_REMEDY = "Grade the folder as its run left it (docs/audit.md says what is checked)"
+_REMEDY = "Grade the folder as its run left it (docs/how-to/audit.md says what is checked)"
 
 _Found = Iterator[tuple[int, str]]
 """Numbers of lines, from 1, and what is amiss there."""

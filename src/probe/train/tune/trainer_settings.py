@@ -62,7 +62,7 @@ def settings_for(out: Path, tuning: Tuning) -> Any:
 def _one_gpu_each(distributed: str) -> None:
     gpus = int(libraries.torch().cuda.device_count())
     if distributed == "NO" and gpus > 1:
-        remedy = "Start it through accelerate (docs/train.md), or set CUDA_VISIBLE_DEVICES=0"
+        remedy = "Start it through accelerate (docs/how-to/train.md), or set CUDA_VISIBLE_DEVICES=0"
         raise BadData("GPUs", f"one process sees {gpus}", remedy)
 
 
