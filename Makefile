@@ -41,7 +41,7 @@ docs: .venv/.docs
 	@echo "outputs/site/index.html"
 
 # Those that take minutes and need nothing; the others say in their first lines what they take.
-BENCHMARKS ?= episode looks observation report scores
+BENCHMARKS ?= $(addprefix internals/,episode looks observation report scores)
 
 bench: .venv/.ready driver browser
 	@for name in $(BENCHMARKS); do echo "== $$name"; $(BIN)/python "benchmarks/$$name.py" || exit 1; done

@@ -7,38 +7,20 @@ solved them once, so that its score there is what remains of that with fresh luc
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal, get_args
 
 import tyro
 
-from probe.api.agents import AgentName, make_agent
-from probe.api.grading import graded
-from probe.api.resources import everything
-from probe.api.rows import rows_of, write_beside
-from probe.cli.running import run_order
-from probe.episodes.noise import NOISES, NoiseName
-from probe.runs.plan import RunOrder
-from probe.scores.marking import roster_of_tasks
-from probe.scores.scorecard import Figure, Scorecard
-from probe.scores.summary import summarise
-from probe.tasks.suite import Suite
-from probe.tasks.suite_file import find_suite
-from probe.tasks.task import QUESTION_TYPES
+import probe
 
-RULES: tuple[AgentName, ...] = (
-    "random",
-    "always-A",
-    "always-B",
-    "always-C",
-    "always-D",
-    "always-none",
-    "middle-number",
-    "question-only",
-    "smallest",
-    "largest",
-)
+AgentName = Literal[
+    "scripted", "random", "always-A", "always-B", "always-C", "always-D", "always-none",
+    "middle-number", "question-only", "smallest", "largest",
+]  # fmt: skip
+NoiseName = Literal["none", "paper"]
 BEGIN, END = "<!-- benchmarks/baselines.py -->", "<!-- end of table -->"
 
 
@@ -60,7 +42,7 @@ def main(
     out: Path = Path("outputs/baselines"),
     suite: str = "v1",
     unfiltered: str | None = "v1-unfiltered",
-    agents: tuple[AgentName, ...] = ("scripted", *RULES),
+    agents: tuple[AgentName, ...] = get_args(AgentName),
     workers: int = 2,
     into: tuple[Path, ...] = (),
 ) -> None:
@@ -79,11 +61,9 @@ def main(
         noises: tuple[NoiseName, ...] = ("paper", "none") if agent == "scripted" else ("none",)
         suites = (suite, unfiltered) if agent == "scripted" else (suite,)
         wanted += [Entry(name, agent, noise) for name in suites if name for noise in noises]
-    rows = [
-        row(entry, card_of(find_suite(entry.suite), entry, out / entry.folder, workers))
-        for entry in wanted
-    ]
-    table = "\n".join([*head(), *rows])
+    types = sorted({task.question_type for task in probe.load_suite(suite).tasks})
+    rows = [row(entry, scores_of(entry, out / entry.folder, workers), types) for entry in wanted]
+    table = "\n".join([*head(types), *rows])
     print(table)
     for page in into:
         replace_table(page, table)
@@ -98,47 +78,37 @@ def replace_table(page: Path, table: str) -> None:
     page.write_text(f"{before}{begin}\n{table}\n{end}{after}")
 
 
-def card_of(suite: Suite, entry: Entry, folder: Path, workers: int) -> Scorecard:
+def scores_of(entry: Entry, folder: Path, workers: int) -> probe.Scores:
     """An agent's figures; it is run as far as it hasn't been."""
-    order = RunOrder(entry.agent, noise=NOISES[entry.noise])
-    run_order(suite, order, make_agent, everything(), folder, workers)
-    rows = rows_of(folder, suite.name, graded(folder))
-    scores = summarise(suite.name, rows, roster_of_tasks(suite.tasks))
-    write_beside(folder, rows, scores)
-    (card,) = scores.cards
-    return card
+    suite = probe.load_suite(entry.suite)
+    probe.run(suite, folder, agent=entry.agent, noise=entry.noise, workers=workers)
+    return probe.rescore(folder)
 
 
-def head() -> Iterator[str]:
+def head(types: Sequence[str]) -> Iterator[str]:
     """The table's first lines."""
-    titles = ["agent", "suite", "noise", "n", "macro (95 %)", *QUESTION_TYPES, "Find, letter alone"]
+    titles = ["agent", "suite", "noise", "n", "macro (95 %)", *types, "Find, letter alone"]
     yield f"| {' | '.join(titles)} |"
     yield "|" + "---|" * len(titles)
 
 
-def row(entry: Entry, card: Scorecard) -> str:
+def row(entry: Entry, scores: probe.Scores, types: Sequence[str]) -> str:
     """An entrant's line."""
-    question_types = {figure.name: figure for figure in (*card.question_types, *card.parts)}
-    shown = [share(question_types.get(question_type)) for question_type in QUESTION_TYPES]
-    alone = share(next((f for name, f in question_types.items() if "letter" in name), None))
-    cells = [entry.agent, entry.suite, entry.noise, str(card.macro.tasks), macro(card.macro)]
-    return f"| {' | '.join([*cells, *shown, alone])} |"
+    (card,) = scores.cards
+    shares = {it.name: it.headline.value for it in (*card.question_types, *card.parts)}
+    known = {name: per_cent(share) for name, share in shares.items()}
+    alone = next((cell for name, cell in known.items() if "letter" in name), "")
+    value, interval = card.macro.headline.value, card.macro.student
+    macro = "incomplete"
+    if value is not None and interval is not None:
+        macro = f"{100 * value:.1f} ({100 * interval.low:.0f}-{100 * interval.high:.0f})"
+    cells = [entry.agent, entry.suite, entry.noise, str(card.macro.tasks), macro]
+    return f"| {' | '.join([*cells, *(known.get(name, '') for name in types), alone])} |"
 
 
-def share(figure: Figure | None) -> str:
-    """An accuracy in per cent."""
-    if figure is None:
-        return ""
-    value = figure.headline.value
-    return "incomplete" if value is None else f"{100 * value:.0f}"
-
-
-def macro(figure: Figure) -> str:
-    """The headline with its interval."""
-    value, interval = figure.headline.value, figure.student
-    if value is None or interval is None:
-        return "incomplete"
-    return f"{100 * value:.1f} ({100 * interval.low:.0f}-{100 * interval.high:.0f})"
+def per_cent(share: float | None) -> str:
+    """An accuracy."""
+    return "incomplete" if share is None else f"{100 * share:.0f}"
 
 
 if __name__ == "__main__":

@@ -7,17 +7,15 @@ looked at before a rule has given its own. The procedural pool is enough.
 from __future__ import annotations
 
 from collections import Counter
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
-from probe.api.resources import library
-from probe.assets.library import Library
-from probe.scene.scene import PlacedObject
-from probe.scene.setup import UR5_TABLE
-from probe.tasks.suite_file import find_suite
-from probe.tasks.task import Task
-from probe.types import Array
+import probe
+
+Array = NDArray[Any]
 
 ROUND = 0.97
 """Ratio of a cover's two longer sides from which on it counts as round."""
@@ -31,10 +29,11 @@ _GRID = 60
 class Table:
     """A task's table: where each vertex of each thing is, and what lies over what."""
 
-    def __init__(self, task: Task, things: Library) -> None:
+    def __init__(self, task: probe.Task, things: probe.Library) -> None:
         self._things = things
+        self._camera = task.scene.setup.camera()
         self._placed = {placed.instance: placed for placed in task.scene.objects}
-        self.points = {number: self._points(it) for number, it in self._placed.items()}
+        self.points = {number: self._points(number) for number in self._placed}
 
     def cover_of(self, number: int) -> int:
         """Of the things that reach higher, the one that lies over most of a thing."""
@@ -65,7 +64,7 @@ class Table:
 
     def by_outline(self, number: int) -> float:
         """How high a round thing seems to be by its width in the picture, metres."""
-        camera = UR5_TABLE.camera()
+        camera = self._camera
         pixels = camera.project(self.points[number])
         rim = pixels[ConvexHull(pixels).vertices]
         width_px = np.linalg.norm(rim[:, None] - rim[None], axis=2).max()
@@ -84,7 +83,8 @@ class Table:
         rise = normal[:2] @ (place - middle[:2])
         return float(middle[2] - rise / steep - thickness / 2 / steep)
 
-    def _points(self, placed: PlacedObject) -> Array:
+    def _points(self, number: int) -> Array:
+        placed = self._placed[number]
         mesh = self._things.body(placed.object_id).mesh
         return placed.pose.apply(np.asarray(mesh.vertices, float))
 
@@ -98,7 +98,7 @@ def _within(points: Array, outline: Array) -> Array:
     return np.all(points @ sides[:, :2].T + sides[:, 2] <= 1e-9, axis=1)
 
 
-def size_letters(task: Task, table: Table) -> dict[str, str]:
+def size_letters(task: probe.Task, table: Table) -> dict[str, str]:
     """What each rule answers to a Size question: whose cover stands higher is larger."""
     a, b = (table.cover_of(mark.instance) for mark in task.marks)
 
@@ -115,7 +115,7 @@ def size_letters(task: Task, table: Table) -> dict[str, str]:
     return told
 
 
-def reduce_letters(task: Task, table: Table, things: Library) -> dict[str, str]:
+def reduce_letters(task: probe.Task, table: Table, things: probe.Library) -> dict[str, str]:
     """What each rule answers to a Reduce question: what is as high as the gap is there."""
     (target,) = task.targets
     place = table.points[target].mean(axis=0)[:2]
@@ -132,9 +132,9 @@ def reduce_letters(task: Task, table: Table, things: Library) -> dict[str, str]:
 
 def main() -> None:
     """Print how often each rule is right."""
-    things = library("procedural")
+    things = probe.open_library()
     right, asked = Counter[str](), Counter[str]()
-    for task in find_suite("v1").tasks:
+    for task in probe.load_suite("v1").tasks:
         if task.question_type not in ("size", "reduce"):
             continue
         table = Table(task, things)

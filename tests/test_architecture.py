@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import grimp
@@ -228,3 +229,45 @@ def test_every_folder_with_code_is_a_package():
     code = (ROOT / "src" / "probe").rglob("*.py")
     folders = {path.parent for path in code}
     assert [folder for folder in folders if not (folder / "__init__.py").exists()] == []
+
+
+def imports_of(path: Path) -> Iterator[str]:
+    """Names of the modules that a file imports, anywhere in it."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield node.module or "."
+
+
+def behind_the_api(folder: Path) -> list[str]:
+    """Files of a folder that import modules of the package, instead of the package."""
+    return [
+        f"{path.name} imports {name}"
+        for path in sorted(folder.glob("*.py"))
+        for name in imports_of(path)
+        if name.startswith("probe.")
+    ]
+
+
+def test_benchmarks_use_the_public_api_or_say_that_they_do_not():
+    folder = ROOT / "benchmarks"
+    assert behind_the_api(folder) == []
+    scripts = [
+        path
+        for path in (folder / "internals").rglob("*.py")
+        if '__name__ == "__main__"' in path.read_text()
+    ]
+    assert len(scripts) > 10
+    head = {path.name: path.read_text().partition("\n\nfrom ")[0] for path in scripts}
+    assert [name for name, words in head.items() if "Measures internals" not in words] == []
+
+
+def test_a_benchmark_that_looks_behind_the_api_is_found(tmp_path: Path):
+    (tmp_path / "open.py").write_text("import probe\nimport numpy\n")
+    (tmp_path / "late.py").write_text("def main():\n    from probe.world.world import World\n")
+    (tmp_path / "early.py").write_text("import probe.world\n")
+    assert behind_the_api(tmp_path) == [
+        "early.py imports probe.world",
+        "late.py imports probe.world.world",
+    ]

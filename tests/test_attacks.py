@@ -1,4 +1,4 @@
-"""`benchmarks/attacks/run.py`, done small: nothing crashes, nothing is read wrongly."""
+"""`benchmarks/internals/attacks/run.py`, done small: nothing crashes, nothing is read wrongly."""
 
 import subprocess
 import sys
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-SCRIPT = Path(__file__).resolve().parents[1] / "benchmarks" / "attacks" / "run.py"
+SCRIPT = Path(__file__).resolve().parents[1] / "benchmarks" / "internals" / "attacks" / "run.py"
 GROUPS = {
     "from outside": ("files", "options", "memory", "meshes", "flips", "page", "line", "replies"),
     "on runs": ("records", "kills"),

@@ -103,6 +103,13 @@ def test_a_generated_page_is_current(script: str):
     assert module.PAGE.read_text("utf-8") == module.page(), f"run scripts/{script}.py"
 
 
+def test_the_rows_in_the_readme_are_those_of_the_results():
+    """Those are written by benchmarks/baselines.py."""
+    rows = re.findall(r"^\| .*\|$", (ROOT / "README.md").read_text("utf-8"), re.MULTILINE)
+    results = (ROOT / "docs/results/baselines.md").read_text("utf-8").splitlines()
+    assert len(rows) == 4 and set(rows) <= set(results)
+
+
 def test_no_public_name_is_a_folder_or_module_of_the_package():
     """Importing a submodule would put it in the place of the name."""
     modules = {found.name for found in pkgutil.iter_modules(probe.__path__)}

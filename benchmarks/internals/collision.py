@@ -1,9 +1,9 @@
 """Our convex pieces beside CoACD's: `python benchmarks/internals/collision.py --help`.
 
-Measures internals: `probe.assets.collision` and `probe.world`. Needs `pip install coacd`, and
-PROBE_ASSETS for scans. Of each object: how many pieces, CPU seconds to find them, how far the true
-surface lies from that of the pieces together, how much of a cavity they leave open, and whether and
-how fast piles of five such objects come to rest. An hour on one core, a quarter with `--quick`.
+Measures internals, not the public API. Needs `pip install coacd`, and PROBE_ASSETS for scans. Of
+each object: how many pieces, CPU seconds to find them, how far the true surface lies from that of
+the pieces together, how much of a cavity they leave open, and whether and how fast piles of five
+such objects come to rest. An hour on one core, a quarter with `--quick`.
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ def test_without_the_package_the_extra_is_named(monkeypatch):
 
 @pytest.mark.slow
 def test_objects_of_a_real_pile(assets, cache):
-    """Far under what `benchmarks/segmentation.py` finds: this is here to see it break."""
+    """Far under what `benchmarks/internals/segmentation.py` finds: this is here to see it break."""
     things = open_library("scans", assets, cache)
     scene = make_scene(62_000, things, table_ids(assets))
     with Renderer() as renderer:

@@ -1,11 +1,13 @@
 from __future__ import annotations
 
 from collections import Counter
+from string import Formatter
 
 import pytest
 
 from probe.errors import BadData
 from probe.tasks.task import QUESTION_TYPES
+from probe.tasks.type_rules import rules_of
 from probe.tasks.wordings import FEWEST, parse_wordings, wordings
 
 LINES = [f"    - What is under the {{cover}}, way {number}?" for number in range(FEWEST - 1)]
@@ -19,8 +21,9 @@ def test_every_type_can_be_asked_in_twenty_ways(question_type):
     texts = [wording.text for wording in wordings(question_type)]
     assert len(set(texts)) == len(texts) == 20
     for text in texts:
-        asked = text.format(cover="white bowl", names="red mugs", colour="red", name="red mug")
-        assert "{" not in asked
+        slots = {slot for _, slot, _, _ in Formatter().parse(text) if slot}
+        assert slots in rules_of(question_type).forms.values()
+        assert "{" not in text.format(**dict.fromkeys(slots, "red mug"))
 
 
 @pytest.mark.parametrize("question_type", ["compare", "size"])

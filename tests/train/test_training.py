@@ -140,7 +140,7 @@ def test_nothing_is_trained_on_a_corrupted_shard(tmp_path, dataset, cut):
     shard = next((data / "data").glob("*.parquet"))
     whole = shard.read_bytes()
     shard.write_bytes(whole[:-cut] if cut else whole[:2000] + b"?" + whole[2001:])
-    with pytest.raises(BadData, match=rf"{shard.name}: .*Write the data set anew"):
+    with pytest.raises(BadData, match=rf"{shard.name}: .*Write the data set again"):
         train(data, "anything", tmp_path / "out", TUNING, ())
     assert not (tmp_path / "out").exists()
 

@@ -30,7 +30,7 @@ SETTINGS: Mapping[str, str] = {
     "random": "random",
     # These see the question and its options, and nothing else.
     **dict.fromkeys(get_args(_Blind), "blind"),
-    # These know the catalogue too, and what shows of marked things.
+    # These know the catalogue too, and the visible parts of marked objects.
     **dict.fromkeys(get_args(_Sizing), "rule"),
 }
 """Setting of each agent."""

@@ -88,7 +88,7 @@ def load_table(id: str, assets: Path | None, cache: Cache | None = None) -> Tabl
     Args:
         id: Which.
         assets: Folder of extra assets; None if only those drawn by formula are wanted.
-        cache: Keeps what is drawn by formula; None to draw it anew.
+        cache: Keeps what is drawn by formula; None to draw it each time.
 
     Raises:
         UnknownName: No material has this id.

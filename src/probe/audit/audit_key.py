@@ -14,7 +14,7 @@ KEY_BYTES = 32
 
 _SEALED = b"PROBE audit, version 1\0"
 _TEXT = re.compile(rf"[0-9a-f]{{{2 * KEY_BYTES}}}\n")
-_REMEDY = "Delete it; a new one is made, and folders are audited anew"
+_REMEDY = "Delete it; a new one is made, and folders are audited again"
 
 
 def key_of(path: Path) -> bytes | None:

@@ -30,7 +30,7 @@ class Estimate:
     Attributes:
         episodes: How many.
         replies: How often the model is asked.
-        pictures: That it is sent, each time anew.
+        pictures: How many it is sent; one that is sent again counts again.
         tokens_in, tokens_out: About.
     """
 

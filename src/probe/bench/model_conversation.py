@@ -33,7 +33,7 @@ class ModelConversation:
         model: Who is asked.
         tools: What it may call.
         opening: The first messages.
-        cache: Where replies are kept, so that an episode that is begun anew pays for none twice.
+        cache: Where replies are kept, so that an episode that is begun again pays for none twice.
         price: Of its tokens.
         episode_usage: Of the episode.
     """

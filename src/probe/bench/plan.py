@@ -161,10 +161,10 @@ def _done(earlier: Sequence[EpisodeRecord], order: RunOrder) -> Done:
 
 
 def _name_of_replies(path: Path) -> str:
-    """Of this folder alone: a run in another one asks the model anew."""
+    """Of this folder alone: a run in another one asks the model again."""
     if not path.exists():
         write_text(path, uuid.uuid4().hex + "\n")
     try:
         return words(path).strip()
     except (OSError, UnicodeDecodeError) as error:
-        raise BadData(path, str(error), "Delete it; replies are asked for anew then") from error
+        raise BadData(path, str(error), "Delete it; replies are then asked for again") from error

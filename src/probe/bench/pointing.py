@@ -21,7 +21,7 @@ class Pointing:
     Args:
         model: Who is asked.
         episode_usage: Of the episode.
-        cache: Where replies are kept, so that an episode that is begun anew pays for none twice.
+        cache: Where replies are kept, so that an episode that is begun again pays for none twice.
         price: Of its tokens.
     """
 

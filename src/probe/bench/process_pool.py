@@ -28,7 +28,7 @@ from probe.runs.worker_pool import TRIES
 
 
 class EpisodeProcessLost(ProbeError):
-    """A table failed as often as it is set anew; the message is the last reason."""
+    """A table failed as often as it may be set again; the message is the last reason."""
 
 
 class EpisodeProcessPool:
@@ -59,7 +59,7 @@ class EpisodeProcessPool:
 
     @asynccontextmanager
     async def seat(self, ask: AskPointer) -> AsyncGenerator[Assignment]:
-        """A seat at a table of one's own, until the block ends."""
+        """A seat at a table that nobody else uses, until the block ends."""
         async with self._slots:
             assignment = Assignment(self, ask)
             try:
@@ -123,7 +123,7 @@ class Assignment:
 
     @property
     def failures(self) -> tuple[str, ...]:
-        """Why tables had to be set anew."""
+        """Why tables had to be set again."""
         return tuple(self._failures)
 
     async def sit(self, job: Job) -> EpisodeStarted:

@@ -50,7 +50,7 @@ def annotate(
     """Show a model each object from six sides and note what it says of it.
 
     May be interrupted and run again: objects that a model or a person has described already are
-    passed over, those without a usable reply are asked about anew.
+    passed over, those without a usable reply are asked about again.
 
     Args:
         out: Folder for notes and pictures.
@@ -78,7 +78,7 @@ def annotate(
 
 
 def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
-    """Show what is said of your objects, take in corrections, and write table and page anew.
+    """Show what is said of your objects, read corrections, and write table and page again.
 
     Needs no model: the first time it writes down what the files of your own objects say, and draws
     them. Edit review.csv beside review.html with any program, then run this again: what you
@@ -109,7 +109,7 @@ def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
 
 
 def _carry_over(notes: Sequence[Note]) -> None:
-    """Objects of one's own are called so from now on."""
+    """Your own objects are called so from now on."""
     if changed := apply_notes(library_folder(), notes):
         say(f"{changed} objects of {library_folder()} are as you said now.")
 

@@ -1,4 +1,4 @@
-"""Objects of one's own on the page to review: notes from their entries, pictures of each."""
+"""Your own objects on the page to review: notes from their entries, pictures of each."""
 
 from __future__ import annotations
 

@@ -120,7 +120,7 @@ class HumanResources:
 
     @contextmanager
     def furnish(self) -> Generator[Callable[[Task, str, int], Episode]]:
-        """A renderer of one's own, and what sets tables with it."""
+        """A renderer for one seat, and a function that sets tables with it."""
         with Renderer(cache_folder() / "light") as renderer:
 
             def set_table(task: Task, name: str, run: int) -> Episode:

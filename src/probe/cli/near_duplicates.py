@@ -32,7 +32,7 @@ def near_groups(
         BadData: An object that appears isn't there, so that nobody can tell what it is like.
         OutputFailed: What was found can't be kept.
     """
-    # An object of one's own may change and keep its id.
+    # A user's own object may change and keep its id.
     looks = sorted({f"{id} {mark}" for marks in shown for id, mark in marks.items()})
     path = kept / f"{content_key('near-duplicates 2', *looks)}.json"
     if path.exists():

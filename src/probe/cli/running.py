@@ -30,7 +30,7 @@ def run_order(
         suite: As it is to be run; its objects are checked.
         order: Which episodes.
         agent_of: Makes agents in a worker process.
-        things: Has the suite's objects; workers open it anew.
+        things: Has the suite's objects; each worker opens it itself.
         out: Folder for the records.
         workers: Processes.
 

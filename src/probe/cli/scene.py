@@ -87,9 +87,7 @@ def scene(
             say(f"{gallery} scenes are in {out / 'index.html'}")
     again = sum(each.restless > 0 for each in drawn)
     if again:
-        say(
-            f"Drawn anew, since something moved once its table was rebuilt: {again} of {len(drawn)}"
-        )
+        say(f"Drawn again, because something moved on the rebuilt table: {again} of {len(drawn)}")
 
 
 @dataclass(frozen=True)

@@ -92,7 +92,7 @@ def bar() -> Progress:
         TimeElapsedColumn(),
         _Left(),
         TimeRemainingColumn(),
-        # The harness sets up rich's global console anew, which ends what is shown there.
+        # The harness replaces rich's global console, which ends what is shown there.
         console=_console(),
         # Episodes and tasks take minutes; a rate over half a minute would know of none.
         speed_estimate_period=_HOUR,

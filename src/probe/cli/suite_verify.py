@@ -1,4 +1,4 @@
-"""`probe suite verify`: check every task of a frozen suite anew."""
+"""`probe suite verify`: check every task of a frozen suite again."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def verify(
     pool: Pool = "procedural",
     shard: str = "0/1",
 ) -> None:
-    """Check each task anew: text, at rest, hidden, true, unambiguous, solvable; may be interrupted.
+    """Check each task: text, at rest, hidden, true, unambiguous, solvable; may be interrupted.
 
     Args:
         suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.

@@ -87,7 +87,9 @@ def _report(out: Path, settings: ToolBenchSettings, things: Library) -> None:
     title = f"The tools alone: {settings.pool} objects, error of the hand in grasps {error}"
     failures = [_failure(trial, things) for trial in trials if not trial.good]
     again, tables = drawn_anew(trials)
-    rest = f"Tables drawn anew, since something moved once they were rebuilt: {again} of {tables}."
+    rest = (
+        f"Tables drawn again, because something moved when they were rebuilt: {again} of {tables}."
+    )
     write_tools_page(out / PAGE, title, rest, summaries, failures)
     for summary in summaries:
         _print(summary)

@@ -1,8 +1,8 @@
 """Luck of manipulations: the hand errs by an amount that depends on what is done, not on when.
 
 Two agents that act alike in the same run of an episode fare alike; how they word it, which handle
-they use and what else they moved before plays no part. Each new attempt on the same object draws
-anew, and so does each run.
+they use and what else they moved before plays no part. Each new attempt on the same object
+draws again, and so does each run.
 """
 
 from __future__ import annotations

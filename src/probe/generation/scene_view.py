@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
+from copy import copy
 
 import numpy as np
 
@@ -37,10 +38,17 @@ class SceneView:
     ) -> None:
         self.view: View = view
         self.camera = setup.camera(view)
+        self._setup = setup
         self._renderer = renderer
         self._meshes = {id: library.body(id).mesh for id in dict.fromkeys(object_ids)}
         shapes = {id: _untextured(mesh) for id, mesh in self._meshes.items()}
         renderer.load(shapes, TableTop(_GREY, 1.0, setup.table_size))
+
+    def seen_from(self, view: View) -> SceneView:
+        """The same objects as another of the cameras sees them."""
+        other = copy(self)
+        other.view, other.camera = view, self._setup.camera(view)
+        return other
 
     def labels(self, scene: Scene) -> Array:
         """Instance numbers, shape (h, w)."""

@@ -2,7 +2,7 @@
 
 Luck is a hash of the episode's seed, the run, the object, its pose and its visible mask: never of
 the turn or of anybody's words. Poses and masks count roughly, so that a creep of a few tenths of a
-millimetre doesn't draw anew.
+millimetre doesn't change the draw.
 """
 
 from __future__ import annotations

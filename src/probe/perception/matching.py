@@ -1,4 +1,4 @@
-"""Which thing an agent means by its words or by a place. Knows only what shows."""
+"""Which thing an agent means by its words or by a place. Knows only what is visible."""
 
 from __future__ import annotations
 

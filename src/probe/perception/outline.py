@@ -46,7 +46,7 @@ def deepest_inside(mask: Array) -> tuple[tuple[int, int], float]:
 
 
 def shape_word(mask: Array, heights: Array) -> str:
-    """One or two words for the outline of what shows.
+    """One or two words for the outline of the visible part.
 
     Args:
         mask: Visible pixels, bool, shape (h, w).

@@ -1,6 +1,6 @@
 """How likely two patches belong to one thing: a logistic regression on what is counted of them.
 
-The weights were fitted by `benchmarks/segmenting/fit.py` on pictures of scanned objects.
+The weights were fitted by `benchmarks/internals/segmenting/fit.py` on pictures of scanned objects.
 """
 
 from __future__ import annotations

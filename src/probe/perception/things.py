@@ -14,7 +14,7 @@ from probe.types import Array, Frame
 
 @dataclass(frozen=True)
 class Words:
-    """What can be said of a thing from what shows of it.
+    """What can be said of an object from its visible part.
 
     Attributes:
         name: Short name; None if too little shows to tell what it is.

@@ -27,7 +27,7 @@ def write_tools_page(
     Args:
         path: The page's file.
         title: Its title.
-        rest: A line on how many tables weren't at rest and were drawn anew.
+        rest: A line on how many tables weren't at rest and were drawn again.
         summaries: One a tool.
         failures: All of both tools.
     """

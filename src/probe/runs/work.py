@@ -53,7 +53,7 @@ class WorkerSetup:
             yield partial(self._line, things, renderer)
 
     def _line(self, things: Library, renderer: Renderer, job: Job) -> bytes:
-        """The record of an episode; one that failed on our side is begun anew, TRIES times."""
+        """The record of an episode; one that failed on our side is begun again, TRIES times."""
         record = self._attempt(job, things, renderer)
         for _ in range(TRIES - 1):
             if record.end != "fault":

@@ -117,7 +117,7 @@ class _Crew(Generic[Job]):
             self._part_with(worker)
 
     def _bury(self, worker: _Worker[Job], death: WorkerSilent) -> tuple[Job, LostJob] | None:
-        """Replace a dead worker; its job is begun anew, or lost."""
+        """Replace a dead worker; its job is begun again, or lost."""
         self._part_with(worker)
         job = worker.job
         if job is None:

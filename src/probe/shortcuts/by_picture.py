@@ -1,4 +1,4 @@
-"""What the first picture tells: its scene graph, what shows of things, and the colours of that."""
+"""Features of the first picture: its scene graph, the visible parts of objects, their colours."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def by_area(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
 
 
 def by_patch(sample: Sample, catalogue: CatalogueFacts) -> tuple[Features, ...]:
-    """Colours of what shows of the marked things; else of what is half hidden."""
+    """Colours of the visible parts of the marked objects; else of what is half hidden."""
     look = sample.look
     if sample.paired:
         wanted = None if sample.form == "darker" else wanted_colour(sample.question, look)

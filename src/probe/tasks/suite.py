@@ -71,7 +71,7 @@ def check_objects(suite: Suite, library: Library) -> None:
     Raises:
         BadData: An object is missing or differs.
     """
-    remedy = "Use the assets and the release that the suite was made with, or build it anew"
+    remedy = "Use the assets and the release that the suite was made with, or build it again"
     for object_id, frozen in suite.objects.items():
         try:
             found = library.fingerprint(object_id)

@@ -52,7 +52,7 @@ class Mark:
     Attributes:
         letter: A or B.
         instance: What it is on, for the whole episode wherever that goes.
-        point: Pixel (u, v) of the first picture, well inside of what shows of it.
+        point: Pixel (u, v) of the first picture, well inside its visible part.
     """
 
     letter: Letter

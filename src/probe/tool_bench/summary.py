@@ -91,7 +91,7 @@ def rate(name: str, trials: Sequence[ToolTrial], holds: Callable[[ToolTrial], bo
 
 
 def drawn_anew(trials: Sequence[ToolTrial]) -> tuple[int, int]:
-    """How many tables had to be drawn anew to be at rest, and of how many that is known."""
+    """How many tables had to be drawn again to be at rest, and of how many that is known."""
     known = {trial.seed: trial.restless for trial in trials if trial.restless is not None}
     return sum(restless > 0 for restless in known.values()), len(known)
 

@@ -51,7 +51,7 @@ _LAST_TURN = "This was the last turn; the episode has ended."
 class Toolshed:
     """One episode's tools.
 
-    It asks the station for frames alone, and the detector for what shows in them. Errors that
+    It asks the station only for frames, and the detector for what is visible in them. Errors that
     are not the agent's (a dead renderer, an arm left in view) are raised.
     """
 
@@ -70,7 +70,7 @@ class Toolshed:
 
         Args:
             station: The arm, camera and table.
-            detector: Names what shows.
+            detector: Names what is visible.
             skills: Grasps and pushes.
             setup: The table's.
             pictures: Whether results carry pictures; texts are the same without.

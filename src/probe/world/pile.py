@@ -140,7 +140,7 @@ class Pile:
             self.data.qvel[at + 2] -= 1e-6
 
     def freeze(self) -> None:
-        """Forget all speeds and what the solver remembers, as if built anew from the poses."""
+        """Forget all speeds and what the solver remembers, as if rebuilt from the poses."""
         self.data.qvel[:] = 0.0
         self.data.qacc_warmstart[:] = 0.0
 

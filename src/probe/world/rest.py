@@ -1,4 +1,4 @@
-"""Whether things stay where they are on a table that is built anew; knows nothing of how they fell.
+"""Whether objects stay where they are on a table that is rebuilt; knows nothing of how they fell.
 
 The pile in which things settled can't tell: what balances may stay there by the luck of its sums,
 and tip over on a table with the same poses and nothing else.

@@ -27,7 +27,7 @@ class SettledScene:
 
     Attributes:
         restless: How many draws before it had settled in their pile, yet moved once their table was
-            built anew.
+            rebuilt.
     """
 
     scene: Scene
@@ -56,7 +56,7 @@ def draw_scene(
 ) -> SettledScene:
     """Draw objects and a table, drop the objects and let them settle.
 
-    Nothing moves once the table is built anew (scene_unrest()); where something would, all is
+    Nothing moves once the table is rebuilt (scene_unrest()); where something would, all is
     dropped again with the seed's next draw.
 
     Raises:
@@ -76,7 +76,7 @@ def draw_scene(
         moving = scene_unrest(scene, library)
         if moving is None:
             return SettledScene(scene, restless)
-        reason, restless = f"On a table built anew, {moving}.", restless + 1
+        reason, restless = f"On a rebuilt table, {moving}.", restless + 1
     raise Unsatisfiable(
         f"Seed {seed}: no settled scene of {count} objects in {ATTEMPTS} draws. {reason} "
         "Try another seed or fewer objects."

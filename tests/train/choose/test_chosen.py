@@ -39,7 +39,7 @@ def test_a_file_that_was_cut_off_is_named(selection, name):
 def test_half_a_selection_is_none(selection):
     folder = selection()
     (folder / "selection.json").unlink()
-    with pytest.raises(BadData, match=r"selection.json: No such file.*Select anew"):
+    with pytest.raises(BadData, match=r"selection.json: No such file.*Select again"):
         read_selection(folder)
     with pytest.raises(BadData, match=r"selected: is there already. Choose a new folder"):
         selection()

@@ -71,7 +71,7 @@ def test_it_is_checked_file_by_file(written):
     table = next((written / "data").iterdir())
     whole = table.read_bytes()
     table.write_bytes(whole[:-10])
-    with pytest.raises(BadData, match=rf"{table.name}: has \d+ bytes, .*Write the data set anew"):
+    with pytest.raises(BadData, match=rf"{table.name}: has \d+ bytes, .*Write the data set again"):
         check_dataset(written)
     table.write_bytes(whole[:-1] + b"x")
     with pytest.raises(BadData, match=rf"{table.name}: has been changed"):

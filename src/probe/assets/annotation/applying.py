@@ -17,7 +17,7 @@ def apply_notes(library: Path, notes: Iterable[Note]) -> int:
     """Write the words into the entries of those objects that the library holds.
 
     What an object only came with stays as it is. Where a person says that the other axis points up,
-    the object is laid down anew.
+    the object is laid down again.
 
     Returns:
         How many entries changed.

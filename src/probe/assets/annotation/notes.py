@@ -78,7 +78,7 @@ def from_source(spec: ObjectSpec, problem: str = "") -> Note:
 
 
 def from_entry(entry: LibraryEntry) -> Note:
-    """What the library says of an object of one's own, with who said it."""
+    """What the library says of one of your own objects, and who said it."""
     note = from_source(entry.spec)
     origins = dict(note.origins)
     for field in (*FIELDS, *BY_HAND):
@@ -138,7 +138,7 @@ def read_note(path: Path) -> Note:
     Raises:
         BadData: It can't be read or breaks the schema.
     """
-    remedy = "Delete it and annotate again; that object alone is asked about anew."
+    remedy = "Delete it and annotate again; only that object is asked about again."
     return read_document(path, Note, remedy, missing=remedy)
 
 

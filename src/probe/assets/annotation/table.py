@@ -23,7 +23,7 @@ TABLE = "review.csv"
 _COLUMNS = {"mass": "mass_kg", "up": "up"}
 """Columns of what only a person changes."""
 
-_REMEDY = "Correct that line, or delete the file to have it written anew; nothing was changed."
+_REMEDY = "Correct that line, or delete the file and run the command again; nothing was changed."
 
 
 class Correction(BaseModel):

@@ -101,7 +101,7 @@ def _fetch(url: str, part: Path, begun: Path, progress: Progress) -> None:
         if answer.status != 206:
             there = 0
         stamp = answer.headers.get("ETag") or answer.headers.get("Last-Modified") or ""
-        # Weak tags don't promise the same bytes; such a file is begun anew.
+        # Weak tags don't promise the same bytes; such a file is begun again.
         usable = "" if stamp.startswith("W/") else stamp
         length = answer.headers.get("Content-Length")
         total = None if length is None else there + int(length)

@@ -1,4 +1,4 @@
-"""Lay an object of the library down anew, with the other axis of its file up."""
+"""Lay an object of the library down again, with the other axis of its file up."""
 
 from __future__ import annotations
 

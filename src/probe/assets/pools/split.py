@@ -118,7 +118,7 @@ def read_split(path: Path) -> Split:
         BadData: It can't be read or breaks the schema.
     """
     missing = "Make it with probe assets split."
-    return read_document(path, Split, "Correct it or make it anew.", missing)
+    return read_document(path, Split, "Correct it or make it again.", missing)
 
 
 def _drawn(first_id: str, share: float) -> Part:

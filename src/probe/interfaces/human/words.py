@@ -47,5 +47,5 @@ def trouble_words(error: Exception) -> str:
 
 NOT_AS_BEFORE = (
     "Your table couldn't be set as you left it, which is not your doing. What you had done counts "
-    "for nothing; go on to begin the question anew."
+    "for nothing; go on to start the question again."
 )

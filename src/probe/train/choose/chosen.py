@@ -27,7 +27,7 @@ from probe.train.choose.evaluation import Leak
 from probe.train.choose.selection import Recipe, Selection
 
 SELECTION = "selection.json"
-_REMEDY = "Select anew: probe select FOLDER... --out OUT"
+_REMEDY = "Select again: probe select FOLDER... --out OUT"
 
 
 class Refused(pydantic.BaseModel, extra="forbid", frozen=True):

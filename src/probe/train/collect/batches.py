@@ -27,7 +27,7 @@ from probe.transcripts.prompts import Setting
 from probe.types import Shard
 
 BATCHES, TASKS, GRADES = "batches", "tasks", "grades.json"
-_REMEDY = "Delete it and collect again: the batch's records are graded anew"
+_REMEDY = "Delete it and collect again: the batch's records are graded again"
 
 
 class EpisodeGrade(

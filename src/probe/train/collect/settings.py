@@ -9,7 +9,7 @@ import pydantic
 from probe.files import claim_folder, read_document
 
 SETTINGS = "collection.json"
-_REMEDY = "Collect anew into another folder"
+_REMEDY = "Collect into another folder"
 
 
 class CollectionSettings(pydantic.BaseModel, extra="forbid", frozen=True):

@@ -162,4 +162,4 @@ def _check(written: _Written, chosen: LoadedSelection, out: Path) -> None:
             if found != count:
                 what = f"{question_type} examples of the setting {setting}"
                 reason = f"{found} {what}, but {count} were chosen"
-                raise BadData(out, reason, "Select anew")
+                raise BadData(out, reason, "Select again")

@@ -14,7 +14,7 @@ from probe.files import read_document, write_text
 from probe.reading import RECORDS, contents
 
 MANIFEST = "manifest.json"
-_REMEDY = "Write the data set anew: probe dataset SELECTION OUT"
+_REMEDY = "Write the data set again: probe dataset SELECTION OUT"
 
 
 class FileMark(pydantic.BaseModel, extra="forbid", frozen=True):

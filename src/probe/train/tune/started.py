@@ -59,7 +59,7 @@ def take_up(out: Path, asked: TrainingStart) -> None:
     if not path.exists():
         write_text(path, asked.model_dump_json(indent=1) + "\n")
         return
-    before = read_document(path, TrainingStart, "Train anew into another folder")
+    before = read_document(path, TrainingStart, "Train into another folder")
     remedy = "Say the same again, or choose another folder"
     if before.model != asked.model:
         raise BadData(path, f"was begun with {before.model}, not {asked.model}", remedy)

@@ -1,4 +1,6 @@
-"""What worker processes of `probe run` cost: `python benchmarks/workers.py --help`.
+"""What worker processes of `probe run` cost: `python benchmarks/internals/workers.py --help`.
+
+Measures internals, not the public API.
 
 Two workers against two runs of one worker each that know nothing of each other, in turn on the same
 episodes; then where the time of an episode goes. Ratios are of wall times of whole commands. On a

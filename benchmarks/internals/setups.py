@@ -1,4 +1,6 @@
-"""Whether set-ups of one's own work from end to end: `python benchmarks/setups.py`.
+"""Whether set-ups of one's own work from end to end: `python benchmarks/internals/setups.py`.
+
+Measures internals, not the public API.
 
 For each set-up: do scenes settle, what do the tools say of its sizes, and how many tasks that are
 built for it, of the demo's types, does the scripted agent solve? Procedural objects.
@@ -20,7 +22,7 @@ from probe.scene.seeds import generator
 from probe.tasks.suite_file import demo_suite
 from probe.toolshed.tools import tool_schemas
 
-SETUPS = Path(__file__).parents[1] / "examples" / "setups"
+SETUPS = Path(__file__).parents[2] / "examples" / "setups"
 
 
 def settled(setup: probe.Setup, library: probe.Library, count: int) -> int:

@@ -1,7 +1,9 @@
 """Evaluations of a scripted policy behind a local server that fails in every way, at any size.
 
-    .venv/bin/python benchmarks/seats.py                      # the demo, minutes
-    .venv/bin/python benchmarks/seats.py v1.json --direct 150 --agentic 30 --epochs 3 --alike 30
+Measures internals, not the public API.
+
+    python benchmarks/internals/seats.py                      # the demo, minutes
+    python benchmarks/internals/seats.py v1.json --direct 150 --agentic 30 --epochs 3 --alike 30
 
 Says how long it took, which faults came to pass, and whether nothing was lost; exits with an error
 if something was.
@@ -24,7 +26,7 @@ from typing import Any
 
 import tyro
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 
 from bench.sitting_in import metrics_of, run_in  # noqa: E402

@@ -1,4 +1,6 @@
-"""How well a mask fits the object under a pixel: `python benchmarks/segmentation.py`.
+"""How well a mask fits the object under a pixel: `python benchmarks/internals/segmentation.py`.
+
+Measures internals, not the public API.
 
 Needs PROBE_ASSETS. Of each object that is seen (30 % and 400 px) in scenes of 15 scans, five
 pixels are drawn evenly from what shows of it; each gives the IoU of the mask that a method finds

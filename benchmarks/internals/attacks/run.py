@@ -1,4 +1,6 @@
-"""Everything that an attacker tried, again: `python benchmarks/attacks/run.py --help`.
+"""Everything that an attacker tried, again: `python benchmarks/internals/attacks/run.py --help`.
+
+Measures internals, not the public API.
 
 Spoilt files and options, forged records, flipped bits, requests to both ports, kills, strange
 replies of a model. Each is refused in one clear line or does no harm; what crashed or was read

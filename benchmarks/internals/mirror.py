@@ -1,4 +1,7 @@
-"""Compare's tasks with their other worlds: `python benchmarks/mirror.py compare.json mirror.json`.
+"""Compare's tasks with their other worlds.
+
+`python benchmarks/internals/mirror.py compare.json mirror.json`. Measures internals, not the public
+API.
 
 The same scenes, but for paint that doesn't show, answered the other way. Whatever
 `probe suite shortcuts compare.json mirror.json` finds beyond one half comes from traces of that

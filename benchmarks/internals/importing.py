@@ -1,11 +1,13 @@
 """The 165 scans in other people's layouts: let in, named, coloured, weighed and set upright?
 
+Measures internals, not the public API.
+
 About 5 s an object on an idle core, nearly all of it for collision pieces.
 
-`python benchmarks/importing.py [--shard 0 --shards 4]`; needs PROBE_ASSETS. Every scan is written
-anew in one of nine public layouts, with the quirks they have, below a temporary folder, and added
-to a library there as `probe assets add` adds it. What comes out is held against the catalogue,
-which was annotated by eye.
+`python benchmarks/internals/importing.py [--shard 0 --shards 4]`; needs PROBE_ASSETS. Every scan is
+written anew in one of nine public layouts, with the quirks they have, below a temporary folder, and
+added to a library there as `probe assets add` adds it. What comes out is held against the
+catalogue, which was annotated by eye.
 """
 
 from __future__ import annotations

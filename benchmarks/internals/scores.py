@@ -1,4 +1,6 @@
-"""Whether the statistics hold what they promise: `python benchmarks/scores.py --help`.
+"""Whether the statistics hold what they promise: `python benchmarks/internals/scores.py --help`.
+
+Measures internals, not the public API.
 
 Imaginary agents whose chances are known run suites of the size of v1, over and over. Printed are
 the share of intervals that hold the truth, the share of tests that find a difference where there
@@ -19,7 +21,7 @@ import tyro
 from rich.console import Console
 from rich.table import Table
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
 from imaginary_results import draw_chances, draw_units, two_settings  # noqa: E402
 from probe.scores.intervals import Interval, bootstrap, student  # noqa: E402

@@ -1,4 +1,6 @@
-"""Whether tables stay sound whatever is done to them: `python benchmarks/soundness.py --help`.
+"""Whether tables stay sound whatever is done to them.
+
+`python benchmarks/internals/soundness.py --help`. Measures internals, not the public API.
 
 Needs PROBE_ASSETS. A random agent's grasps and pushes on fresh scenes of 15 scans. After each of
 them every object must be somewhere finite, at rest, not sunk into what it lies on, and on the

@@ -1,4 +1,6 @@
-"""Time of pictures by light and camera, and of what they need: `python benchmarks/looks.py`.
+"""Time of pictures by light and camera, and of what they need.
+
+`python benchmarks/internals/looks.py`. Measures internals, not the public API.
 
 Uses real scans with PROBE_ASSETS, else procedural objects; the lights are painted rooms.
 """

@@ -1,4 +1,6 @@
-"""Time and memory of observations: `python benchmarks/observation.py [OBSERVATIONS]`.
+"""Time and memory of observations: `python benchmarks/internals/observation.py [OBSERVATIONS]`.
+
+Measures internals, not the public API.
 
 Uses real scans with PROBE_ASSETS, else procedural objects. A bare frame is a later frame of a
 context that has already drawn one: what Filament takes for the pixels alone.

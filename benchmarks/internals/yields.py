@@ -1,6 +1,8 @@
 """How many candidates become tasks, and which check rejects the others: from build logs.
 
-`python benchmarks/yields.py LOG...`; `probe suite build` writes a log beside every suite.
+Measures internals, not the public API.
+
+`python benchmarks/internals/yields.py LOG...`; `probe suite build` writes a log beside every suite.
 """
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
-"""How long a report takes to write and to open in Chromium: `python benchmarks/report.py`.
+"""How long a report takes to write and to open in Chromium.
+
+`python benchmarks/internals/report.py`. Measures internals, not the public API.
 
 Copies the demo's records until there are enough episodes, each at a task of its own with pictures
 of its own, so that nothing is shared. The demo is run first if it hasn't been.
@@ -15,7 +17,7 @@ from pathlib import Path
 
 import tyro
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
 from browser import Browser, chromium  # noqa: E402
 from probe.api.agents import make_agent  # noqa: E402

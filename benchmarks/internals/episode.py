@@ -1,4 +1,6 @@
-"""What a scripted episode without pictures costs: `python benchmarks/episode.py --help`.
+"""What a scripted episode without pictures costs: `python benchmarks/internals/episode.py --help`.
+
+Measures internals, not the public API.
 
 CPU seconds, split by tool and into our process (planning, physics, perception) and the render
 worker with its children.

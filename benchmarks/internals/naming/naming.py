@@ -1,10 +1,12 @@
 """Do strangers name what the procedural library draws?
 
-`python benchmarks/naming/naming.py sheets FOLDER` draws one object of each category, whichever the
-seed picks, in shuffled order and without a name. Somebody who has seen no name writes a CSV
-(number, name). `python benchmarks/naming/naming.py score ANSWERS.csv ...` counts the answers that
-hold the category or a synonym listed in `synonyms.yaml`, and prints the transcript as a table,
-wrong answers in bold.
+Measures internals, not the public API.
+
+`python benchmarks/internals/naming/naming.py sheets FOLDER` draws one object of each category,
+whichever the seed picks, in shuffled order and without a name. Somebody who has seen no name writes
+a CSV (number, name). `python benchmarks/internals/naming/naming.py score ANSWERS.csv ...` counts
+the answers that hold the category or a synonym listed in `synonyms.yaml`, and prints the transcript
+as a table, wrong answers in bold.
 """
 
 from __future__ import annotations

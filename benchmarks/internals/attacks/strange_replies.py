@@ -11,7 +11,7 @@ from typing import Any
 from command import probe
 from verdict import Attack, some
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 sys.path.append(str(ROOT / "tests"))
 
 from model_server import Reply, serving  # noqa: E402

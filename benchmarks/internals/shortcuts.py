@@ -1,4 +1,7 @@
-"""How often the no-shortcut test cries wolf on imaginary tasks, and which leaks it finds."""
+"""How often the no-shortcut test cries wolf on imaginary tasks, and which leaks it finds.
+
+Measures internals, not the public API.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from pathlib import Path
 
 import tyro
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
 from imaginary_tasks import (  # noqa: E402
     LORE,

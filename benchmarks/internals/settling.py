@@ -1,8 +1,10 @@
 """How often and how fast 15 objects settle, whether they stay, and how much of them then shows.
 
-`python benchmarks/settling.py [--seeds 200] [--pool scans] [--reach 0.17] [--buried 0]`; scans need
-PROBE_ASSETS. Each scene is built anew as an episode builds it, robot included, and stepped for 2 s
-with the engine's sleeping off; no corner of anything may move further than 1 mm.
+Measures internals, not the public API.
+
+`python benchmarks/internals/settling.py [--seeds 200] [--pool scans] [--reach 0.17] [--buried 0]`;
+scans need PROBE_ASSETS. Each scene is built anew as an episode builds it, robot included, and
+stepped for 2 s with the engine's sleeping off; no corner of anything may move further than 1 mm.
 
 May be interrupted and run again; `--shard 0/2` and `--shard 1/2` share the work, and whoever runs
 it once more with the same settings reads all that is there.

@@ -1,0 +1,1 @@
+"""Behind: what stands out of sight, behind a tall thing, as the front camera sees the table."""
