@@ -3,12 +3,13 @@
 Measures internals, not the public API.
 
 For each set-up: do scenes settle, what do the tools say of its sizes, and how many tasks that are
-built for it, one of each type of the demo, does the scripted agent solve? Procedural objects.
+built for it, of the demo's types, does the scripted agent solve? Procedural objects.
 """
 
 from __future__ import annotations
 
 import tempfile
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -64,7 +65,7 @@ def main(setups: Sequence[Path] = tuple(sorted(SETUPS.glob("*.json"))), scenes: 
         setups: Files.
         scenes: How many to settle for each.
     """
-    types = dict.fromkeys((task.question_type for task in demo_suite().tasks), 1)
+    types = Counter(task.question_type for task in demo_suite().tasks)
     library = probe.open_library()
     for path in setups:
         setup = probe.read_setup(path)

@@ -59,4 +59,4 @@ def test_another_task_is_refused(play):
 def test_an_agent_is_told_words_and_options_alone(play):
     question = question_of(task_of(play()))
     assert question.options == (("A", "here"), ("B", "there"))
-    assert set(vars(question)) == {"text", "options", "picture"}
+    assert set(vars(question)) == {"text", "options", "picture", "scale"}
