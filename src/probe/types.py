@@ -194,3 +194,24 @@ class Shard:
     def of(self, pieces: Sequence[_T]) -> list[_T]:
         """The pieces that belong to it; all shards together are all of them, each once."""
         return list(pieces[self.number :: self.count])
+
+
+@dataclass(frozen=True)
+class PictureScale:
+    """What agents have to know to read lengths off a picture.
+
+    Attributes:
+        side_px: Edge of the picture, pixels.
+        width: How much table it shows across its middle, metres.
+        oblique: Whether it is seen from the front rather than from straight above.
+        opening: How far the gripper opens, metres.
+    """
+
+    side_px: int
+    width: float
+    oblique: bool
+    opening: float
+
+
+USUAL_SCALE = PictureScale(1024, 0.58, oblique=False, opening=0.12853334344642042)
+"""Of the top camera of the usual set-up."""

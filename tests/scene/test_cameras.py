@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from probe.scene.cameras import CameraPlacement
-from probe.scene.setup import UR5_TABLE
+from probe.scene.setup import UR5_TABLE, picture_scale
+from probe.types import USUAL_SCALE
 
 
 @pytest.mark.parametrize(("height", "width"), [(1.2, 0.58), (0.7, 0.3), (2.0, 1.1)])
@@ -24,3 +25,7 @@ def test_right_and_far_are_the_same_for_both_cameras():
         at, right, far = UR5_TABLE.camera(view).project(steps)
         assert right[0] > at[0] + 50 and abs(right[1] - at[1]) < 5
         assert far[1] < at[1] - 50 and abs(far[0] - at[0]) < 5
+
+
+def test_the_usual_scale_is_that_of_the_usual_set_up():
+    assert picture_scale(UR5_TABLE, UR5_TABLE.camera()) == USUAL_SCALE

@@ -12,8 +12,8 @@ from probe.agents.cover_nouns import hider
 from probe.agents.moves import Outcome, Plan, Way, look, move_away
 from probe.agents.phrases import Reason, Say, silent
 from probe.agents.reading import Graph, Seen
-from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.toolshed import MANIPULATIONS
+from probe.types import USUAL_SCALE, PictureScale
 
 LARGE_PX = 120
 """A thing whose box is at least this long and wide may hide something of everyday size."""

@@ -19,7 +19,7 @@ from probe.agents.reading import (
 )
 from probe.agents.text_features import is_none
 from probe.episodes.turns import Call, Question
-from probe.scene.setup import PictureScale
+from probe.types import PictureScale
 
 T = TypeVar("T")
 Plan = Generator[Call, str, T]

@@ -20,11 +20,11 @@ from probe.bench.raw_arguments import is_object, unreadable_part
 from probe.episodes.participation import Points
 from probe.episodes.turns import Call
 from probe.runs.worker_messages import CallResult
-from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.tools import ToolSchema
 from probe.transcripts.coordinates import told
 from probe.transcripts.messages import Message
 from probe.transcripts.tools import expressible, tools_for
+from probe.types import USUAL_SCALE, PictureScale
 
 
 def tool_infos(points: Points, scale: PictureScale = USUAL_SCALE) -> list[ToolInfo]:

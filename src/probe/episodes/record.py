@@ -11,9 +11,10 @@ from probe.episodes.noise import NO_NOISE, Noise
 from probe.episodes.participation import Participation
 from probe.episodes.turns import Call, Question
 from probe.scene.scene import Scene
-from probe.scene.setup import PictureScale, picture_scale
+from probe.scene.setup import picture_scale
 from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.result import Answer, Status
+from probe.types import PictureScale
 
 End = Literal["answered", "stopped", "out_of_turns", "fault"]
 

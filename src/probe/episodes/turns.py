@@ -7,9 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.result import ToolResult
-from probe.types import Array
+from probe.types import USUAL_SCALE, Array, PictureScale
 
 
 @dataclass(frozen=True)

@@ -18,10 +18,10 @@ from probe import __version__
 from probe.episodes.turns import Call, Question
 from probe.interfaces.session import Session
 from probe.interfaces.words import instructions, question_text
-from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.result import ToolResult
 from probe.toolshed.tools import tool_schemas
 from probe.transcripts.pictures import jpeg
+from probe.types import USUAL_SCALE, PictureScale
 
 QUESTION, FIRST_PICTURE = "probe://question", "probe://first-picture"
 

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 from probe.scene.cameras import CameraPlacement, View
-from probe.types import Camera, Pose, Vector3
+from probe.types import Camera, PictureScale, Pose, Vector3
 
 FLOOR_DEPTH = 0.75
 """How far below the table's top the floor lies."""
@@ -119,28 +119,8 @@ UR5_TABLE = Setup()
 """The set-up of the packaged suites."""
 
 
-@dataclass(frozen=True)
-class PictureScale:
-    """What agents have to know to read lengths off a picture.
-
-    Attributes:
-        side_px: Edge of the picture, pixels.
-        width: How much table it shows across its middle, metres.
-        oblique: Whether it is seen from the front rather than from straight above.
-        opening: How far the gripper opens, metres.
-    """
-
-    side_px: int
-    width: float
-    oblique: bool
-    opening: float
-
-
 def picture_scale(setup: Setup, camera: Camera) -> PictureScale:
     """The scale of a camera's pictures, by its set-up; one that strayed a little doesn't count."""
     oblique = not camera.looks_down
     placed = setup.front if oblique else setup.top
     return PictureScale(camera.width_px, placed.width, oblique, setup.gripper.max_opening)
-
-
-USUAL_SCALE = picture_scale(UR5_TABLE, UR5_TABLE.camera())

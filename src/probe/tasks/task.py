@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 from probe.scene.cameras import View
 from probe.scene.scene import Scene
-from probe.scene.setup import PictureScale, Setup, picture_scale
+from probe.scene.setup import Setup, picture_scale
 from probe.scene.viewpoint import Viewpoint
 from probe.scene.visibility import Visibility
 from probe.tasks.registry import question_types
 from probe.tasks.type_rules import Form
+from probe.types import PictureScale
 
 QUESTION_TYPES: tuple[str, ...] = question_types()
 """Names of the question types there are."""

@@ -6,9 +6,9 @@ from typing import Any
 
 import pydantic
 
-from probe.scene.setup import USUAL_SCALE
 from probe.toolshed.refusals import BadArguments, UnknownTool, quoted
 from probe.toolshed.tools import TOOLS, Request
+from probe.types import USUAL_SCALE
 
 USAGE = {
     "perceive_scene": "perceive_scene()",

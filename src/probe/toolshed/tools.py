@@ -9,7 +9,7 @@ import pydantic
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import PydanticCustomError
 
-from probe.scene.setup import USUAL_SCALE, PictureScale
+from probe.types import USUAL_SCALE, PictureScale
 
 ObjectId = Annotated[
     str,

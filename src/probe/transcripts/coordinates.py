@@ -9,7 +9,7 @@ from typing import Any, TypeGuard, cast
 from probe.episodes.participation import Points
 from probe.episodes.turns import Call
 from probe.errors import BadData
-from probe.scene.setup import USUAL_SCALE, PictureScale
+from probe.types import USUAL_SCALE, PictureScale
 
 
 def in_words(points: Points, side_px: int) -> str:

@@ -14,11 +14,10 @@ from probe.episodes.participation import ModelReply, Participation, Points
 from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call, Question
 from probe.errors import ProbeError
-from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import as_said, told
 from probe.transcripts.prompts import Setting, reminder, setting_named, system_prompt
-from probe.types import Array
+from probe.types import USUAL_SCALE, Array, PictureScale
 
 Picture = Array | bytes
 """Pixels, uint8 (h, w, 3), or an encoded file: whatever the caller has; it is passed on."""

@@ -13,9 +13,9 @@ import yaml
 from probe.episodes.participation import Points
 from probe.errors import BadData, UnknownName
 from probe.files import fault
-from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 from probe.transcripts.coordinates import in_words
+from probe.types import USUAL_SCALE, PictureScale
 
 Setting = Literal["agentic", "direct", "blind", "oracle-view"]
 """How a model may answer: with tools, from one picture, none, or pictures of the evidence."""

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Any, cast
 
 from probe.episodes.participation import Points
-from probe.scene.setup import USUAL_SCALE, PictureScale
 from probe.toolshed.tools import ToolSchema, tool_schemas
 from probe.transcripts.coordinates import check_countable, told
+from probe.types import USUAL_SCALE, PictureScale
 
 
 def tools_for(points: Points, scale: PictureScale = USUAL_SCALE) -> tuple[ToolSchema, ...]:

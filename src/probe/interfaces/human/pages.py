@@ -14,8 +14,8 @@ from starlette.staticfiles import StaticFiles
 from probe.interfaces.human.names import LONGEST, BadName, name_of
 from probe.interfaces.human.words import RULES
 from probe.report.rendering import joined
-from probe.scene.setup import PictureScale
 from probe.toolshed.tools import tool_schemas
+from probe.types import PictureScale
 
 _HERE = Path(__file__).parent
 

@@ -11,8 +11,8 @@ from probe.interfaces.human.names import name_of
 from probe.interfaces.human.session import HumanSession
 from probe.interfaces.human.session_store import SessionStore
 from probe.interfaces.human.words import NotNow
-from probe.scene.setup import PictureScale
 from probe.tasks.suite import Suite
+from probe.types import PictureScale
 
 
 class SessionManager:
