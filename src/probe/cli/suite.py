@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -82,15 +82,7 @@ def build(
         unsolved: File for up to 50 candidates that failed this check alone.
         setup: File of another set-up (docs/how-to/extend/add-a-setup.md); tasks keep it.
     """
-    check_numbers(
-        {
-            "--first": first,
-            **{f"--counts.{question_type}": n for question_type, n in counts.items()},
-        }
-    )
-    if first and not public:
-        reason = "numbers public tasks; a private suite's follow from its salt"
-        raise BadData("--first", reason, "Say --public too, or leave it out")
+    _check_asked(counts, first, public=public)
     check_new_name(out.stem, out)
     parts, things = BuildFolder(out.with_suffix(".parts")), library(pool)
     places = places_of(counts, first)
@@ -113,6 +105,14 @@ def build(
     if left_out:
         written = f"{out} has {len(made)} of {len(places)} tasks." if made else "No task was made."
         raise Incomplete(written, list(left_out.items()))
+
+
+def _check_asked(counts: Mapping[QuestionType, int], first: int, *, public: bool) -> None:
+    asked = {f"--counts.{question_type}": count for question_type, count in counts.items()}
+    check_numbers({"--first": first, **asked})
+    if first and not public:
+        reason = "numbers public tasks; a private suite's follow from its salt"
+        raise BadData("--first", reason, "Say --public too, or leave it out")
 
 
 @app.command
