@@ -114,3 +114,11 @@ def test_no_public_name_is_a_folder_or_module_of_the_package():
     """Importing a submodule would put it in the place of the name."""
     modules = {found.name for found in pkgutil.iter_modules(probe.__path__)}
     assert modules & set(probe.__all__) == set()
+
+
+def test_the_index_of_decisions_names_each_by_its_title():
+    folder = ROOT / "docs/decisions"
+    listed = (folder / "README.md").read_text("utf-8")
+    for page in folder.glob("0*.md"):
+        title = page.read_text("utf-8").splitlines()[0].removeprefix("# ")
+        assert f"- [{title}]({page.name})" in listed
