@@ -63,6 +63,10 @@ def outside(record: Any) -> None:
     record["steps"][0]["point_px"] = [5000, -3]
 
 
+def beside_the_picture(record: Any) -> None:
+    record["steps"][0]["point_px"] = [3, 1024]
+
+
 @pytest.mark.parametrize(
     ("spoil", "words"),
     [
@@ -73,7 +77,8 @@ def outside(record: Any) -> None:
         (twice, "instance 1 is there twice"),
         (no_turn, "a rotation is a quaternion of length 1, not 0"),
         (far, "position.2: Input should be less than or equal to 1000000000000"),
-        (outside, "point_px.0: Input should be less than 1024"),
+        (outside, "point_px.0: Input should be less than 4096"),
+        (beside_the_picture, "steps.0.point_px lies outside a picture of 1024 pixels"),
     ],
 )
 def test_spoiled_records(tmp_path, monkeypatch, spoil: Callable[[Any], None], words):

@@ -94,6 +94,15 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
     # None of agents that are no models, and in records of before there were any.
     participation: Annotated[ParticipationDocument | None, pydantic.Field(alias="seat")] = None
 
+    @pydantic.model_validator(mode="after")
+    def _points_into_its_pictures(self) -> EpisodeDocument:
+        usual = UR5_TABLE.picture_px
+        side = (self.viewpoint.picture_px if self.viewpoint else None) or usual
+        for number, step in enumerate(self.steps):
+            if step.point_px is not None and max(step.point_px) >= side:
+                raise ValueError(f"steps.{number}.point_px lies outside a picture of {side} pixels")
+        return self
+
     @staticmethod
     def of(record: EpisodeRecord, *, timed: bool = True) -> EpisodeDocument:
         """The document of a record, on request without its timing."""
