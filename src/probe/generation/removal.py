@@ -8,9 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from probe.generation.frame import SceneFrame
+from probe.generation.result import Rejected
 from probe.generation.scene_view import SceneView
 from probe.generation.stage import Stage
 from probe.generation.twins import Twin
+from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.types import Array
@@ -81,6 +83,26 @@ class RemovalView:
         then = self.ghosts.view.visibility(after.scene, after.labels, others)
         first = self.before(others)
         return [then[number].fraction - first[number].fraction for number in others]
+
+    def revealed(self, covering: int, target: int) -> dict[str, float]:
+        """Visible shares of what is hidden without what hides it, as a certificate names them.
+
+        Args:
+            covering: What hides it, an instance on the stage.
+            target: What is hidden, an instance of the scene.
+
+        Raises:
+            Rejected: It is too little, or another thing comes into view as well.
+        """
+        measured: dict[str, float] = {}
+        for how, after in self.removals([covering]):
+            measured[f"revealed_{how}"] = shown = self.share(after, target)
+            if shown < REVEALED_SHARE:
+                raise Rejected(f"revealed {how}", f"only {shown:.0%} show")
+            gain = max(self.gains(after, but=target), default=0.0)
+            if gain > LARGEST_GAIN:
+                raise Rejected(f"others {how}", f"another gains {gain:.0%}")
+        return measured
 
     def _after(self, scene: Scene) -> RemovedScene:
         return RemovedScene(scene, self.ghosts.view.labels(scene))

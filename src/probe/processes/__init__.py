@@ -1,4 +1,4 @@
-"""Processes that work for us: started, heard, ended, and their deaths told in words.
+"""Starts worker processes, listens to them, ends them, and says how one died.
 
 What is done when one dies is the callers' business, and so is what is said.
 """

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from probe.generation.object_selection import ObjectSelection
-from probe.generation.removal import GhostRemoval, RemovalView
+from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected
 from probe.generation.scene_view import SceneView
 from probe.generation.twins import Twin, check_hidden
-from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_clear, is_hidden
+from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.question_types.behind.truth import which_behind
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
@@ -55,24 +55,8 @@ class Judge:
         self.measures[twin.candidate] = {
             "hidden_share": seen[target].fraction,
             "above_share": above.fraction,
-            **self._revealed(look, target),
+            **look.revealed(self.cast.covering[0], target),
         }
-
-    def _revealed(self, look: RemovalView, target: int) -> dict[str, float]:
-        """What shows of the target without the occluder.
-
-        Raises:
-            Rejected: It is too little, or another thing comes into view as well.
-        """
-        revealed: dict[str, float] = {}
-        for how, after in look.removals([self.cast.covering[0]]):
-            revealed[f"revealed_{how}"] = shown = look.share(after, target)
-            if shown < REVEALED_SHARE:
-                raise Rejected(f"revealed {how}", f"only {shown:.0%} show")
-            gain = max(look.gains(after, but=target), default=0.0)
-            if gain > LARGEST_GAIN:
-                raise Rejected(f"others {how}", f"another gains {gain:.0%}")
-        return revealed
 
 
 def hidden_by(view: SceneView, scene: Scene, target: int, occluder: int) -> Visibility:

@@ -27,7 +27,7 @@ from probe.generation.twins import (
     draw_twins,
     right_above,
 )
-from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_seen
+from probe.generation.visibility_rules import is_seen
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.tasks.truth import covered_share, lies_under, which_beneath
@@ -105,18 +105,10 @@ class _Judge:
         share = covered_share(shapes[target], shapes[cover])
         if not lies_under(shapes[target], shapes[cover]):
             raise Rejected("under", f"{share:.0%} within the cover's outline")
-        revealed: dict[str, float] = {}
-        for how, after in look.removals([self.cast.covering[0]]):
-            revealed[f"revealed_{how}"] = shown = look.share(after, target)
-            if shown < REVEALED_SHARE:
-                raise Rejected(f"revealed {how}", f"only {shown:.0%} show")
-            gain = max(look.gains(after, but=target), default=0.0)
-            if gain > LARGEST_GAIN:
-                raise Rejected(f"others {how}", f"another gains {gain:.0%}")
         self.measures[twin.candidate] = {
             "hidden_share": seen[target].fraction,
             "covered_share": share,
-            **revealed,
+            **look.revealed(self.cast.covering[0], target),
         }
 
 
