@@ -67,10 +67,12 @@ def test_all_of_the_library_allows_every_type(library: Library):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("draw", [select_beneath, select_find])
-def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, draw):
+@pytest.mark.parametrize(
+    ("draw", "question_type"), [(select_beneath, "beneath"), (select_find, "find")]
+)
+def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, draw, question_type):
     for seed in range(3):
-        cast = draw(mixed, plan("beneath", 0), np.random.default_rng(seed))
+        cast = draw(mixed, plan(question_type, 0), np.random.default_rng(seed))
         own = [spec.id in SOME for spec in cast.candidates]
         if sum(own) >= LEAST_LEADING:
             assert [own[index] for index in cast.eligible] == [True] * sum(own)

@@ -52,7 +52,7 @@ def position(station: SimulatedStation, instance: int = 1) -> Array:
 
 
 def is_in_basket(point: Array) -> bool:
-    offset = np.abs(point - UR5_TABLE)
+    offset = np.abs(point - UR5_TABLE.basket.position)
     return bool(
         (offset[:2] < np.array(UR5_TABLE.basket.size[:2]) / 2).all()
         and offset[2] < UR5_TABLE.basket.size[2]
