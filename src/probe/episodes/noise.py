@@ -1,4 +1,4 @@
-"""Luck of manipulations: the hand errs by an amount that depends on what is done, not on when.
+"""Noise of manipulations: the hand errs by an amount that depends on what is done, not on when.
 
 Two agents that act alike in the same run of an episode fare alike; how they word it, which handle
 they use and what else they moved before plays no part. Each new attempt on the same object
@@ -15,10 +15,6 @@ import numpy as np
 
 from probe.episodes.touched import touched
 from probe.scene.seeds import generator
-from probe.scene.setup import Setup
-from probe.station.offset_station import OffsetStation
-from probe.station.station import Station
-from probe.toolshed.skills import Direction, PushOutcome, SkillOutcome, Skills
 from probe.types import Array, Frame
 
 
@@ -48,50 +44,33 @@ def noise_of(noise: Noise | NoiseName) -> Noise:
     return NOISES[noise] if isinstance(noise, str) else noise
 
 
-class NoisySkills:
-    """Skills, carried out by a hand that errs.
+class HandErrors:
+    """By how much the hand misses in each attempt of an episode.
 
     Args:
-        skills: What is carried out.
-        noise: By how much it errs.
+        noise: How far it errs.
         seed: Of the episode.
         run: Of the episode's runs.
     """
 
-    def __init__(self, skills: Skills, noise: Noise, seed: int, run: int) -> None:
-        self._skills = skills
-        self._noise = noise
+    def __init__(self, noise: Noise, seed: int, run: int) -> None:
+        self._sigma = {"grasp": noise.grasp, "push": noise.push}
         self._key = (seed, run)
         self._attempts: Counter[tuple[str, int]] = Counter()
 
-    def grasp_and_remove(
-        self, station: Station, frame: Frame, mask: Array, setup: Setup, /
-    ) -> SkillOutcome:
-        """As Skills."""
-        erring = self._erring(station, "grasp", self._noise.grasp, frame, mask)
-        return self._skills.grasp_and_remove(erring, frame, mask, setup)
+    def draw(self, tool: Literal["grasp", "push"], frame: Frame, mask: Array) -> Array | None:
+        """The next attempt's error, metres, shape (3,), world axes; None for a hand without any.
 
-    def push(
-        self,
-        station: Station,
-        frame: Frame,
-        mask: Array,
-        direction: Direction,
-        distance: float,
-        setup: Setup,
-        /,
-    ) -> PushOutcome:
-        """As Skills."""
-        erring = self._erring(station, "push", self._noise.push, frame, mask)
-        return self._skills.push(erring, frame, mask, direction, distance, setup)
-
-    def _erring(
-        self, station: Station, tool: str, sigma: float, frame: Frame, mask: Array
-    ) -> Station:
+        Args:
+            tool: What is attempted.
+            frame: The table as it is now, with labels.
+            mask: Which pixels show the thing, bool, shape (h, w).
+        """
+        sigma = self._sigma[tool]
         if sigma == 0:
-            return station
+            return None
         instance = touched(frame, mask)
         self._attempts[tool, instance] += 1
         seed, run = self._key
         rng = generator(seed, "luck", run, tool, instance, self._attempts[tool, instance])
-        return OffsetStation(station, np.array([*(sigma * rng.standard_normal(2)), 0.0]))
+        return np.array([*(sigma * rng.standard_normal(2)), 0.0])

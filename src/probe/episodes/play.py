@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from probe import manipulation
 from probe.assets.library import Library
+from probe.episodes.arm_skills import ArmSkills
 from probe.episodes.circumstances import PLAIN_TRY, Circumstances
 from probe.episodes.conditions import NO_DIALS
 from probe.episodes.episode import Episode
 from probe.episodes.grading import grade_episode, question_of
-from probe.episodes.ideal_grasp import IdealGrasp
-from probe.episodes.noise import NoisySkills
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import replay
 from probe.episodes.run import run_episode
@@ -23,7 +21,6 @@ from probe.render.renderer import Renderer
 from probe.station.simulated import SimulatedStation
 from probe.tasks.grading import Score
 from probe.tasks.task import Task
-from probe.toolshed.skills import Skills
 from probe.toolshed.toolshed import Toolshed
 from probe.types import Pose
 from probe.world.world import World
@@ -58,9 +55,13 @@ def set_table(
         return {placed.instance: placed.pose for placed in station.snapshot().objects}
 
     perception = _perceiver(perceiver, circumstances, task, library)(words, poses)
-    skills: Skills = NoisySkills(manipulation, circumstances.noise, task.seed, circumstances.run)
-    if circumstances.conditions.ideal == "grasp":
-        skills = IdealGrasp(skills, station)
+    ideal_grasp = circumstances.conditions.ideal == "grasp"
+    skills = ArmSkills(
+        circumstances.noise,
+        task.seed,
+        circumstances.run,
+        removal=station if ideal_grasp else None,
+    )
     tools = Toolshed(
         station,
         perception.detector,

@@ -1,7 +1,6 @@
 """Skills of an arm with a gripper, written once over Station. No engine, no names, no truth."""
 
 from probe.manipulation.grasp import grasp_and_remove
-from probe.manipulation.planned import Planned
 from probe.manipulation.push import push
 
-__all__ = ["Planned", "grasp_and_remove", "push"]
+__all__ = ["grasp_and_remove", "push"]

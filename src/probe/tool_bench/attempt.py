@@ -9,11 +9,11 @@ from collections.abc import Generator
 
 import numpy as np
 
-from probe import manipulation
 from probe.assets.library import Library
-from probe.episodes.noise import Noise, NoisySkills
-from probe.manipulation.grasp import GraspResult
-from probe.manipulation.push import ALONG, LONGEST, SHORTEST, PushResult
+from probe.episodes.arm_skills import ArmSkills
+from probe.episodes.noise import Noise
+from probe.manipulation.candidates import Planner, propose
+from probe.manipulation.push import ALONG, LONGEST, SHORTEST
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject
 from probe.station.simulated import SimulatedStation
@@ -21,7 +21,6 @@ from probe.station.station import Arm, Hand
 from probe.tasks.grading import whereabouts
 from probe.tool_bench.table import TrialTable
 from probe.tool_bench.trial import Tool, ToolTrial
-from probe.toolshed.skills import Skills
 from probe.types import Array, Frame
 
 MOVED = 0.03
@@ -37,15 +36,15 @@ def attempt(
     things: Library,
     renderer: Renderer,
     noise: Noise,
-    skills: Skills = manipulation,
+    planner: Planner = propose,
 ) -> ToolTrial:
     """Restore the table, try the tool, measure."""
     laid.world.restore(laid.start)
     station = _Timed(SimulatedStation(laid.world, renderer))
-    lucky = NoisySkills(skills, noise, laid.scene.seed, 0)
+    skills = ArmSkills(noise, laid.scene.seed, 0, planner)
     trying = _grasp if tool == "grasp" else _push
     start = time.process_time()
-    found = trying(lucky, station, laid, target)
+    found = trying(skills, station, laid, target)
     spent = time.process_time() - start
     after, spec = laid.world.scene(), things[target.object_id]
     moved = [
@@ -73,10 +72,9 @@ def attempt(
 
 
 def _grasp(
-    skills: NoisySkills, station: _Timed, laid: TrialTable, target: PlacedObject
+    skills: ArmSkills, station: _Timed, laid: TrialTable, target: PlacedObject
 ) -> dict[str, object]:
     result = skills.grasp_and_remove(station, laid.frame, laid.mask(target), laid.scene.setup)
-    assert isinstance(result, GraspResult)
     inside = whereabouts(laid.world.scene()[target.instance].pose, laid.scene.setup) == "basket"
     return {
         "direction": None,
@@ -92,7 +90,7 @@ def _grasp(
 
 
 def _push(
-    skills: NoisySkills, station: _Timed, laid: TrialTable, target: PlacedObject
+    skills: ArmSkills, station: _Timed, laid: TrialTable, target: PlacedObject
 ) -> dict[str, object]:
     directions = list(ALONG)
     direction = directions[int(laid.rng.integers(len(directions)))]
@@ -100,7 +98,6 @@ def _push(
     result = skills.push(
         station, laid.frame, laid.mask(target), direction, distance, laid.scene.setup
     )
-    assert isinstance(result, PushResult)
     end = laid.world.scene()[target.instance].pose
     ratio = float(np.subtract(end.position, target.pose.position) @ ALONG[direction]) / distance
     reached = max(result.swept, result.moved or 0.0)

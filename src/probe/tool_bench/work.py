@@ -11,12 +11,11 @@ from PIL import Image
 from pydantic import BaseModel, ConfigDict, ValidationError
 from scipy import ndimage
 
-from probe import manipulation
 from probe.assets.library import Library, Pool
 from probe.episodes.noise import Noise
 from probe.errors import BadData, Unsatisfiable
 from probe.files import claim_folder, encode, fault, write_bytes
-from probe.manipulation import Planned
+from probe.manipulation.candidates import Planner, propose
 from probe.manipulation.graspgen import GraspGen
 from probe.reading import RECORDS, contents
 from probe.render.renderer import Renderer
@@ -24,7 +23,6 @@ from probe.scene.scene import PlacedObject
 from probe.tool_bench.attempt import attempt
 from probe.tool_bench.table import TrialTable, lay
 from probe.tool_bench.trial import Tool, ToolTrial
-from probe.toolshed.skills import Skills
 from probe.types import Array, Shard
 
 SETTINGS, PICTURES = "settings.json", "pictures"
@@ -47,9 +45,9 @@ class ToolBenchSettings(BaseModel):
     """Address of a GraspGen server; None for the built-in planner."""
 
     @property
-    def skills(self) -> Skills:
-        """With grasps from the planner that was asked for."""
-        return Planned(GraspGen(self.graspgen)) if self.graspgen else manipulation
+    def planner(self) -> Planner:
+        """What proposes the grasps."""
+        return GraspGen(self.graspgen) if self.graspgen else propose
 
     @property
     def noise(self) -> Noise:
@@ -128,7 +126,7 @@ def _scene(
         return []
     made: list[ToolTrial] = []
     for target in laid.targets[:at_most]:
-        trial = attempt(tool, laid, target, things, renderer, settings.noise, settings.skills)
+        trial = attempt(tool, laid, target, things, renderer, settings.noise, settings.planner)
         made.append(trial)
         if not trial.good:
             _photograph(out / picture_path(trial), laid, target, renderer)
