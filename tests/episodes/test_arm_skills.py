@@ -21,42 +21,30 @@ def renderer():
         yield drawing
 
 
-class Watched:
-    """A station that remembers the paths which the arm was sent."""
-
-    def __init__(self, station):
-        self._station = station
-        self.arm, self.hand = station.arm, station.hand
-        self.paths = []
-
-    def follow(self, path):
-        self.paths.append(path)
-        return self._station.follow(path)
-
-    def __getattr__(self, name):
-        return getattr(self._station, name)
-
-    def lowest(self) -> np.ndarray:
-        """Where the hand came closest to the table."""
-        places = [self.arm.forward(joints).position for path in self.paths for joints in path]
-        return np.array(min(places, key=lambda place: place[2]))
-
-
 def grasp(renderer: Renderer, skills: ArmSkills):
-    station = Watched(station_at(SCENE, LIBRARY, renderer))
+    """What came of a grasp, and where the hand came closest to the table."""
+    station = station_at(SCENE, LIBRARY, renderer)
     frame = station.observe(rgb=False)
+    places: list[tuple[float, ...]] = []
+    follow = station.follow
+
+    def watched(path):
+        places.extend(station.arm.forward(joints).position for joints in path)
+        return follow(path)
+
+    station.follow = watched
     result = skills.grasp_and_remove(station, frame, frame.labels == 1, UR5_TABLE)
-    return result, station
+    return result, np.array(min(places, key=lambda place: place[2]))
 
 
 def test_the_hand_goes_beside_where_it_was_sent_by_the_drawn_error(renderer: Renderer):
     noise = Noise(grasp=0.004)
-    _, sure = grasp(renderer, ArmSkills())
+    _, lowest = grasp(renderer, ArmSkills())
     _, erring = grasp(renderer, ArmSkills(noise, seed=3, run=1))
     first = station_at(SCENE, LIBRARY, renderer).observe(rgb=False)
     error = HandErrors(noise, 3, 1).draw("grasp", first, first.labels == 1)
     assert error is not None
-    assert erring.lowest()[:2] - sure.lowest()[:2] == pytest.approx(error[:2], abs=0.001)
+    assert erring[:2] - lowest[:2] == pytest.approx(error[:2], abs=0.001)
 
 
 def test_what_most_of_the_mask_shows_is_taken_away_at_once(renderer: Renderer):
