@@ -9,7 +9,7 @@ WORKERS ?= 2
 help:
 	@echo "make demo       a scripted agent solves six tasks; outputs/demo/index.html"
 	@echo "make test       the fast tests"
-	@echo "make test-slow  the slow ones; installs PyTorch, Blender and a Chromium"
+	@echo "make test-slow  the slow ones; installs PyTorch, Blender, Ray and a Chromium"
 	@echo "make docs       the pages as a site; outputs/site/index.html"
 	@echo "make check      format, lint, types, architecture"
 	@echo "make bench      what things cost"
@@ -25,7 +25,7 @@ test test-slow: export OMP_NUM_THREADS = 1
 test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS)
 
-test-slow: .venv/.ready driver browser .venv/.blender .venv/.docs .venv/.torch
+test-slow: .venv/.ready driver browser .venv/.blender .venv/.docs .venv/.ray .venv/.torch
 	$(BIN)/pytest -m "slow and not gpu" --durations 15 -n $(WORKERS)
 
 check: .venv/.ready
@@ -65,6 +65,9 @@ format: .venv/.ready
 
 .venv/.docs: .venv/.ready requirements-docs.lock
 	@PYTHON="$(PYTHON)" scripts/add-docs
+
+.venv/.ray: .venv/.ready requirements-ray.lock
+	@PYTHON="$(PYTHON)" scripts/add-ray
 
 .venv/.mutmut: .venv/.ready requirements-mutants.lock
 	@PYTHON="$(PYTHON)" scripts/add-mutmut
