@@ -10,6 +10,7 @@ from probe.api.agents import AgentName, make_agent
 from probe.api.progress import Track, silent
 from probe.api.resources import cache_folder, everything
 from probe.assets.library import Library, open_all
+from probe.engines.local import LocalEngine
 from probe.episodes.files import read_records as _read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.noise import Noise, NoiseName, noise_of
@@ -55,7 +56,7 @@ def run(
     setup = worker_setup(order, make_agent, things)
     with (
         begun(folder, suite, order) as start,
-        closing(work(folder, start.jobs, setup, workers)) as results,
+        closing(work(folder, start, setup, LocalEngine(workers))) as results,
     ):
         for _ in track(results, f"{agent} at work"):
             pass

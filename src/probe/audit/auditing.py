@@ -8,13 +8,13 @@ from pathlib import Path
 
 from probe.audit.audit_file import ReplayVerdict, earlier, hashes_of_lines, is_foreign, keep
 from probe.audit.replaying import Claim, Replayer, unable
+from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.episodes.folder import reserved
 from probe.episodes.ordered import Ordered, read_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.runs.checks.folder import read_checked
 from probe.runs.checks.reference import check_reference
 from probe.runs.variation import read_variation
-from probe.runs.worker_pool import LostJob, carry_out
 from probe.scene.seeds import generator
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import packaged_suite, packaged_suites
@@ -100,7 +100,7 @@ def missing_of(records: Sequence[EpisodeRecord], suite: Suite, ordered: Ordered)
 
 
 def replay_claims(
-    audit: Audit, claims: Sequence[Claim], place: Replayer, workers: int
+    audit: Audit, claims: Sequence[Claim], place: Replayer, engine: Engine
 ) -> Generator[tuple[Claim, ReplayVerdict]]:
     """Replay some claims; yields each with its verdict once that is written down.
 
@@ -111,7 +111,8 @@ def replay_claims(
         WorkerDied: Workers die before they begin.
     """
     with reserved(audit.out):
-        results = carry_out(place, claims, workers)
+        plan = WorkPlan("audit", place, claims, lambda claim: claim.line)
+        results = engine.carry_out(plan)
         try:
             for claim, result in results:
                 audit.verdicts[claim.line] = verdict = _verdict(result)
@@ -127,8 +128,8 @@ def whose(record: EpisodeRecord) -> str:
     return f"{record.task}, run {record.run} of {record.agent}{setting}"
 
 
-def _verdict(result: bytes | LostJob) -> ReplayVerdict:
-    if isinstance(result, LostJob):
+def _verdict(result: bytes | LostUnit) -> ReplayVerdict:
+    if isinstance(result, LostUnit):
         return ReplayVerdict(outcome="not replayable", reason=result.reason)
     return ReplayVerdict.model_validate_json(result)
 

@@ -8,6 +8,7 @@ from contextlib import asynccontextmanager
 from anyio import CapacityLimiter, Semaphore
 
 from probe.bench.process import SILENCE, AskPointer, EpisodeProcess, EpisodeProcessDied
+from probe.engines.plan import TRIES
 from probe.episodes.turns import Call
 from probe.errors import ProbeError, WorkerDied
 from probe.processes.serving import WorkerUnfit
@@ -24,7 +25,6 @@ from probe.runs.worker_messages import (
     Response,
     StartEpisode,
 )
-from probe.runs.worker_pool import TRIES
 
 
 class EpisodeProcessLost(ProbeError):

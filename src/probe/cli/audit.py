@@ -22,6 +22,7 @@ from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.numbers import check_numbers
 from probe.cli.option_conflicts import refuse_stray
 from probe.cli.screen import bar, say
+from probe.engines.local import LocalEngine
 from probe.episodes.folder import SUITE
 from probe.errors import BadData, ProbeError
 from probe.tasks.suite import Suite
@@ -131,7 +132,10 @@ def _replay(
     place = Replayer(suite, opener(), cache_folder() / "light")
     audit.keep()
     if claims:
-        with bar() as progress, closing(replay_claims(audit, claims, place, workers)) as results:
+        with (
+            bar() as progress,
+            closing(replay_claims(audit, claims, place, LocalEngine(workers))) as results,
+        ):
             line = progress.add_task("Replaying", total=len(claims))
             for _ in results:
                 progress.update(line, advance=1)

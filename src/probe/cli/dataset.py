@@ -13,6 +13,7 @@ from probe.api.resources import Pool, opener
 from probe.assets.cache import Cache
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say, track
+from probe.engines.local import LocalEngine
 from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.files import check_new
@@ -61,7 +62,7 @@ def dataset(
     check_objects(chosen.suite, things)
     kept = out.with_name(f"{out.name}.pictures")
     worker = DrawingWorker(chosen.suite, opened, Cache(kept), side)
-    drawn = draw(worker, chosen.episodes, workers)
+    drawn = draw(worker, chosen.episodes, LocalEngine(workers))
     for _ in track(drawn, "Drawing", total=len(chosen.episodes)):
         pass
     counting = points or _points_of(chosen)

@@ -10,6 +10,7 @@ from probe.assets.library import Library
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.screen import bar, say, say_above
 from probe.cli.variation import varied
+from probe.engines.local import LocalEngine
 from probe.episodes.folder import RECORDS
 from probe.errors import Unfinished
 from probe.runs.plan import RunOrder
@@ -47,7 +48,10 @@ def run_order(
     faults = 0
     with begun(out, suite, order) as beginning:
         _tell(beginning, out)
-        with bar() as progress, closing(work(out, beginning.jobs, setup, workers)) as results:
+        with (
+            bar() as progress,
+            closing(work(out, beginning, setup, LocalEngine(workers))) as results,
+        ):
             doing = f"{order.agent} at work"
             total = len(beginning.jobs) + beginning.done
             line = progress.add_task(doing, total=total, completed=beginning.done)

@@ -11,6 +11,7 @@ from pathlib import Path
 from probe.api.resources import cache_folder, tables_for
 from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.teaching import TeachingSetup
+from probe.engines.local import LocalEngine
 from probe.episodes.noise import NOISES
 from probe.generation.build_folder import BuildFolder
 from probe.report.scene_renderer import SceneRenderer
@@ -34,7 +35,7 @@ def hands_of(site: TeachingSetup, out: Path) -> TeacherWorkers:
     worker = TaskWorker(BuildFolder(out / TASKS), site.training, tables_for(site.pool), light)
     things = site.training()
     return TeacherWorkers(
-        make=partial(make_tasks, worker, workers=site.workers),
+        make=partial(make_tasks, worker, engine=LocalEngine(site.workers)),
         play=_scripted(site) if site.model is None else _seated(site, site.model),
         library=things,
         scene_renderer=lambda suite: SceneRenderer(suite, lambda: things),
@@ -49,8 +50,8 @@ def _scripted(site: TeachingSetup) -> Play:
         teachers, light = teacher_for(site.counting), cache_folder() / "light"
         place = TeacherWorker(mine, site.training, teachers, light)
         with begun(out, suite, mine) as beginning:
-            jobs = beginning.jobs
-            with closing(work(out, jobs, place, site.workers)) as results:
+            jobs, engine = beginning.jobs, LocalEngine(site.workers)
+            with closing(work(out, beginning, place, engine)) as results:
                 for number, (job, fault) in enumerate(results, start=1):
                     doing = f"{number} of {len(jobs)} {setting} episodes"
                     yield f"{doing}; {job.task.id}: {fault}" if fault else doing

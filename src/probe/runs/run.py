@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.episodes.files import line_of, read_records, set_aside_cut
 from probe.episodes.folder import RECORDS, add_line, check_suite, occupied
 from probe.episodes.ordered import note_ordered
@@ -15,8 +17,9 @@ from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.runs.plan import Job, RunOrder
 from probe.runs.work import WorkerSetup, failed
-from probe.runs.worker_pool import LostJob, carry_out
 from probe.tasks.suite import Suite
+from probe.tasks.suite_file import content_hash
+from probe.types import Shard
 
 
 @dataclass(frozen=True)
@@ -24,11 +27,13 @@ class RunStart:
     """How a run finds its folder.
 
     Attributes:
+        name: Says which suite and which order it is, whatever the shard.
         jobs: What is left to do.
         done: How much of the order has been done before.
         cut: Where a record that was cut off has been put; None if none was.
     """
 
+    name: str
     jobs: tuple[Job, ...]
     done: int
     cut: Path | None
@@ -51,11 +56,19 @@ def begun(out: Path, suite: Suite, order: RunOrder) -> Generator[RunStart]:
         earlier = _earlier(out)
         done = {(it.task, it.agent, it.setting, it.run) for it in earlier if it.end != "fault"}
         jobs = order.jobs(suite.tasks, done)
-        yield RunStart(tuple(jobs), len(order.jobs(suite.tasks)) - len(jobs), cut)
+        yield RunStart(
+            name_of(suite, order), tuple(jobs), len(order.jobs(suite.tasks)) - len(jobs), cut
+        )
+
+
+def name_of(suite: Suite, order: RunOrder) -> str:
+    """A digest of a suite and of how it is run, but for the shard; 32 hex digits."""
+    how = repr(replace(order, shard=Shard()))
+    return hashlib.sha256(f"run {content_hash(suite)} {how}".encode()).hexdigest()[:32]
 
 
 def work(
-    out: Path, jobs: Sequence[Job], place: WorkerSetup, workers: int
+    out: Path, start: RunStart, place: WorkerSetup, engine: Engine
 ) -> Generator[tuple[Job, str | None]]:
     """Run episodes and add their records; yields each with our fault, if it came to nothing.
 
@@ -64,10 +77,11 @@ def work(
         WorkerUnfit: A worker couldn't be set up.
         WorkerDied: Workers die before they begin.
     """
-    results = carry_out(place, jobs, workers)
+    plan = WorkPlan(start.name, place, start.jobs, lambda job: f"{job.task.id}.{job.run}")
+    results = engine.carry_out(plan)
     try:
         for job, result in results:
-            if isinstance(result, LostJob):
+            if isinstance(result, LostUnit):
                 result = line_of(failed(job, place.order, result.reason))
             add_line(out, result)
             yield job, _fault(result)

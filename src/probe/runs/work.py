@@ -10,6 +10,7 @@ from pathlib import Path
 
 from probe.agents.external.external_agent import ExternalAgent
 from probe.assets.library import Library
+from probe.engines.plan import TRIES
 from probe.episodes.files import line_of
 from probe.episodes.grading import question_of
 from probe.episodes.participation import Participation
@@ -19,7 +20,6 @@ from probe.episodes.turns import Agent
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, RunOrder
 from probe.runs.viewpoints import circumstances_of
-from probe.runs.worker_pool import TRIES
 from probe.tasks.task import Task
 
 AgentOf = Callable[[str, Task, int, Library, Renderer], Agent]

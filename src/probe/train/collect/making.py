@@ -10,11 +10,11 @@ from pathlib import Path
 
 from probe.assets.library import Library
 from probe.assets.pools.split import part_of, read_split
+from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.errors import Unsatisfiable
 from probe.generation.build import BuildResources, fill
 from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.render.renderer import Renderer
-from probe.runs.worker_pool import LostJob, carry_out
 
 FIRST_EPISODE = 2_000_000
 """Training seeds start at 2,000,000,000: no suite's episode comes that far."""
@@ -68,7 +68,7 @@ class TaskWorker:
 
 
 def make_tasks(
-    worker: TaskWorker, places: Sequence[TaskSlot], workers: int
+    worker: TaskWorker, places: Sequence[TaskSlot], engine: Engine
 ) -> Generator[tuple[TaskSlot, str | None]]:
     """Make the tasks that aren't there yet; yields each place with what went wrong, if it did.
 
@@ -82,10 +82,11 @@ def make_tasks(
             yield place, None
         else:
             waiting.append(place)
-    results = carry_out(worker, waiting, workers)
+    plan = WorkPlan("tasks", worker, waiting, lambda it: f"{it.question_type}-{it.episode}")
+    results = engine.carry_out(plan)
     try:
         for place, result in results:
-            if isinstance(result, LostJob):
+            if isinstance(result, LostUnit):
                 yield place, result.reason
             else:
                 yield place, result.decode() or None

@@ -11,11 +11,11 @@ import numpy as np
 
 from probe.assets.cache import Cache, content_key
 from probe.assets.library import Library
+from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.episodes.files import line_of
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
 from probe.report.scene_renderer import SceneRenderer
-from probe.runs.worker_pool import LostJob, carry_out
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
 from probe.train.dataset.showing import EpisodePictures, shown
@@ -71,7 +71,7 @@ class DrawingWorker:
         return b""
 
 
-def draw(worker: DrawingWorker, episodes: Sequence[Drawing], workers: int) -> Iterator[None]:
+def draw(worker: DrawingWorker, episodes: Sequence[Drawing], engine: Engine) -> Iterator[None]:
     """Draw what isn't kept yet; yields once for each episode.
 
     Raises:
@@ -80,10 +80,11 @@ def draw(worker: DrawingWorker, episodes: Sequence[Drawing], workers: int) -> It
     """
     waiting = [it for it in episodes if not worker.kept.path(worker.key(it[1])).exists()]
     yield from [None] * (len(episodes) - len(waiting))
-    results = carry_out(worker, waiting, workers)
+    plan = WorkPlan("pictures", worker, waiting, lambda it: worker.key(it[1]))
+    results = engine.carry_out(plan)
     try:
         for (_, record), result in results:
-            reason = result.reason if isinstance(result, LostJob) else result.decode()
+            reason = result.reason if isinstance(result, LostUnit) else result.decode()
             if reason:
                 raise NotDrawn(record, reason)
             yield

@@ -12,9 +12,10 @@ import psutil
 import pytest
 
 from crew_jobs import Bench
+from probe.engines.local import LocalEngine
+from probe.engines.plan import LostUnit, WorkPlan
 from probe.errors import WorkerDied
 from probe.processes.serving import WorkerUnfit
-from probe.runs.worker_pool import LostJob, carry_out
 
 HERE = Path(__file__).resolve().parents[1]
 
@@ -22,11 +23,17 @@ DRIVER = """
 import sys
 from pathlib import Path
 from crew_jobs import Bench
-from probe.runs.worker_pool import carry_out
+from probe.engines.local import LocalEngine
+from probe.engines.plan import WorkPlan
 if __name__ == "__main__":
-    for job, result in carry_out(Bench(Path(sys.argv[1])), ["a", "long"], 2):
+    plan = WorkPlan("bench", Bench(Path(sys.argv[1])), ["a", "long"], str)
+    for job, result in LocalEngine(2).carry_out(plan):
         print(job, flush=True)
 """
+
+
+def carry_out(bench: Bench, jobs: list[str], workers: int):
+    return LocalEngine(workers).carry_out(WorkPlan("bench", bench, jobs, str))
 
 
 def pids(notes: Path, job: str) -> list[int]:
@@ -67,7 +74,7 @@ def test_a_job_that_kills_thrice_is_lost_in_words(tmp_path, job, words):
     results = dict(carry_out(Bench(tmp_path), [job, "a"], 1))
     assert results["a"] == b"a done"
     lost = results[job]
-    assert isinstance(lost, LostJob) and words in lost.reason and "3 times" in lost.reason
+    assert isinstance(lost, LostUnit) and words in lost.reason and "3 times" in lost.reason
     assert len(pids(tmp_path, job)) == 3
 
 
