@@ -20,6 +20,6 @@ def demo(out: Path = Path("outputs/demo")) -> None:
         out: Folder for the records, pictures and the page.
     """
     suite = demo_suite()
-    missing = run_order(suite, RunOrder("scripted"), make_agent, everything(), out)
+    missing = run_order(suite, RunOrder("scripted"), make_agent, everything(), out, LocalEngine())
     say(f"Open {write_run_report([out])} in a browser.")
     check_whole(missing, len(suite.tasks))
