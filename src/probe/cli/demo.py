@@ -9,6 +9,7 @@ from probe.api.resources import everything
 from probe.cli.report import write_run_report
 from probe.cli.running import check_whole, run_order
 from probe.cli.screen import say
+from probe.engines.local import LocalEngine
 from probe.runs.plan import RunOrder
 from probe.tasks.suite_file import demo_suite
 

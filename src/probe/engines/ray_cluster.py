@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Generator
 from contextlib import contextmanager
 from importlib import import_module
@@ -36,20 +37,17 @@ def connected() -> Generator[Any]:
     """
     where = os.environ.get("RAY_ADDRESS") or "the cluster of this machine"
     _check_token(where)
-    # Failed attempts to get in are told once, by us.
-    os.environ.setdefault("RAY_BACKEND_LOG_LEVEL", "fatal")
-    os.environ.setdefault("RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO", "0")
     try:
         ray = import_module("ray")
     except ImportError as error:
         raise MissingExtra("--on ray", "ray") from error
     try:
-        ray.init(
-            address=os.environ.get("RAY_ADDRESS") or "auto",
-            log_to_driver=False,
-            logging_level="ERROR",
-            configure_logging=False,
-        )
+        with _quiet():
+            ray.init(
+                address=os.environ.get("RAY_ADDRESS") or "auto",
+                log_to_driver=False,
+                logging_level="ERROR",
+            )
     except ray.exceptions.AuthenticationError as error:
         raise ClusterRefused(where, "it didn't take this token", _TOKEN_REMEDY) from error
     except ConnectionError as error:
@@ -58,6 +56,20 @@ def connected() -> Generator[Any]:
         yield ray
     finally:
         ray.shutdown()
+
+
+@contextmanager
+def _quiet() -> Generator[None]:
+    """Nothing goes to stderr: Ray tells each attempt to get in, and we tell the outcome."""
+    sys.stderr.flush()
+    kept, nothing = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nothing, 2)
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+        os.close(nothing)
 
 
 def _check_token(where: str) -> None:

@@ -69,8 +69,8 @@ class RayEngine:
 
     def _results(self, name: str) -> ResultStore:
         if self.store is None:
-            return ResultStore(str(self.home.resolve() / "units")).under(name)
-        return ResultStore(self.store.rstrip("/")).under(f"units/{name}")
+            return ResultStore(str(self.home.resolve() / f"units-{name}"))
+        return ResultStore(self.store.rstrip("/")).under(f"units-{name}")
 
     def _claim(self, results: ResultStore) -> None:
         """Take up the store, unless another driver's results go there."""
