@@ -23,8 +23,7 @@ def test_a_whole_run_ends_well_and_another_one_says_how_to_go_on():
 
 
 @pytest.mark.slow
-def test_episodes_over_which_workers_abort_are_missing(tmp_path, cache, monkeypatch):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(cache.parent))
+def test_episodes_over_which_workers_abort_are_missing(tmp_path):
     suite = selection(DEMO, DEMO.tasks[:1], "one")
     assert run_order(suite, RunOrder("mad"), aborts, everything(), tmp_path, LocalEngine()) == 1
     (record,) = read_records(tmp_path / RECORDS)
