@@ -1,4 +1,4 @@
-"""PROBE: questions about a cluttered table that only moving things can answer.
+"""PROBE: questions about a cluttered table that an agent answers after moving something.
 
 The names below are the public API; `docs/reference/api.md` lists them. They are imported when they
 are first used.
