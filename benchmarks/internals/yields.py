@@ -29,7 +29,7 @@ def main(logs: Annotated[tuple[Path, ...], tyro.conf.Positional]) -> None:
 
 def table(lines: list[CandidateLog]) -> Iterator[str]:
     """A row a type, in Markdown."""
-    yield "| type | candidates | kept | seconds a kept one | first attempt solves | rejected by |"
+    yield "| type | candidates | kept | s per kept task | first attempt solves | rejected by |"
     yield "|---|---|---|---|---|---|"
     for it in count_candidates(lines):
         rejected = ", ".join(f"{check} {count}" for check, count in it.rejected)

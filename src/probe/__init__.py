@@ -1,4 +1,4 @@
-"""PROBE: questions about a cluttered table that only moving things can answer.
+"""PROBE: questions about a cluttered table that an agent answers after moving something.
 
 The names below are the public API; `docs/reference/api.md` lists them. They are imported when they
 are first used.
@@ -30,7 +30,7 @@ if the environment says otherwise."""
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from probe.agents.reading import read_graph, read_handle
+    from probe.agents.reading import Graph, Seen, read_graph, read_handle
     from probe.api.agents import builtin_agent
     from probe.api.episodes import OpenEpisode, open_episode, play, replay, score
     from probe.api.models import model_behind
@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from probe.types import Camera, Frame, Pose
 
 _HOMES = {
-    "agents.reading": ("read_graph", "read_handle"),
+    "agents.reading": ("Graph", "Seen", "read_graph", "read_handle"),
     "api.agents": ("builtin_agent",),
     "api.episodes": ("OpenEpisode", "open_episode", "play", "replay", "score"),
     "api.models": ("model_behind",),
@@ -92,6 +92,7 @@ __all__ = [
     "Camera",
     "EpisodeRecord",
     "Frame",
+    "Graph",
     "Library",
     "Noise",
     "OpenEpisode",
@@ -105,6 +106,7 @@ __all__ = [
     "Setup",
     "Score",
     "Scores",
+    "Seen",
     "Suite",
     "Task",
     "Thing",

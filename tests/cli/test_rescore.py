@@ -96,4 +96,4 @@ def test_both_floors_are_shown(folder, capsys):
     assert "chance ┃ naive ┃ beyond" in told
     # Find, Count and Beneath, two of each: a fifth, and a third for Count.
     assert "│ 20% │ 24% │" in told and "│ 20% │ 33% │" in told
-    assert "Chance is a blind guess; naive is what needs no moving" in told
+    assert "Chance is a blind guess; naive is a guess after counting" in told

@@ -80,6 +80,17 @@ def test_a_type_that_lacks_a_part_is_refused_with_its_name(seventh: Path, name: 
         question_types()
 
 
+def test_a_folder_that_python_cant_import_is_refused_by_name(seventh: Path):
+    (seventh / "__init__.py").unlink()
+    with pytest.raises(IncompleteType, match="'seventh' has no usable part '__init__.py'"):
+        question_types()
+
+
+def test_folders_that_hold_nothing_of_a_type_are_passed_over(seventh: Path):
+    (seventh.parent / "eighth" / "__pycache__").mkdir(parents=True)
+    assert "eighth" not in question_types()
+
+
 @pytest.mark.parametrize("part", PARTS)
 def test_a_part_of_another_kind_is_refused(seventh: Path, part: str):
     (seventh / f"{part}.py").write_text(f"{part.upper()} = {{}}\n")

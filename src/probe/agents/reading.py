@@ -29,7 +29,17 @@ _GRASPED: Mapping[str, Outcome] = {
 
 @dataclass(frozen=True)
 class Seen:
-    """One entry of perceive_scene's list; `name` is None where too little shows."""
+    """One entry of perceive_scene's list.
+
+    Attributes:
+        number: Its number in the list.
+        name: What it is; None where too little of it shows to be named.
+        description: What the list says of it.
+        point: A pixel (u, v) on it, or thousandths if the agent's texts have these.
+        box: Left, top, right and bottom pixel, the last two included.
+        area: Pixels of the box.
+        place: Words by which find_object finds it.
+    """
 
     number: int
     name: str | None
@@ -51,7 +61,14 @@ class Seen:
 
 @dataclass(frozen=True)
 class Graph:
-    """What perceive_scene told."""
+    """What a reply of perceive_scene says.
+
+    Attributes:
+        objects: All entries of the list.
+        relations: Number, word ("on", "covering", "touching", ...) and number of two entries.
+        named: The entries that show enough to be named.
+        unclear: The other entries.
+    """
 
     objects: tuple[Seen, ...] = ()
     relations: tuple[tuple[int, str, int], ...] = ()
@@ -83,7 +100,7 @@ class Graph:
 
 
 def read_graph(text: str) -> Graph:
-    """What a reply of perceive_scene says; empty if it is something else."""
+    """Read a reply of perceive_scene; an empty graph if the text is something else."""
     told: object = yaml.safe_load(text)
     if not isinstance(told, dict) or "objects" not in told:
         return Graph()

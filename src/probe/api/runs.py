@@ -42,7 +42,7 @@ def run(
 
     Returns:
         All records of the folder, in the order in which they were written. An episode that failed
-        on our side has `end == "fault"`; calling again repeats it.
+        through no fault of the agent has `end == "fault"`; calling again repeats it.
 
     Raises:
         BadData: The folder is about another suite, or was run under other conditions.

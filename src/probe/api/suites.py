@@ -34,7 +34,7 @@ def open_library(pool: Pool = "procedural") -> Library:
 
 
 def load_suite(name: str | Path) -> Suite:
-    """A suite of the package ("v1", "v1-scans", "v1-unfiltered", "demo"), or of a file.
+    """A suite of the package ("v1", "v1-scans", "v1-unfiltered", "behind", "demo"), or of a file.
 
     Raises:
         UnknownName: It is neither.

@@ -38,28 +38,30 @@ class _Command:
 
 
 COMMANDS: dict[str, _Command] = {
-    "demo": _Command("demo", "Let the scripted agent solve the six demo tasks."),
+    "demo": _Command("demo", "Run the scripted agent on the six demo tasks."),
     "scene": _Command("scene", "Settle a cluttered table from a seed and photograph it."),
-    "run": _Command("run", "Let an agent or a model work on a suite."),
+    "run": _Command("run", "Run an agent or a model on a suite."),
     "merge": _Command("merge", "Join folders of records that `probe run --shard` wrote."),
     "report": _Command("report", "Grade records and write a page of scores and replays."),
     "rescore": _Command("rescore", "Grade a run's records again and write rows and scores."),
-    "audit": _Command("audit", "Check records, do their episodes again, sign a folder."),
+    "audit": _Command("audit", "Check records, replay their episodes, sign a folder."),
     "robustness": _Command("robustness", "Compare runs of the same tasks under other conditions."),
-    "published": _Command("published", "Add up the paper's own table again."),
-    "serve": _Command("serve", "Let another program use the tools on one task, over MCP."),
+    "published": _Command("published", "Recompute the averages of the paper's table."),
+    "serve": _Command("serve", "Offer the tools on one task to other programs, over MCP."),
     "export": _Command("export", "Write a suite as a data set for other programs."),
-    "collect": _Command("collect", "Let a teacher answer training tasks, and keep the episodes."),
+    "collect": _Command("collect", "Collect a teacher's episodes on training tasks."),
     "select": _Command("select", "Choose the episodes that a model is to learn from."),
     "dataset": _Command("dataset", "Write chosen episodes as a data set for trainers."),
     "init-tiny": _Command("init_tiny", "Make a very small, untrained model to try the recipe on."),
     "train": _Command("train", "Train a vision-language model on a data set."),
-    "serve-model": _Command("serve_model", "Let `probe run` ask a trained model, on this machine."),
-    "held-out": _Command("held_out", "Compare runs, with types that nobody was trained on apart."),
-    "human": _Command("human", "Let people answer in a browser, with what agents see and can do."),
-    "assets": _Command("assets", "What the object library holds, and how to add to it.", True),
-    "suite": _Command("suite", "Build and show frozen suites of tasks.", True),
-    "tools": _Command("tools", "How often the tools work, alone, on true targets.", True),
+    "serve-model": _Command(
+        "serve_model", "Serve a trained model on this machine, for `probe run`."
+    ),
+    "held-out": _Command("held_out", "Compare runs; untrained question types stand apart."),
+    "human": _Command("human", "Serve a page on which people answer as agents do."),
+    "assets": _Command("assets", "List, check and add objects of the library.", True),
+    "suite": _Command("suite", "Build, check and show frozen suites of tasks.", True),
+    "tools": _Command("tools", "Measure how often the tools work on known targets.", True),
 }
 
 
@@ -156,7 +158,7 @@ def _run(arguments: list[str]) -> None:
             )
         else:
             app.command(name=name)(_named(command))
-    app.cli(prog="probe", description="Questions that only moving things can answer.")
+    app.cli(prog="probe", description="A benchmark of questions about a cluttered table.")
 
 
 def _named(command: _Command) -> Callable[[], None]:

@@ -55,7 +55,7 @@ def show(
     pool: Pool = "procedural",
     out: Path = Path("outputs/object.png"),
 ) -> None:
-    """Say what the catalogue knows of an object, and draw it.
+    """Print what the catalogue knows of an object, and draw it.
 
     Args:
         object_id: As `probe assets list` prints it.

@@ -76,7 +76,7 @@ def check_objects(
     up: Axis | None = None,
     workers: int = 1,
 ) -> None:
-    """Say of each object whether it can be used, and if not why; nothing is written.
+    """Check whether each object can be used, and if not why; nothing is written.
 
     The exit status is 1 if one can't.
 

@@ -50,7 +50,7 @@ def annotate(
     """Show a model each object from six sides and note what it says of it.
 
     May be interrupted and run again: objects that a model or a person has described already are
-    passed over, those without a usable reply are asked about again.
+    skipped; those without a usable reply are asked about again.
 
     Args:
         out: Folder for notes and pictures.
@@ -58,7 +58,7 @@ def annotate(
             in OPENAI_API_KEY.
         model: As the server calls it.
         pool: Which objects; scans need PROBE_ASSETS.
-        limit: Only so many of them.
+        limit: At most this many of them.
         timeout: Seconds to wait for a reply before trying again.
     """
     check_numbers({"--limit": limit, "--timeout": timeout})
@@ -78,11 +78,11 @@ def annotate(
 
 
 def review(out: Annotated[Path, tyro.conf.Positional]) -> None:
-    """Show what is said of your objects, read corrections, and write table and page again.
+    """Write a table and a page of your objects, after reading your corrections of the table.
 
-    Needs no model: the first time it writes down what the files of your own objects say, and draws
+    Needs no model: the first time, it takes the words from the files of your objects and draws
     them. Edit review.csv beside review.html with any program, then run this again: what you
-    changed counts as said by a person, and no model overrules it.
+    changed is marked as human, and no model overrules it.
 
     Args:
         out: Folder for table, page and pictures; `probe assets annotate` may have written to it.

@@ -18,7 +18,7 @@ def fetch(
     out: Path = Path("outputs/fetched"),
     sha256: str | None = None,
 ) -> None:
-    """Download a public object, set, material or light; goes on where it was interrupted.
+    """Download a public object, set, material or light; continues where it was interrupted.
 
     Args:
         name: Place and item, as bop/ycbv; without one, the places are listed.

@@ -63,16 +63,16 @@ def audit(
 ) -> None:
     """Check a run's records; replay them, sign the folder, or verify who signed it, on request.
 
-    What replays came to is kept in audit.json; the same command goes on where it stopped. One that
+    The verdicts are kept in audit.json; the same command continues where it stopped. A file that
     was made with another user's key, or with none, doesn't count.
 
     Args:
         out: Folder that `probe run` wrote to.
-        replay: How many episodes to do again, drawn at random, or "all".
+        replay: How many episodes to replay, drawn at random, or "all".
         workers: Processes that replay.
         sign: SSH key to sign the hashes of all files with, last of all.
         verify: File of SSH public keys, one of which must have signed the folder as it is.
-        seed: Of the draw; by default a new one, which is told.
+        seed: Of the draw; by default a new one, which is printed.
         suite: What the folder's suite has to be: the name of a packaged one, or your own file.
     """
     check_numbers({"--workers": workers, "--seed": seed})

@@ -36,9 +36,9 @@ class CollectionSize:
             alone.
         always_tools: With tools all tasks, even if the first picture was enough.
         direct_runs: Episodes of each task without tools; all must be right to count as known.
-        most_episodes: Stop after so many episodes.
-        most_cost: Make no more tasks once another would cost more than is left of so many US
-            dollars, by the mean so far; needs prices.
+        most_episodes: Stop after this many episodes.
+        most_cost: A budget in US dollars. No more tasks are made once another would exceed it, by
+            the mean cost so far; needs prices.
         shard: "0/2" and "1/2" on two machines share the work, into a folder each.
         batch: Tasks that are made and played at a time, at most.
         first: Number of the first episode; training starts at 2,000,000.
@@ -98,12 +98,12 @@ def collect(
     site: Annotated[TeachingSetup, tyro.conf.arg(name="")] = _SCRIPTED,
     extent: Annotated[CollectionSize, tyro.conf.arg(name="")] = _USUAL,
 ) -> None:
-    """Collect a teacher's episodes on fresh training tasks; goes on where an earlier run stopped.
+    """Collect a teacher's episodes on fresh training tasks; continues where an earlier run stopped.
 
     Args:
         out: Folder for tasks and records.
         counts: Tasks of each type to be answered rightly; by default the paper's.
-        total: So many in all instead, in the proportions of the counts.
+        total: This many in all instead, in the proportions of the counts.
         site: Who teaches, with what.
         extent: How much, and in which settings.
     """

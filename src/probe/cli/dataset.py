@@ -45,7 +45,7 @@ def dataset(
     Args:
         selected: A folder that `probe select` wrote.
         out: A new folder.
-        points: How places are counted in the texts; by default as the teacher did.
+        points: How coordinates are written in the texts; by default as the teacher did.
         side: Width and height of the pictures; what models are sent has 1024.
         name: For the card.
         others: Write LLaMA-Factory's and VILA's forms too.

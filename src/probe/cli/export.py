@@ -32,7 +32,7 @@ def export(
     Args:
         suite: "v1", "demo" or a file that `probe suite build` wrote.
         out: A new folder; `datasets.load_dataset` reads it.
-        points: How places are counted in the texts.
+        points: How coordinates are written in the texts.
     """
     _check_place(out)
     asked, things = find_suite(suite), everything()

@@ -41,8 +41,8 @@ def human(
 ) -> None:
     """Let people answer in a browser on this machine, with what agents see and can do.
 
-    Everybody gives a name and goes through the suite in its order. Ctrl-C ends it; the same
-    command goes on, with every table as it was left. See docs/how-to/human.md.
+    Each person enters a name and goes through the suite in its order. Ctrl-C ends it; the same
+    command continues, with every table as it was left. See docs/how-to/human.md.
 
     Args:
         suite: "v1", "demo", or a file that `probe suite build` wrote.

@@ -44,12 +44,14 @@ class ModelChoice:
         setting: How the model may answer: with tools (the default), or at once from what it is
             shown.
         epochs: Episodes of each task, for a model; by default 3.
-        points: How the model counts places in pictures; by default what suits it.
+        points: How the model writes coordinates: pixels, or thousandths of the picture's sides. By
+            default what suits a model with a short name, and pixels for any other.
         pointer: Who points for perception: "oracle" (the default) for nobody, "self" for the
             model, or the name of another.
-        endpoint: Address of a server that speaks OpenAI's protocol, up to and with its version.
-        prices: A file that says what tokens cost.
-        dry_run: Only say how much would be asked of the model.
+        endpoint: Address of a server that speaks OpenAI's protocol, version included, such as
+            http://localhost:8000/v1.
+        prices: A file with the prices of tokens.
+        dry_run: Send nothing; only count replies, pictures and tokens.
     """
 
     model: str | None = None
@@ -67,10 +69,10 @@ class AgentChoice:
     """Who acts without a model.
 
     Attributes:
-        agent: Who acts, without a model; by default "scripted". "FILE.py:ClassName" for an agent of
-            your own, which runs in a process of its own: see docs/reference/agents.md.
-        agent_name: What records call an agent of a file; by default as its class.
-        sandbox: What an agent of a file is allowed.
+        agent: Who acts, without a model; by default "scripted". "FILE.py:ClassName" for your
+            own agent, which runs in a separate process: see docs/reference/agents.md.
+        agent_name: The name in records of an agent in a file; by default its class's.
+        sandbox: What an agent in a file is allowed.
         runs: Episodes of each task, without a model; by default 1.
     """
 
@@ -91,7 +93,7 @@ def run(
     where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
 ) -> None:
-    """Let an agent work on every task of a suite; goes on where an earlier run stopped.
+    """Run an agent on every task of a suite; continues where an earlier run stopped.
 
     Args:
         suite: "v1", "demo" or a file that `probe suite build` wrote.

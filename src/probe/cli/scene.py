@@ -59,8 +59,8 @@ def scene(
         pool: Which objects may appear; scans need PROBE_ASSETS.
         objects: How many.
         reach: How far from the table's middle they are dropped, metres: less is denser.
-        buried: So many of the smallest are put down first, something larger right over each; at
-            most half of the objects.
+        buried: How many of the smallest objects are put down first, each with a larger one right
+            over it; at most half of the objects.
         gallery: If above 0, write this many scenes, from this seed on, and a page of them.
         lighting: "ambient", or surroundings that light the table: a painted room
             (docs/reference/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.

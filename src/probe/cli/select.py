@@ -51,10 +51,11 @@ def select(
         out: A new folder for the choice.
         counts: Examples of each type at most; by default all that can be learnt from.
         direct_share: Part of a type's examples that may be without tools.
-        slack: Manipulations over the median of a type's successes that are let pass.
+        slack: Manipulations over the median of a type's successes that are accepted.
         seed: Chooses among equals.
         against: More suites to keep out: files that `probe suite build` wrote.
-        split: Objects for evaluation (`probe assets split`), to be kept out with their like.
+        split: Objects for evaluation (`probe assets split`), to be kept out with their
+            near-duplicates.
         near: Look for near-duplicates among all objects that appear, for scenes and split; the
             first time this takes minutes, then it is known. Otherwise ids are compared.
         workers: Processes that compare objects.

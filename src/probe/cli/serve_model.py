@@ -18,8 +18,8 @@ def serve_model(
 ) -> None:
     """Serve a model over OpenAI's protocol on this machine, one reply at a time, with transformers.
 
-    Without a temperature in the request it says what is likeliest. vLLM does the same many times
-    faster where it runs, but draws its words unless it is told otherwise; see docs/how-to/train.md.
+    Without a temperature in the request, it decodes greedily. vLLM does the same many times
+    faster where it runs, but samples unless a request says otherwise; see docs/how-to/train.md.
 
     Args:
         model: A folder that `probe train` wrote, or a name at Hugging Face.

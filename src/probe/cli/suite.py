@@ -62,7 +62,7 @@ def build(
     unsolved: Path | None = None,
     setup: Path | None = None,
 ) -> None:
-    """Make, check and freeze tasks; goes on where an earlier run stopped.
+    """Make, check and freeze tasks; continues where an earlier run stopped.
 
     Kept tasks and a log of every candidate wait in a folder beside the suite. Any number of
     processes may share the work; the last to end writes the suite, and the whole log beside it.
@@ -73,9 +73,10 @@ def build(
     Args:
         out: File for the suite.
         counts: Tasks of each type: "--counts.find 28 --counts.compare 24".
-        pool: Which objects appear; scans need PROBE_ASSETS. With own+procedural, and with all, your
-            own play the parts and others help out.
-        public: Draw no salt, so that anyone can make these tasks again, and foretell their answers.
+        pool: Which objects appear; scans need PROBE_ASSETS. With own+procedural, and with all,
+            your objects take the important roles and the others fill in.
+        public: Draw no salt, so that anyone can reproduce these tasks and predict their
+            answers.
         first: With --public, number of the first episode of each type; others give other tasks.
         shard: "0/2" and "1/2" in two processes share the work.
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.

@@ -41,7 +41,8 @@ def certify(
         out: File for the new suite.
         name: Of the new suite; by default the old one's with "-human".
         least: Share of the people at a task who must be right for it to stay.
-        doubters: So many who call a task ambiguous drop it, whatever they answered.
+        doubters: How many people must call a task ambiguous for it to be dropped, whatever they
+            answered.
     """
     suite = one_suite(human)
     _check(human, least, doubters)

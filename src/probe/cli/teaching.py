@@ -25,7 +25,7 @@ class TeachingSetup:
             default the scripted teacher, which gives its reasons in words.
         endpoint: Address of a server that speaks OpenAI's protocol.
         prices: A file that says what tokens cost.
-        points: How places are counted; by default as suits the model, or in pixels.
+        points: How coordinates are written; by default as suits the model, or in pixels.
         pool: Which objects appear.
         split: Take the training part of this split alone (`probe assets split`).
         noise: How far the hand errs.

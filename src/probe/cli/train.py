@@ -25,9 +25,9 @@ def train(
     types: tuple[QuestionType, ...] = (),
     tuning: Annotated[Tuning, tyro.conf.arg(name="")] = _PAPER,
 ) -> None:
-    """Train a model on a data set; goes on where an earlier run stopped.
+    """Train a model on a data set; continues where an earlier run stopped.
 
-    The data set is checked first: of one that isn't whole nothing is trained.
+    The data set is checked first; one that isn't complete is refused.
 
     Args:
         dataset: A folder that `probe dataset` wrote.

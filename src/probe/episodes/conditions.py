@@ -25,7 +25,7 @@ class Conditions:
             tilted, or moved (all three).
         table: The task's own table top, or another one drawn for each task.
         pose_jitter: How far each object is moved before the start, metres at most.
-        dials: Rates of errors of the oracle that the tools see with.
+        dials: Error rates of the ideal detector, for each detected object.
         ideal: Which tool makes no errors: grasps, or perception; to split errors by their cause.
     """
 

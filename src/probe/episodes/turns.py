@@ -37,6 +37,7 @@ class Call:
         name: Of the tool.
         arguments: Whatever was sent, as JSON text; it needn't fit the tool.
         words: What the agent said or thought along with it.
+        values: The arguments as values; the text itself if it isn't JSON.
     """
 
     name: str
@@ -59,7 +60,12 @@ class Call:
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """A call and what came of it."""
+    """A call and its result.
+
+    Attributes:
+        call: What the agent asked a tool to do.
+        result: The tool's reply, with `text` and `picture`.
+    """
 
     call: Call
     result: ToolResult

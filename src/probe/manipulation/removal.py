@@ -1,4 +1,4 @@
-"""Carrying out one grasp, from the parked arm to the parked arm. Looks at nothing."""
+"""Choosing the first grasp with a free route, and carrying it out. Looks at nothing."""
 
 from __future__ import annotations
 

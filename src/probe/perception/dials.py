@@ -41,10 +41,10 @@ class Dials:
     """Rates of errors, each 0 to 1, by detected object.
 
     Attributes:
-        over: It is cut in two.
-        under: It becomes one with the neighbour that it meets along the longest outline.
-        missed: It goes unnoticed.
-        hallucinated: Something that isn't there is found on bare table as well.
+        over: It is split in two.
+        under: It is merged with the neighbour with which it shares the longest outline.
+        missed: It is not detected.
+        hallucinated: Something that isn't there is detected on bare table as well.
     """
 
     over: ErrorRate = 0.0

@@ -143,7 +143,7 @@ def read_setup(path: Path) -> Setup:
     """Read a set-up from a file.
 
     Raises:
-        BadData: The file is missing, or a field of it can't be so; the field is named.
+        BadData: The file is missing or a field is invalid; the message names the field.
     """
     return read_document(path, SetupDocument, _REMEDY).setup()
 

@@ -65,7 +65,7 @@ class Figure:
         tasks: n, on which intervals rest.
         runs: Rows that aren't missing.
         chance: What a blind guess gives.
-        naive: What is right without moving anything: the same, but a third in Count.
+        naive: What a guess gives after counting what shows: the same, but a third in Count.
         beyond_guessing: Accuracy beyond `chance`; None while rows are missing.
         corrected: Accuracy beyond chance, that is, beyond `naive`; None while rows are missing.
         student, bootstrap: 95 % intervals of the number, by the t distribution and by drawing

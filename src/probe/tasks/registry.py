@@ -48,7 +48,8 @@ def question_types() -> tuple[str, ...]:
     Raises:
         IncompleteType: One of them lacks a part; the message names both.
     """
-    names = sorted(found.name for found in iter_modules(_folders()) if found.ispkg)
+    packages = {found.name for found in iter_modules(_folders()) if found.ispkg}
+    names = sorted(packages | _begun())
     for name in names:
         _check(name)
     return tuple(names)
@@ -86,7 +87,16 @@ def folder_of(name: str) -> Path:
     return next(Path(home) / name for home in _folders() if (Path(home) / name).is_dir())
 
 
+def _begun() -> set[str]:
+    """Names of the folders that hold anything of a type, whether Python can import them or not."""
+    expected = {*[f"{part}.py" for part in PARTS], *FILES}
+    folders = [each for home in _folders() for each in Path(home).iterdir() if each.is_dir()]
+    return {each.name for each in folders if any((each / file).is_file() for file in expected)}
+
+
 def _check(name: str) -> None:
+    if not any((Path(home) / name / "__init__.py").is_file() for home in _folders()):
+        raise IncompleteType(name, "__init__.py", "the file isn't in its folder")
     for part in PARTS:
         if find_spec(f"{_PACKAGE}.{name}.{part}") is None:
             raise IncompleteType(name, part, f"there is no {part}.py in its folder")

@@ -25,7 +25,7 @@ class TypeRules:
         fewest_targets: Objects that decide, at least.
         pointed: Whether a named option needs a point on the object.
         strata: Whether a little of its target may show at first: it is then reported in two parts.
-        naive: Share that is right without moving anything, where that is more than a guess.
+        naive: Share that counting what shows makes right, where that is more than a guess.
     """
 
     forms: Mapping[Form, frozenset[str]]
