@@ -67,7 +67,7 @@ def publish(folder: Path, store: ResultStore) -> AssetBundle:
         BadData: The store can't be read.
         OutputFailed: It can't be written.
     """
-    there, files = store.keys(), dict[str, str]()
+    there, files = store.names(), dict[str, str]()
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
         content = path.read_bytes()
         sha = hashlib.sha256(content).hexdigest()

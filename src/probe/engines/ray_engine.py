@@ -54,7 +54,7 @@ class RayEngine:
         results = self._results(plan.name)
         self._claim(results)
         units = {plan.key(unit): unit for unit in plan.units}
-        for key in sorted(results.keys() & units.keys()):
+        for key in sorted(results.names() & units.keys()):
             yield units.pop(key), results.read(key)
             results.remove(key)
         results.sweep({MARK})

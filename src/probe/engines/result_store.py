@@ -62,7 +62,7 @@ class ResultStore:
             raise BadData(f"{self.url}/{key}", str(error), _REMEDY) from error
         return content
 
-    def keys(self) -> set[str]:
+    def names(self) -> set[str]:
         """What whole files are there.
 
         Raises:
@@ -79,7 +79,7 @@ class ResultStore:
 
     def has(self, key: str) -> bool:
         """Whether a whole file of this name is there."""
-        return key in self.keys()
+        return key in self.names()
 
     def remove(self, key: str) -> None:
         """Remove a file, if it is there."""
@@ -90,7 +90,7 @@ class ResultStore:
 
     def sweep(self, kept: Collection[str] = ()) -> None:
         """Remove all files but some, also those that a killed worker left half-written."""
-        for key in self.keys() - set(kept):
+        for key in self.names() - set(kept):
             self.remove(key)
         if self.folder is not None and self.folder.exists():
             for half in self.folder.glob(".*"):
