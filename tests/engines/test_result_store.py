@@ -33,7 +33,7 @@ def test_a_sweep_leaves_what_is_kept_and_no_half_written_file(tmp_path):
 
 def test_an_address_that_nobody_knows_is_named():
     with pytest.raises(BadData, match="nowhere://x"):
-        ResultStore("nowhere://x").keys()
+        ResultStore("nowhere://x").names()
 
 
 def bundle(tmp_path) -> AssetBundle:
