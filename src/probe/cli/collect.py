@@ -9,6 +9,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.engines import EngineChoice
 from probe.cli.model_run import price_of
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import bar, say
@@ -21,8 +22,8 @@ from probe.train.collect.aim import PAPER_COUNTS, Aim, Mode, in_proportion
 from probe.train.collect.batches import CollectedBatches
 from probe.train.collect.collecting import TeacherWorkers
 from probe.train.collect.collecting import collect as collected
-from probe.train.collect.making import FIRST_EPISODE
 from probe.train.collect.settings import claim
+from probe.train.collect.training import FIRST_EPISODE
 
 _PAPER = dict(PAPER_COUNTS)
 
@@ -97,6 +98,7 @@ def collect(
     total: int | None = None,
     site: Annotated[TeachingSetup, tyro.conf.arg(name="")] = _SCRIPTED,
     extent: Annotated[CollectionSize, tyro.conf.arg(name="")] = _USUAL,
+    where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
 ) -> None:
     """Collect a teacher's episodes on fresh training tasks; continues where an earlier run stopped.
 
@@ -106,6 +108,7 @@ def collect(
         total: This many in all instead, in the proportions of the counts.
         site: Who teaches, with what.
         extent: How much, and in which settings.
+        where: On which machines.
     """
     check_numbers({"--total": total, "--workers": site.workers})
     aim = extent.aim(counts if total is None else in_proportion(counts, total))
@@ -113,7 +116,7 @@ def collect(
         _check_price(site.prices, site.model)
     claim(out, site.settings(extent.shard, extent.first))
     say(f"Episodes go to {out}; Ctrl-C stops, the same command goes on.")
-    so_far = _watched(out, aim, hands_of(site, out))
+    so_far = _watched(out, aim, hands_of(site, out, where))
     _tell(out, aim, so_far)
 
 

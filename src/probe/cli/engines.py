@@ -28,6 +28,16 @@ class EngineChoice:
     on: Literal["local", "ray"] = "local"
     store: str | None = None
 
+    def refuse_for_models(self) -> None:
+        """Refuse a cluster for models, which are asked from one machine.
+
+        Raises:
+            BadData: One is asked for.
+        """
+        if self != EngineChoice():
+            remedy = "Use --shard I/N on each machine"
+            raise BadData("--on", "models are asked from one machine", remedy)
+
     def engine(self, out: Path, workers: int | None, tell: Callable[[str], object] = say) -> Engine:
         """The engine for work whose results go to a folder.
 

@@ -25,7 +25,6 @@ from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
 from probe.episodes.noise import NOISES, NoiseName
 from probe.episodes.participation import Points
-from probe.errors import BadData
 from probe.runs.plan import RunOrder
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.prompts import Setting
@@ -110,12 +109,11 @@ def run(
     part = parse_shard(shard)
     check_numbers({"--runs": acting.runs, "--epochs": asked.epochs, "--workers": workers})
     check_numbers({"--pose-jitter": conditions.pose_jitter})
+    if asked.model is not None:
+        where.refuse_for_models()
     order = RunOrder("", acting.runs or 1, NOISES[noise], conditions, part)
     if asked.model is None:
         missing, total = _run_agent(suite, acting, asked, order, out, where.engine(out, workers))
-    elif where != EngineChoice():
-        remedy = "Use --shard I/N on each machine, and probe merge"
-        raise BadData("--on", "models are asked from one machine", remedy)
     elif asked.dry_run:
         would_ask(find_suite(suite), _options_of(acting, asked, order, workers), out)
         return

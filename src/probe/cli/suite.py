@@ -2,38 +2,38 @@
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import closing
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
-from probe.api.resources import Pool, library, tables_for
+from probe.api.resources import Pool, library, opener, tables_for
 from probe.assets.library import Library
+from probe.cli.engines import EngineChoice
 from probe.cli.feasibility import Incomplete, show_possible
 from probe.cli.numbers import check_numbers
-from probe.cli.screen import ScreenTable, bar, say
+from probe.cli.screen import ScreenTable, bar, say, say_above
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.suite_certify import certify
 from probe.cli.suite_verify import verify
-from probe.errors import BadData, Unsatisfiable
+from probe.engines.plan import Engine
+from probe.errors import BadData
 from probe.files import write_text
 from probe.generation.build import (
-    BuildResources,
     assemble,
     assemble_unsolved,
     begin,
-    fill,
     places_of,
     why_none,
 )
 from probe.generation.build_folder import BuildFolder, CandidateLog, TaskSlot
 from probe.generation.feasibility import possibilities
+from probe.generation.making import TaskMaker, make_tasks
 from probe.generation.plan import ATTEMPTS
 from probe.generation.salt import Salt
-from probe.render.renderer import Renderer
 from probe.report.build_log import count_candidates
 from probe.scene.setup import UR5_TABLE
 from probe.scene.setup_file import read_setup
@@ -57,6 +57,8 @@ def build(
     pool: Pool = "procedural",
     public: bool = False,
     first: int = 0,
+    workers: int = 1,
+    where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     shard: str = "0/1",
     unchecked: bool = False,
     unsolved: Path | None = None,
@@ -78,11 +80,14 @@ def build(
         public: Draw no salt, so that anyone can reproduce these tasks and predict their
             answers.
         first: With --public, number of the first episode of each type; others give other tasks.
-        shard: "0/2" and "1/2" in two processes share the work.
+        workers: Processes.
+        where: On which machines.
+        shard: "0/2" and "1/2" on two machines that see this folder share the work.
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
         setup: File of another set-up (docs/how-to/extend/add-a-setup.md); tasks keep it.
     """
+    check_numbers({"--workers": workers})
     _check_asked(counts, first, public=public)
     check_new_name(out.stem, out)
     parts, things = BuildFolder(out.with_suffix(".parts")), library(pool)
@@ -93,16 +98,17 @@ def build(
     salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table)
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt)
-    with Renderer() as renderer:
-        resources = BuildResources(things, tables_for(pool), renderer, unchecked, salt, table)
-        _fill([place for place in part.of(places) if place not in left_out], parts, resources)
+    seen = None if where.store else parts
+    maker = TaskMaker(seen, opener(pool), tables_for(pool), unchecked, salt, table)
+    mine = [place for place in part.of(places) if place not in left_out]
+    _fill(maker, parts, mine, where.engine(parts.folder, workers))
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
     made = [place for place in places if parts.task_path(place).exists()]
     if waiting := len(places) - len(made) - len(left_out):
         say(f"{waiting} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
         return
     if made:
-        _finish(out, made, parts, resources, unsolved)
+        _finish(out, made, parts, things, salt, unsolved)
     if left_out:
         written = f"{out} has {len(made)} of {len(places)} tasks." if made else "No task was made."
         raise Incomplete(written, list(left_out.items()))
@@ -140,27 +146,26 @@ def _hopeless(
     return {place: it.missing[0] for it in found for place in it.hopeless}
 
 
-def _fill(places: Sequence[TaskSlot], parts: BuildFolder, resources: BuildResources) -> None:
+def _fill(maker: TaskMaker, parts: BuildFolder, places: Sequence[TaskSlot], engine: Engine) -> None:
     """Make tasks; a place for which none can be made doesn't end the others."""
-    with bar() as progress:
+    with bar() as progress, closing(make_tasks(maker, parts, places, engine)) as results:
         line = progress.add_task("Building", total=len(places))
-        for place in places:
-            # What was tried is in the place's log.
-            with contextlib.suppress(Unsatisfiable):
-                for tried in fill(place, parts, resources):
-                    done = f"{place.question_type} {place.episode}: {tried.check}"
-                    progress.update(line, description=done)
-            progress.advance(line)
+        for place, problem in results:
+            # A place's log says why none of its candidates was kept.
+            if problem and not parts.is_exhausted(place, ATTEMPTS):
+                say_above(progress, f"{place.question_type} {place.episode}: {problem}")
+            done = f"Building, last {place.question_type} {place.episode}"
+            progress.update(line, advance=1, description=done)
 
 
 def _finish(
     out: Path,
     places: Sequence[TaskSlot],
     parts: BuildFolder,
-    resources: BuildResources,
+    things: Library,
+    salt: Salt | None,
     unsolved: Path | None,
 ) -> None:
-    things, salt = resources.library, resources.salt
     assemble(out, parts, places, things, salt)
     lines = [line for place in places for line in parts.log(place)]
     if salt:

@@ -2,30 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import closing
 from itertools import chain
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
-from probe.api.resources import Pool, everything, library, tables_for
+from probe.api.resources import Pool, everything, opener, tables_for
 from probe.assets.library import Library
+from probe.cli.engines import EngineChoice
 from probe.cli.numbers import check_numbers
-from probe.cli.screen import ScreenTable, bar, say
+from probe.cli.running import AGAIN
+from probe.cli.screen import ScreenTable, bar, say, say_above
 from probe.cli.shards import parse_shard
 from probe.cli.suite_salt import origins_by
-from probe.errors import ProbeError
-from probe.generation.attempt import Attempt
-from probe.render.renderer import Renderer
+from probe.engines.plan import Engine, LostUnit
+from probe.errors import ProbeError, Unfinished
 from probe.tasks.suite import Suite, check_objects, spaced
 from probe.tasks.suite_file import digest_of, find_suite
 from probe.tasks.task import Task
 from probe.verification.balance import balances
-from probe.verification.check import CheckDepth, check, rebuild_problem
+from probe.verification.check import CheckDepth
 from probe.verification.salt import salt_problems
 from probe.verification.text import read_anew
 from probe.verification.verdict import CHECKS, TaskVerdict, read_verdict, write_verdict
+from probe.verification.verifying import Rebuilder, Verifier
 
 
 class Unverified(ProbeError):
@@ -46,6 +49,8 @@ def verify(
     rebuild: int = 0,
     salt: Path | None = None,
     pool: Pool = "procedural",
+    workers: int = 1,
+    where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     shard: str = "0/1",
 ) -> None:
     """Check each task: text, at rest, hidden, true, unambiguous, solvable; may be interrupted.
@@ -58,20 +63,25 @@ def verify(
         rebuild: How many tasks, evenly spaced, are made from their seeds again.
         salt: File of a private suite's salt: do the tasks follow from what it was committed to?
         pool: Which objects the suite was made of, for that.
-        shard: "0/2" and "1/2" in two processes share the work; then run once more without.
+        workers: Processes.
+        where: On which machines.
+        shard: "0/2" and "1/2" on two machines that see this folder share the work; then run once
+            more without.
     """
-    check_numbers({"--histories": histories, "--rebuild": rebuild})
+    check_numbers({"--histories": histories, "--rebuild": rebuild, "--workers": workers})
     frozen, things = find_suite(suite), everything()
     known = origins_by(frozen, salt, rebuild)
     check_objects(frozen, things)
     folder = out or Path("outputs") / f"verify-{frozen.name}"
     part = parse_shard(shard)
     played = {task.id for task in spaced(frozen.tasks, histories)}
-    with Renderer() as renderer:
-        mine = part.of(frozen.tasks)
-        verdicts = _verdicts(mine, folder, things, renderer, solve=solve, played=played)
-        again = [task for task in spaced(mine, rebuild) if known is None or task.id in known]
-        changed = _rebuilt(again, library(pool), renderer, tables_for(pool), known or {})
+    engine = where.engine(folder, workers)
+    verifier = Verifier(opener(), solve, frozenset(played))
+    mine = part.of(frozen.tasks)
+    verdicts = _verdicts(frozen, mine, folder, things, verifier, engine)
+    again = [task for task in spaced(mine, rebuild) if known is None or task.id in known]
+    rebuilder = Rebuilder(opener(pool), tables_for(pool), known or {})
+    changed = _rebuilt(frozen, again, rebuilder, engine)
     _print(frozen, verdicts, changed, len(again))
     strange = [] if known is None else list(salt_problems(frozen, known))
     if known is not None:
@@ -81,28 +91,47 @@ def verify(
 
 
 def _verdicts(
+    suite: Suite,
     tasks: Sequence[Task],
     folder: Path,
     things: Library,
-    renderer: Renderer,
-    *,
-    solve: bool,
-    played: set[str],
+    verifier: Verifier,
+    engine: Engine,
 ) -> list[TaskVerdict]:
-    verdicts: list[TaskVerdict] = []
-    with bar() as progress:
-        for task in progress.track(tasks, description="Verifying"):
-            path = folder / f"{task.id}.json"
-            depth = CheckDepth(solve=solve, history=task.id in played)
-            found = read_verdict(path) if path.exists() else None
-            if found is None or not _stands(found, task, depth):
-                found = check(task, things, renderer, depth)
-                write_verdict(path, found)
-            elif "text" not in found.problems:
-                found = _with_text(found, task, things)
-                write_verdict(path, found)
-            verdicts.append(found)
-    return verdicts
+    """Verdicts on tasks, in their order; those that stand already aren't made again.
+
+    Raises:
+        Unfinished: Workers died over some.
+    """
+    verdicts = {task.id: _standing(task, folder, things, verifier) for task in tasks}
+    waiting = [task for task in tasks if verdicts[task.id] is None]
+    plan = verifier.plan(suite, waiting)
+    with bar() as progress, closing(engine.carry_out(plan)) as results:
+        done = len(tasks) - len(waiting)
+        line = progress.add_task("Verifying", total=len(tasks), completed=done)
+        for task, result in results:
+            if isinstance(result, LostUnit):
+                say_above(progress, f"{task.id}: {result.reason}")
+            else:
+                found = verdicts[task.id] = TaskVerdict.model_validate_json(result)
+                write_verdict(folder / f"{task.id}.json", found)
+            progress.advance(line)
+    found = [verdict for verdict in verdicts.values() if verdict is not None]
+    if missing := len(tasks) - len(found):
+        raise Unfinished(missing, len(tasks), "tasks", AGAIN)
+    return found
+
+
+def _standing(task: Task, folder: Path, things: Library, verifier: Verifier) -> TaskVerdict | None:
+    """The verdict that is there, if it is of this task and goes deep enough."""
+    path = folder / f"{task.id}.json"
+    found = read_verdict(path) if path.exists() else None
+    if found is None or not _stands(found, task, verifier.depth(task)):
+        return None
+    if "text" not in found.problems:
+        found = _with_text(found, task, things)
+        write_verdict(path, found)
+    return found
 
 
 def _with_text(verdict: TaskVerdict, task: Task, things: Library) -> TaskVerdict:
@@ -117,17 +146,26 @@ def _stands(verdict: TaskVerdict, task: Task, depth: CheckDepth) -> bool:
 
 
 def _rebuilt(
-    tasks: Sequence[Task],
-    things: Library,
-    renderer: Renderer,
-    tables: Sequence[str],
-    known: Mapping[str, Attempt],
+    suite: Suite, tasks: Sequence[Task], rebuilder: Rebuilder, engine: Engine
 ) -> dict[str, str]:
-    problems = {
-        task.id: rebuild_problem(task, things, renderer, tables, known.get(task.id))
-        for task in tasks
-    }
-    return {id: problem for id, problem in problems.items() if problem}
+    """What is different in tasks that are made again, by id.
+
+    Raises:
+        Unfinished: Workers died over some.
+    """
+    problems, lost = dict[str, str](), 0
+    with bar() as progress, closing(engine.carry_out(rebuilder.plan(suite, tasks))) as results:
+        line = progress.add_task("Rebuilding", total=len(tasks))
+        for task, result in results:
+            if isinstance(result, LostUnit):
+                say_above(progress, f"{task.id}: {result.reason}")
+                lost += 1
+            elif result:
+                problems[task.id] = result.decode()
+            progress.advance(line)
+    if lost:
+        raise Unfinished(lost, len(tasks), "rebuilt tasks", AGAIN)
+    return {task.id: problems[task.id] for task in tasks if task.id in problems}
 
 
 def _print(

@@ -9,18 +9,19 @@ from functools import partial
 from pathlib import Path
 
 from probe.api.resources import tables_for
+from probe.cli.engines import EngineChoice
 from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.teaching import TeachingSetup
-from probe.engines.local import LocalEngine
+from probe.engines.plan import Engine
 from probe.episodes.noise import NOISES
 from probe.generation.build_folder import BuildFolder
+from probe.generation.making import TaskMaker, make_tasks
 from probe.report.scene_renderer import SceneRenderer
 from probe.runs.plan import RunOrder
 from probe.runs.run import begun, work
 from probe.tasks.suite import Suite
 from probe.train.collect.batches import TASKS
 from probe.train.collect.collecting import Play, TeacherWorkers
-from probe.train.collect.making import TaskWorker, make_tasks
 from probe.train.collect.teacher import TEACHER, TeacherWorker, teacher_for
 from probe.transcripts.prompts import Setting
 from probe.types import Shard
@@ -29,26 +30,35 @@ _ROUNDS = 3
 """How often episodes of a model that fail on our side are asked for."""
 
 
-def hands_of(site: TeachingSetup, out: Path) -> TeacherWorkers:
-    """Who does the work in a folder."""
-    worker = TaskWorker(BuildFolder(out / TASKS), site.training, tables_for(site.pool))
+def hands_of(site: TeachingSetup, out: Path, where: EngineChoice) -> TeacherWorkers:
+    """Who does the work in a folder, and where.
+
+    Raises:
+        BadData: A model is to teach from a cluster.
+    """
+    engine = where.engine(out, site.workers)
+    if site.model is not None:
+        where.refuse_for_models()
+    parts = BuildFolder(out / TASKS)
+    seen = None if where.store else parts
+    maker = TaskMaker(seen, site.training, tables_for(site.pool), unchecked=True)
     things = site.training()
     return TeacherWorkers(
-        make=partial(make_tasks, worker, engine=LocalEngine(site.workers)),
-        play=_scripted(site) if site.model is None else _seated(site, site.model),
+        make=partial(make_tasks, maker, parts, engine=engine),
+        play=_scripted(site, engine) if site.model is None else _seated(site, site.model),
         library=things,
         scene_renderer=lambda suite: SceneRenderer(suite, lambda: things),
     )
 
 
-def _scripted(site: TeachingSetup) -> Play:
+def _scripted(site: TeachingSetup, engine: Engine) -> Play:
     order = RunOrder(TEACHER, 1, NOISES[site.noise], site.conditions, points=site.counting)
 
     def play(suite: Suite, setting: Setting, runs: int, out: Path) -> Iterable[str]:
         mine = replace(order, setting=setting, runs=runs)
         place = TeacherWorker(mine, site.training, teacher_for(site.counting))
         with begun(out, suite, mine) as beginning:
-            jobs, engine = beginning.jobs, LocalEngine(site.workers)
+            jobs = beginning.jobs
             with closing(work(out, beginning, place, engine)) as results:
                 for number, (job, fault) in enumerate(results, start=1):
                     doing = f"{number} of {len(jobs)} {setting} episodes"

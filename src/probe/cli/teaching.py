@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from probe.api.resources import Pool, opener
+from probe.assets.pools.split import read_split
 from probe.bench.models import settings_of
 from probe.episodes.conditions import Conditions, LightKind
 from probe.episodes.noise import NoiseName
 from probe.episodes.participation import Points
-from probe.train.collect.making import Training
 from probe.train.collect.settings import CollectionSettings
 from probe.train.collect.teacher import TEACHER
+from probe.train.collect.training import Training
 
 
 @dataclass(frozen=True)
@@ -50,8 +51,12 @@ class TeachingSetup:
 
     @property
     def training(self) -> Training:
-        """Opens the objects."""
-        return Training(opener(self.pool), self.split)
+        """Opens the objects.
+
+        Raises:
+            BadData: The split can't be read.
+        """
+        return Training(opener(self.pool), self.split and read_split(self.split))
 
     @property
     def conditions(self) -> Conditions:

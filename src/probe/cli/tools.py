@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
 import tyro
 
-from probe.api.resources import Pool, library
+from probe.api.resources import Pool, library, opener
 from probe.assets.library import Library
+from probe.cli.engines import EngineChoice
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import ScreenTable, bar, say
 from probe.cli.shards import parse_shard
 from probe.episodes.noise import NOISES, NoiseName
-from probe.render.renderer import Renderer
 from probe.report.tools_page import Failure, write_tools_page
 from probe.tool_bench.summary import Summary, drawn_anew, summarise
 from probe.tool_bench.trial import Tool, ToolTrial
-from probe.tool_bench.work import ToolBenchSettings, carry_out, picture_path, read_trials, start
+from probe.tool_bench.work import (
+    ToolBenchSettings,
+    TrialMaker,
+    carry_out,
+    picture_path,
+    read_trials,
+    start,
+)
 
 app = tyro.extras.SubcommandApp()
 PAGE = "index.html"
@@ -30,6 +38,8 @@ def bench(
     grasps: int = 300,
     pushes: int = 200,
     first_seed: int = 40_000,
+    workers: int = 1,
+    where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     shard: str = "0/1",
     sigma: float | None = None,
     graspgen: str | None = None,
@@ -46,13 +56,16 @@ def bench(
         grasps: Attempts.
         pushes: Attempts.
         first_seed: Of the first table.
-        shard: "0/2" and "1/2" in two processes share the work; then run once more with "0/1"
+        workers: Processes.
+        where: On which machines.
+        shard: "0/2" and "1/2" on two machines that see this folder share the work; then run once
+            more with "0/1"
             and no attempts for the page of both.
         sigma: Standard deviation of a grasp's error in metres, instead of the noise's own.
         graspgen: Address of a GraspGen server ("tcp://localhost:5556") that proposes the grasps,
             instead of the built-in planner.
     """
-    check_numbers({"--grasps": grasps, "--pushes": pushes})
+    check_numbers({"--grasps": grasps, "--pushes": pushes, "--workers": workers})
     check_numbers({"--first-seed": first_seed, "--sigma": sigma})
     part = parse_shard(shard)
     level = NOISES[noise]
@@ -66,12 +79,13 @@ def bench(
     )
     start(out, settings)
     things = library(pool)
-    with Renderer() as renderer, bar() as progress:
+    maker, engine = TrialMaker(settings, opener(pool)), where.engine(out, workers)
+    with bar() as progress:
         todo: tuple[tuple[Tool, int], ...] = (("grasp", grasps), ("push", pushes))
         for tool, total in todo:
             wanted = -(-total // part.count)
             task = progress.add_task(f"{tool} attempts", total=wanted)
-            for count in carry_out(out, tool, wanted, settings, things, renderer, part):
+            for count in carry_out(out, tool, wanted, maker, engine, part):
                 progress.update(task, completed=count)
     _report(out, settings, things)
 

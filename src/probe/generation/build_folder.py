@@ -6,7 +6,7 @@ candidate, written when that is settled; whoever comes back goes on after the la
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -185,13 +185,26 @@ class BuildFolder:
         suite = freeze(f"unsolved-{task.question_type}-{task.seed}", (task,), library)
         write_suite(self.folder / f"{suite.name}.json", suite, private=self.is_private)
 
+    def packed(self, place: TaskSlot) -> dict[str, str]:
+        """What is there of a place, file by file; for a machine that doesn't see the folder."""
+        files = [self.log_path(place), self.task_path(place)]
+        files += [self._unsolved_path(line) for line in self.log(place) if line.check == UNSOLVED]
+        return {file.name: words(file) for file in files if file.exists()}
+
+    def unpack(self, files: Mapping[str, str]) -> None:
+        """Take in what packed() gave, whole file by whole file; a task comes after its log."""
+        for name, text in files.items():
+            write_text(self.folder / name, text, private=self.is_private)
+
     def unsolved(self, places: Sequence[TaskSlot]) -> Iterator[Task]:
         """The candidates of some places that failed only the scripted agents' check."""
         for place in places:
             for line in self.log(place):
                 if line.check == UNSOLVED:
-                    path = self.folder / f"unsolved-{place.question_type}-{line.seed}.json"
-                    yield from read_suite(path).tasks
+                    yield from read_suite(self._unsolved_path(line)).tasks
+
+    def _unsolved_path(self, line: CandidateLog) -> Path:
+        return self.folder / f"unsolved-{line.question_type}-{line.seed}.json"
 
     def _path(self, place: TaskSlot, suffix: str) -> Path:
         return self.folder / f"{place.question_type}-{place.episode}.{suffix}"

@@ -15,7 +15,7 @@ from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of
 from probe.tasks.task import Task
 from probe.tasks.type_rules import rules_of
-from probe.train.collect.making import FIRST_EPISODE
+from probe.train.collect.training import FIRST_EPISODE
 
 Leak = Literal["task", "seed", "scene", "object", "unsplit object"]
 """Why a task is refused: it is of a suite; its seed is, or isn't for training; its scene is nearly
