@@ -33,6 +33,14 @@ def own_data(tmp_path_factory: pytest.TempPathFactory) -> Generator[Path]:
         yield folder / "probe"
 
 
+@pytest.fixture(scope="session", autouse=True)
+def shared_cache(cache: Path) -> Generator[None]:
+    """What any test or any command computes, no other computes again."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(cache.parent))
+        yield
+
+
 @pytest.fixture(scope="session")
 def assets() -> Path:
     """The folder of extra assets (scans, textures, robots), which no checkout contains."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import time
@@ -48,9 +49,28 @@ class Bench:
             os.kill(os.getpid(), signal.SIGKILL)
         if job == "leaving":
             os._exit(3)
+        if job.startswith("second"):
+            time.sleep(1)
         if job == "long":
             time.sleep(60)
         return f"{job} done".encode()
+
+
+@dataclass(frozen=True)
+class AssetReader:
+    """A workplace that says where its machine has assets, and what is in them."""
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[str], bytes]]:
+        yield self.read
+
+    def read(self, job: str) -> bytes:
+        """Every file's text, after a while, so that each node gets some of the jobs."""
+        time.sleep(0.5)
+        folder = Path(os.environ["PROBE_ASSETS"])
+        files = sorted(path for path in folder.rglob("*") if path.is_file())
+        found = {path.relative_to(folder).as_posix(): path.read_text() for path in files}
+        return json.dumps({"folder": str(folder), "files": found}).encode()
 
 
 @dataclass(frozen=True)

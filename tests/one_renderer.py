@@ -1,4 +1,4 @@
-"""One render worker and one library for all tests of a module."""
+"""One render worker for all tests of a module; one library, whose palettes are kept, for all."""
 
 import pytest
 
@@ -12,6 +12,6 @@ def renderer():
         yield it
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def library(cache) -> Library:
     return open_library("procedural", None, cache)

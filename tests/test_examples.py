@@ -1,6 +1,5 @@
 """Every example runs as a reader would run it, and says what is true."""
 
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -16,13 +15,12 @@ EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 
 
 @pytest.fixture
-def example(tmp_path, cache):
+def example(tmp_path):
     """Runs an example in an empty folder; gives its output."""
 
     def run(name, *arguments, module=()):
         result = subprocess.run(
             [sys.executable, *module, str(EXAMPLES / name), *map(str, arguments)],
-            env={**os.environ, "XDG_CACHE_HOME": str(cache.parent)},
             cwd=tmp_path,
             capture_output=True,
             text=True,

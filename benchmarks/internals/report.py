@@ -24,6 +24,7 @@ from probe.api.agents import make_agent  # noqa: E402
 from probe.api.resources import everything  # noqa: E402
 from probe.cli.report import write_run_report  # noqa: E402
 from probe.cli.running import run_order  # noqa: E402
+from probe.engines.local import LocalEngine  # noqa: E402
 from probe.episodes.files import read_records, write_records  # noqa: E402
 from probe.episodes.folder import RECORDS, SUITE  # noqa: E402
 from probe.episodes.record import EpisodeRecord, TableState  # noqa: E402
@@ -48,7 +49,7 @@ def main(run: Path = Path("outputs/demo"), episodes: int = 150, repeats: int = 5
         print("No Chromium here; scripts/ensure-browser installs it.")
         return
     if not (run / RECORDS).exists():
-        run_order(demo_suite(), RunOrder("scripted"), make_agent, everything(), run)
+        run_order(demo_suite(), RunOrder("scripted"), make_agent, everything(), run, LocalEngine())
     write_run_report([run])
     with tempfile.TemporaryDirectory() as folder:
         copied = copies(run, Path(folder) / "copies", episodes)

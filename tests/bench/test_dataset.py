@@ -49,14 +49,13 @@ def test_what_is_written_loads_back(tmp_path):
     assert CANARY in card and "6 questions" in card
 
 
-def test_pictures_are_the_files_that_direct_mode_sends(tmp_path, monkeypatch):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
+def test_pictures_are_the_files_that_direct_mode_sends(tmp_path, cache):
     suite = demo(2)
     write_suite(tmp_path / "small.json", suite)
     export(str(tmp_path / "small.json"), tmp_path / "set")
     table, found = load(tmp_path / "set", tmp_path / "cache")
     assert table[0]["image"].size == (1024, 1024)
-    library = partial(open_library, "procedural", None, tmp_path / "cache")
+    library = partial(open_library, "procedural", None, cache)
     with Renderer() as renderer:
         keeper = EpisodeWorker(
             EpisodeWorkerSetup(RunOrder("m", setting="direct"), library), library(), renderer

@@ -25,8 +25,8 @@ pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 SUITE = demo(2)
 
 
-def test_a_policy_over_the_wire_gives_the_same_bytes(tmp_path):
-    library = partial(open_library, "procedural", None, tmp_path / "cache")
+def test_a_policy_over_the_wire_gives_the_same_bytes(tmp_path, cache):
+    library = partial(open_library, "procedural", None, cache)
     things = library()
     with Renderer() as renderer:
         direct = {

@@ -10,10 +10,10 @@ import pytest
 from PIL import Image
 
 
-def probe(*arguments, cache, **environment):
+def probe(*arguments, **environment):
     return subprocess.run(
         [sys.executable, "-m", "probe", *map(str, arguments)],
-        env={**os.environ, "XDG_CACHE_HOME": str(cache), **environment},
+        env={**os.environ, **environment},
         capture_output=True,
         text=True,
         check=False,
@@ -21,9 +21,9 @@ def probe(*arguments, cache, **environment):
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory, cache):
+def written(tmp_path_factory):
     folder = tmp_path_factory.mktemp("scene")
-    result = probe("scene", 5, "--objects", 6, "--out", folder, cache=cache)
+    result = probe("scene", 5, "--objects", 6, "--out", folder)
     assert result.returncode == 0, result.stderr
     return folder
 
@@ -48,17 +48,17 @@ def test_the_four_files_agree_with_one_another(written):
 
 
 @pytest.mark.slow
-def test_another_process_writes_the_same_bytes(written, tmp_path, cache):
-    result = probe("scene", 5, "--objects", 6, "--out", tmp_path, cache=cache)
+def test_another_process_writes_the_same_bytes(written, tmp_path):
+    result = probe("scene", 5, "--objects", 6, "--out", tmp_path)
     assert result.returncode == 0, result.stderr
     for path in written.iterdir():
         assert path.read_bytes() == (tmp_path / path.name).read_bytes(), path.name
 
 
 @pytest.mark.slow
-def test_light_and_camera_change_the_picture_alone(written, tmp_path, cache):
+def test_light_and_camera_change_the_picture_alone(written, tmp_path):
     looks = ["--lighting", "cellar", "--camera", "front"]
-    result = probe("scene", 5, "--objects", 6, *looks, "--out", tmp_path, cache=cache)
+    result = probe("scene", 5, "--objects", 6, *looks, "--out", tmp_path)
     assert result.returncode == 0, result.stderr
     assert (tmp_path / "scene.json").read_bytes() == (written / "scene.json").read_bytes()
     pictures = [np.asarray(Image.open(f / "picture.png")) for f in (tmp_path, written)]
@@ -77,9 +77,9 @@ def test_light_and_camera_change_the_picture_alone(written, tmp_path, cache):
     ],
     ids=["too many", "no scans", "no driver", "unwritable", "no such light"],
 )
-def test_failures_are_one_line_with_a_remedy(tmp_path, cache, arguments, environment, words):
+def test_failures_are_one_line_with_a_remedy(tmp_path, arguments, environment, words):
     out = [] if "--out" in arguments else ["--out", tmp_path / "out"]
-    result = probe("scene", 5, *arguments, *out, cache=cache, **environment)
+    result = probe("scene", 5, *arguments, *out, **environment)
     assert result.returncode == 1
     assert words in result.stderr
     assert len(result.stderr.strip().splitlines()) == 1

@@ -12,10 +12,10 @@ from probe.tasks.suite_file import demo_suite, write_suite
 WITHOUT_EXTRA = "import sys; sys.modules['fastmcp'] = None; from probe.cli import main; main()"
 
 
-def python(*arguments, cache, **environment):
+def python(*arguments, **environment):
     return subprocess.run(
         [sys.executable, *map(str, arguments)],
-        env={**os.environ, "XDG_CACHE_HOME": str(cache), "PROBE_ASSETS": "", **environment},
+        env={**os.environ, "PROBE_ASSETS": "", **environment},
         stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,
@@ -49,34 +49,34 @@ def other(tmp_path):
         "no driver",
     ],
 )
-def test_failures_are_one_line_with_a_remedy(tmp_path, cache, other, arguments, environment, words):
+def test_failures_are_one_line_with_a_remedy(tmp_path, other, arguments, environment, words):
     told = [str(other) if word == "OTHER" else word for word in arguments]
     out = [] if "--out" in told else ["--out", tmp_path / "out"]
-    result = python("-m", "probe", "serve", *told, *out, cache=cache, **environment)
+    result = python("-m", "probe", "serve", *told, *out, **environment)
     assert result.returncode == 1 and result.stdout == ""
     assert words in result.stderr and len(result.stderr.strip().splitlines()) == 1
     assert not (tmp_path / "out").exists()
 
 
-def test_without_the_extra_it_says_what_to_install(cache, tmp_path):
-    result = python("-c", WITHOUT_EXTRA, "serve", "--out", tmp_path / "out", cache=cache)
+def test_without_the_extra_it_says_what_to_install(tmp_path):
+    result = python("-c", WITHOUT_EXTRA, "serve", "--out", tmp_path / "out")
     assert result.returncode == 1
     assert "install -e '.[serve]'" in result.stderr
     assert not (tmp_path / "out").exists()
 
 
-def test_nothing_else_waits_for_fastmcp(cache):
+def test_nothing_else_waits_for_fastmcp():
     told = "import sys, probe.cli; print({'fastmcp', 'mcp', 'mcp_types'} & set(sys.modules))"
-    assert python("-c", told, cache=cache).stdout == "set()\n"
+    assert python("-c", told).stdout == "set()\n"
 
 
 @pytest.mark.slow
-def test_objects_that_have_changed_are_refused(cache, tmp_path):
+def test_objects_that_have_changed_are_refused(tmp_path):
     suite = demo_suite()
     others = {id: (*numbers[:-1], 0.9) for id, numbers in suite.objects.items()}
     write_suite(tmp_path / "s.json", replace(suite, name="mine", objects=others))
     told = ("serve", "--suite", tmp_path / "s.json", "--out", tmp_path / "out")
-    result = python("-m", "probe", *told, cache=cache)
+    result = python("-m", "probe", *told)
     assert result.returncode == 1 and result.stdout == ""
     assert "has changed since" in result.stderr
     assert not (tmp_path / "out" / "records.jsonl").exists()

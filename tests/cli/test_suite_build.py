@@ -30,15 +30,11 @@ CRATE = {
 }
 
 
-def build(tmp_path, cache, *arguments):
+def build(tmp_path, *arguments):
     home = tmp_path / "library" / "own_crate"
     home.mkdir(parents=True)
     (home / "entry.json").write_text(json.dumps(CRATE))
-    environment = {
-        **os.environ,
-        "XDG_CACHE_HOME": str(cache.parent),
-        "PROBE_LIBRARY": str(home.parent),
-    }
+    environment = {**os.environ, "PROBE_LIBRARY": str(home.parent)}
     environment.pop("PROBE_ASSETS", None)
     told = [sys.executable, "-m", "probe", "suite", "build", tmp_path / "mine.json", *arguments]
     return subprocess.run(
@@ -46,9 +42,9 @@ def build(tmp_path, cache, *arguments):
     )
 
 
-def test_a_library_that_allows_nothing_is_told_in_seconds_and_nothing_is_written(tmp_path, cache):
+def test_a_library_that_allows_nothing_is_told_in_seconds_and_nothing_is_written(tmp_path):
     asked = ["--pool", "own", "--counts.beneath", 1, "--counts.compare", 1, "--counts.size", 2]
-    result = build(tmp_path, cache, *asked)
+    result = build(tmp_path, *asked)
     assert result.returncode == 1 and "Traceback" not in result.stderr
     said = " ".join(result.stderr.split())
     assert "No task was made" in said and "2 size: candidates: things of 4 to 17 cm" in said
@@ -56,8 +52,8 @@ def test_a_library_that_allows_nothing_is_told_in_seconds_and_nothing_is_written
     assert not (tmp_path / "mine.json").exists()
 
 
-def test_compare_is_left_out_where_ones_own_have_no_paint_twins(tmp_path, cache):
-    result = build(tmp_path, cache, "--pool", "own+procedural", "--counts.compare", 1)
+def test_compare_is_left_out_where_ones_own_have_no_paint_twins(tmp_path):
+    result = build(tmp_path, "--pool", "own+procedural", "--counts.compare", 1)
     assert result.returncode == 1
     assert "1 things of your own play the parts" in result.stdout
     assert "0 pairs of things of your own differ in paint alone" in " ".join(result.stderr.split())

@@ -14,8 +14,8 @@ pytestmark = pytest.mark.slow
 
 
 @pytest.fixture
-def bench(cache, tmp_path):
-    environment = {**os.environ, "XDG_CACHE_HOME": str(cache.parent)}
+def bench(tmp_path):
+    environment = dict(os.environ)
     environment.pop("PROBE_ASSETS", None)
 
     def run(*arguments: object) -> subprocess.CompletedProcess[str]:

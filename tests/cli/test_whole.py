@@ -5,6 +5,7 @@ import pytest
 from crew_jobs import aborts
 from probe.api.resources import everything
 from probe.cli.running import check_whole, run_order
+from probe.engines.local import LocalEngine
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.errors import Unfinished
@@ -22,9 +23,8 @@ def test_a_whole_run_ends_well_and_another_one_says_how_to_go_on():
 
 
 @pytest.mark.slow
-def test_episodes_over_which_workers_abort_are_missing(tmp_path, cache, monkeypatch):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(cache.parent))
+def test_episodes_over_which_workers_abort_are_missing(tmp_path):
     suite = selection(DEMO, DEMO.tasks[:1], "one")
-    assert run_order(suite, RunOrder("mad"), aborts, everything(), tmp_path) == 1
+    assert run_order(suite, RunOrder("mad"), aborts, everything(), tmp_path, LocalEngine()) == 1
     (record,) = read_records(tmp_path / RECORDS)
     assert record.end == "fault" and "SIGABRT" in (record.fault or "")

@@ -40,7 +40,7 @@ def task():
 
 
 @pytest.fixture(scope="module")
-def server(cache, task, tmp_path_factory):
+def server(task, tmp_path_factory):
     """A function from a folder for records to a command that serves the mug's task."""
     suite = tmp_path_factory.mktemp("suite") / "suite.json"
     write_suite(suite, part(demo_suite(), task))
@@ -49,8 +49,7 @@ def server(cache, task, tmp_path_factory):
 
 
 @pytest.fixture(autouse=True)
-def surroundings(cache, monkeypatch):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(cache.parent))
+def surroundings(monkeypatch):
     monkeypatch.delenv("PROBE_ASSETS", raising=False)
 
 

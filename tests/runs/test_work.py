@@ -9,13 +9,14 @@ from typing import Any, cast
 import pytest
 
 from crew_jobs import Deadly
+from probe.engines.local import LocalEngine
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.grading import question_of
 from probe.episodes.record import TableState
 from probe.runs.plan import Job, RunOrder
-from probe.runs.run import work
+from probe.runs.run import RunStart, work
 from probe.runs.work import WorkerSetup, stopped
 from probe.station.ur5 import Ur5
 from probe.tasks.suite_file import demo_suite
@@ -52,8 +53,8 @@ def test_an_episode_that_fails_is_tried_three_times(tmp_path):
 
 @pytest.mark.slow
 def test_an_episode_that_kills_its_workers_is_recorded_as_missing(tmp_path):
-    jobs = [Job(TASK, 0), Job(TASK, 1)]
-    found = list(work(tmp_path, jobs, Deadly(ORDER, NOWHERE, NOWHERE), 2))
+    start = RunStart("name", (Job(TASK, 0), Job(TASK, 1)), 0, None)
+    found = list(work(tmp_path, start, Deadly(ORDER, NOWHERE, NOWHERE), LocalEngine(2)))
     words = "A worker process was killed by signal 9 (SIGKILL) at it, 3 times in all"
     assert sorted((job.run, fault) for job, fault in found) == [(0, words), (1, words)]
     records = read_records(tmp_path / RECORDS)

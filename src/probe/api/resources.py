@@ -23,19 +23,21 @@ __all__ = [
 
 
 def opener(pool: Pool | None = None) -> Callable[[], Library]:
-    """What opens the objects of a pool, or all that are here; workers call it for themselves."""
-    folders = assets_folder(), cache_folder(), library_folder()
-    return partial(open_library, pool, *folders) if pool else partial(open_all, *folders)
+    """What opens the objects of a pool, or all that are here.
+
+    Workers call it for themselves, by what the environment says where they are.
+    """
+    return partial(library, pool) if pool else everything
 
 
 def library(pool: Pool) -> Library:
     """The objects of a pool; see open_library()."""
-    return opener(pool)()
+    return open_library(pool, assets_folder(), cache_folder(), library_folder())
 
 
 def everything() -> Library:
     """All objects that suites are made of and that are here; see open_all()."""
-    return opener()()
+    return open_all(assets_folder(), cache_folder(), library_folder())
 
 
 def tables_for(pool: Pool) -> tuple[str, ...]:

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from contextlib import closing
-from functools import partial
 from pathlib import Path
 
 from probe.api.agents import AgentName, make_agent
 from probe.api.progress import Track, silent
-from probe.api.resources import cache_folder, everything
-from probe.assets.library import Library, open_all
+from probe.api.resources import everything
 from probe.engines.local import LocalEngine
 from probe.episodes.files import read_records as _read_records
 from probe.episodes.folder import RECORDS
@@ -17,7 +15,7 @@ from probe.episodes.noise import Noise, NoiseName, noise_of
 from probe.episodes.record import EpisodeRecord
 from probe.runs.plan import RunOrder
 from probe.runs.run import begun, work
-from probe.runs.work import AgentOf, WorkerSetup
+from probe.runs.work import WorkerSetup
 from probe.tasks.suite import Suite, check_objects
 
 
@@ -53,7 +51,7 @@ def run(
     folder, things = Path(out), everything()
     check_objects(suite, things)
     order = RunOrder(agent, runs, noise_of(noise))
-    setup = worker_setup(order, make_agent, things)
+    setup = WorkerSetup(order, everything, make_agent)
     with (
         begun(folder, suite, order) as start,
         closing(work(folder, start, setup, LocalEngine(workers))) as results,
@@ -61,12 +59,6 @@ def run(
         for _ in track(results, f"{agent} at work"):
             pass
     return read_records(folder)
-
-
-def worker_setup(order: RunOrder, agent_of: AgentOf, things: Library) -> WorkerSetup:
-    """What workers are told that run an order with the objects of a library."""
-    library = partial(open_all, things.assets, things.cache, things.own)
-    return WorkerSetup(order, library, agent_of, cache_folder() / "light")
 
 
 def read_records(path: str | Path) -> list[EpisodeRecord]:

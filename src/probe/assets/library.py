@@ -61,6 +61,11 @@ class Library:
                 return spec
         raise UnknownName("object", object_id, [spec.id for spec in self.specs])
 
+    @property
+    def light_cache(self) -> Path:
+        """Folder in which renderers keep the light that they prepared."""
+        return self.cache / "light"
+
     def leads(self, spec: ObjectSpec) -> bool:
         """Whether an object is of those that are to play the parts in tasks."""
         return spec.origin == self.leading

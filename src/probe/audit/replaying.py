@@ -6,7 +6,6 @@ from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
 from probe.assets.library import Library
 from probe.audit.audit_file import ReplayVerdict
@@ -46,18 +45,16 @@ class Replayer:
     Attributes:
         suite: The folder's.
         library: Opens the objects; a value that can be sent to another process.
-        cache: Folder for prepared light.
     """
 
     suite: Suite
     library: Callable[[], Library]
-    cache: Path | None = None
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[Claim], bytes]]:
         """Open the library and start a renderer; gives what replays a claim."""
         things = self.library()
-        with Renderer(self.cache) as renderer:
+        with Renderer(things.light_cache) as renderer:
             yield partial(self._verdict, things, renderer)
 
     def _verdict(self, things: Library, renderer: Renderer, claim: Claim) -> bytes:

@@ -10,7 +10,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.api.resources import audit_key_file, cache_folder, opener
+from probe.api.resources import audit_key_file, opener
 from probe.audit.audit_file import audit_of, counted
 from probe.audit.auditing import Audit, begin, replay_claims
 from probe.audit.manifest import MANIFEST, SIGNATURE, check_manifest, write_manifest
@@ -129,7 +129,7 @@ def _replay(
         NotAsRecorded: Something differs.
         NotRepeated: The whole folder was to be replayed, and something can't be.
     """
-    place = Replayer(suite, opener(), cache_folder() / "light")
+    place = Replayer(suite, opener())
     audit.keep()
     if claims:
         with (

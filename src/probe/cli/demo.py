@@ -9,6 +9,7 @@ from probe.api.resources import everything
 from probe.cli.report import write_run_report
 from probe.cli.running import check_whole, run_order
 from probe.cli.screen import say
+from probe.engines.local import LocalEngine
 from probe.runs.plan import RunOrder
 from probe.tasks.suite_file import demo_suite
 
@@ -20,6 +21,6 @@ def demo(out: Path = Path("outputs/demo")) -> None:
         out: Folder for the records, pictures and the page.
     """
     suite = demo_suite()
-    missing = run_order(suite, RunOrder("scripted"), make_agent, everything(), out)
+    missing = run_order(suite, RunOrder("scripted"), make_agent, everything(), out, LocalEngine())
     say(f"Open {write_run_report([out])} in a browser.")
     check_whole(missing, len(suite.tasks))

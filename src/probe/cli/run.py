@@ -12,6 +12,7 @@ from probe.agents.external.sandbox import Sandbox
 from probe.api.agents import AgentName
 from probe.api.resources import everything, opener
 from probe.cli.dry_run import would_ask
+from probe.cli.engines import EngineChoice
 from probe.cli.file_agents import who_acts
 from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.numbers import check_numbers
@@ -19,10 +20,12 @@ from probe.cli.option_conflicts import check_pointer, refuse_stray
 from probe.cli.running import check_whole, run_order
 from probe.cli.screen import say
 from probe.cli.shards import parse_shard
+from probe.engines.plan import Engine
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
 from probe.episodes.noise import NOISES, NoiseName
 from probe.episodes.participation import Points
+from probe.errors import BadData
 from probe.runs.plan import RunOrder
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.prompts import Setting
@@ -87,6 +90,7 @@ def run(
     noise: NoiseName = "none",
     workers: int | None = None,
     shard: str = "0/1",
+    where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
 ) -> None:
     """Run an agent on every task of a suite; continues where an earlier run stopped.
@@ -97,7 +101,9 @@ def run(
         asked: The model that acts instead.
         out: Folder for the records.
         noise: How far the hand errs; "paper" fails as often as the paper's.
-        workers: Processes that run episodes; by default 1, for a model 4.
+        workers: Processes that run episodes; by default 1, for a model 4, and on a cluster one on
+            each core.
+        where: On which machines.
         shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
         conditions: In what episodes differ from their tasks; see docs/how-to/run.md.
     """
@@ -106,7 +112,10 @@ def run(
     check_numbers({"--pose-jitter": conditions.pose_jitter})
     order = RunOrder("", acting.runs or 1, NOISES[noise], conditions, part)
     if asked.model is None:
-        missing, total = _run_agent(suite, acting, asked, order, out, workers or 1)
+        missing, total = _run_agent(suite, acting, asked, order, out, where.engine(out, workers))
+    elif where != EngineChoice():
+        remedy = "Use --shard I/N on each machine, and probe merge"
+        raise BadData("--on", "models are asked from one machine", remedy)
     elif asked.dry_run:
         would_ask(find_suite(suite), _options_of(acting, asked, order, workers), out)
         return
@@ -120,7 +129,7 @@ def run(
 
 
 def _run_agent(
-    suite: str, acting: AgentChoice, asked: ModelChoice, order: RunOrder, out: Path, workers: int
+    suite: str, acting: AgentChoice, asked: ModelChoice, order: RunOrder, out: Path, engine: Engine
 ) -> tuple[int, int]:
     """Episodes that are missing by our fault, and all that there are to be."""
     refuse_stray("without --model", {
@@ -132,7 +141,7 @@ def _run_agent(
     agent = "scripted" if acting.agent is None else acting.agent
     name, agent_of = who_acts(agent, acting.agent_name, acting.sandbox, suite, out)
     order = replace(order, agent=name)
-    missing = run_order(tasks, order, agent_of, things, out, workers)
+    missing = run_order(tasks, order, agent_of, things, out, engine)
     return missing, len(order.jobs(tasks.tasks))
 
 

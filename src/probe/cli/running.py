@@ -5,25 +5,25 @@ from __future__ import annotations
 from contextlib import closing
 from pathlib import Path
 
-from probe.api.runs import worker_setup
+from probe.api.resources import everything
 from probe.assets.library import Library
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.screen import bar, say, say_above
 from probe.cli.variation import varied
-from probe.engines.local import LocalEngine
+from probe.engines.plan import Engine
 from probe.episodes.folder import RECORDS
 from probe.errors import Unfinished
 from probe.runs.plan import RunOrder
 from probe.runs.run import RunStart, begun, work
 from probe.runs.vary import changes_scenes
-from probe.runs.work import AgentOf
+from probe.runs.work import AgentOf, WorkerSetup
 from probe.tasks.suite import Suite, check_objects
 
 AGAIN = "The same command tries them again."
 
 
 def run_order(
-    suite: Suite, order: RunOrder, agent_of: AgentOf, things: Library, out: Path, workers: int = 1
+    suite: Suite, order: RunOrder, agent_of: AgentOf, things: Library, out: Path, engine: Engine
 ) -> int:
     """Add the records that a folder doesn't hold yet, and the suite they are about.
 
@@ -33,7 +33,7 @@ def run_order(
         agent_of: Makes agents in a worker process.
         things: Has the suite's objects; each worker opens it itself.
         out: Folder for the records.
-        workers: Processes.
+        engine: Does the episodes.
 
     Returns:
         How many episodes are missing by our fault.
@@ -44,13 +44,13 @@ def run_order(
     check_objects(suite, things)
     if changes_scenes(order.conditions):
         suite = varied(suite, order.conditions, things, out)
-    setup = worker_setup(order, agent_of, things)
+    setup = WorkerSetup(order, everything, agent_of)
     faults = 0
     with begun(out, suite, order) as beginning:
         _tell(beginning, out)
         with (
             bar() as progress,
-            closing(work(out, beginning, setup, LocalEngine(workers))) as results,
+            closing(work(out, beginning, setup, engine)) as results,
         ):
             doing = f"{order.agent} at work"
             total = len(beginning.jobs) + beginning.done

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from probe.api.resources import cache_folder, tables_for
+from probe.api.resources import tables_for
 from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.teaching import TeachingSetup
 from probe.engines.local import LocalEngine
@@ -31,8 +31,7 @@ _ROUNDS = 3
 
 def hands_of(site: TeachingSetup, out: Path) -> TeacherWorkers:
     """Who does the work in a folder."""
-    light = cache_folder() / "light"
-    worker = TaskWorker(BuildFolder(out / TASKS), site.training, tables_for(site.pool), light)
+    worker = TaskWorker(BuildFolder(out / TASKS), site.training, tables_for(site.pool))
     things = site.training()
     return TeacherWorkers(
         make=partial(make_tasks, worker, engine=LocalEngine(site.workers)),
@@ -47,8 +46,7 @@ def _scripted(site: TeachingSetup) -> Play:
 
     def play(suite: Suite, setting: Setting, runs: int, out: Path) -> Iterable[str]:
         mine = replace(order, setting=setting, runs=runs)
-        teachers, light = teacher_for(site.counting), cache_folder() / "light"
-        place = TeacherWorker(mine, site.training, teachers, light)
+        place = TeacherWorker(mine, site.training, teacher_for(site.counting))
         with begun(out, suite, mine) as beginning:
             jobs, engine = beginning.jobs, LocalEngine(site.workers)
             with closing(work(out, beginning, place, engine)) as results:

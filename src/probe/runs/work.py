@@ -6,7 +6,6 @@ from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path
 
 from probe.agents.external.external_agent import ExternalAgent
 from probe.assets.library import Library
@@ -37,19 +36,17 @@ class WorkerSetup:
         order: What is to be run.
         library: Opens the objects; a value that can be sent to another process.
         agent_of: Makes agents.
-        cache: Folder for prepared light.
     """
 
     order: RunOrder
     library: Callable[[], Library]
     agent_of: AgentOf
-    cache: Path | None = None
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[Job], bytes]]:
         """Open the library and start a renderer; gives what runs an episode to a record's line."""
         things = self.library()
-        with Renderer(self.cache) as renderer:
+        with Renderer(things.light_cache) as renderer:
             yield partial(self._line, things, renderer)
 
     def _line(self, things: Library, renderer: Renderer, job: Job) -> bytes:

@@ -7,24 +7,16 @@ import pytest
 import trimesh
 from scipy.spatial import ConvexHull, cKDTree
 
-from probe.assets.procedural.catalogue import assemble, rng_of
+from probe.assets.procedural.catalogue import assemble, first_of_each_shape, rng_of
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.parts.hollow import Hollow
-from probe.assets.procedural.tables import ProceduralEntry, entries
+from probe.assets.procedural.tables import ProceduralEntry
 from probe.types import Array
 
 TIGHT = 0.003
 PROUD = 0.004
 FEW = ("mug", "salad_bowl", "hat", "tray", "own goblet", "own hard hat", "own ladle")
 SOME = ("mug", "bowl", "tray", "banana", "book", "can", "apple")
-
-
-@cache
-def first_of_each_shape() -> dict[str, ProceduralEntry]:
-    found: dict[str, ProceduralEntry] = {}
-    for entry in entries().values():
-        found.setdefault(entry.shape, entry)
-    return found
 
 
 ALL = [pytest.param(s, marks=() if s in SOME else pytest.mark.slow) for s in first_of_each_shape()]

@@ -34,9 +34,8 @@ TASKS = tuple({task.question_type: task for task in reversed(V1.tasks)}.values()
 
 
 @pytest.fixture
-def server(cache, tmp_path, monkeypatch):
+def server(tmp_path, monkeypatch):
     """Starts the command over one task of each type; gives its port."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(cache.parent))
     monkeypatch.delenv("PROBE_ASSETS", raising=False)
     suite = tmp_path / "some.json"
     write_suite(suite, selection(V1, TASKS, "some"))

@@ -43,10 +43,19 @@ def assemble(entry: ProceduralEntry) -> tuple[list[Painted], list[Array]]:
     rest = resting([sheet for sheet, _ in surfaces])
     pieces = [
         rest.apply(corners * entry.scale * np.array(entry.stretch))
-        for k, part in enumerate(entry.parts)
-        for corners in part.placed_hulls(rng_of(f"{entry.shape} {k}"))
+        for corners in _raw_pieces(entry.shape)
     ]
     return [(sheet.moved(rest), name) for sheet, name in surfaces], pieces
+
+
+@cache
+def _raw_pieces(shape: str) -> tuple[Array, ...]:
+    """Convex pieces in the shape's own frame and size; its objects, often many, share them."""
+    return tuple(
+        corners
+        for k, part in enumerate(first_of_each_shape()[shape].parts)
+        for corners in part.placed_hulls(rng_of(f"{shape} {k}"))
+    )
 
 
 def _enlarged(sheet: Sheet, entry: ProceduralEntry) -> Sheet:
@@ -67,9 +76,18 @@ def _points(sheets: list[Sheet]) -> Array:
 
 
 @cache
+def first_of_each_shape() -> dict[str, ProceduralEntry]:
+    """The first object of each shape; the others of that shape have the same parts."""
+    found: dict[str, ProceduralEntry] = {}
+    for entry in entries().values():
+        found.setdefault(entry.shape, entry)
+    return found
+
+
+@cache
 def specs() -> tuple[ObjectSpec, ...]:
     """All procedural objects, in a fixed order; shapes are measured, no texture is drawn."""
-    first = {entry.shape: entry for entry in entries().values()}
+    first = first_of_each_shape()
     extents = {shape: extent(raw_surfaces(entry)) for shape, entry in first.items()}
     return tuple(_spec(entry, extents[entry.shape]) for entry in entries().values())
 

@@ -50,19 +50,17 @@ class TaskWorker:
         parts: Where tasks and logs go.
         library: Opens the objects.
         tables: Ids of table materials.
-        cache: Folder for prepared light.
     """
 
     parts: BuildFolder
     library: Callable[[], Library]
     tables: Sequence[str]
-    cache: Path | None = None
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[TaskSlot], bytes]]:
         """Open the library and start a renderer; gives what makes a task."""
         things = self.library()
-        with Renderer(self.cache) as renderer:
+        with Renderer(things.light_cache) as renderer:
             resources = BuildResources(things, self.tables, renderer, unchecked=True)
             yield partial(_made, self.parts, resources)
 

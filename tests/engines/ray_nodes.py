@@ -1,0 +1,128 @@
+"""A Ray cluster of two nodes on this machine, for tests."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+from collections.abc import Generator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import psutil
+
+TESTS = Path(__file__).resolve().parents[1]
+RAY = Path(sys.executable).with_name("ray")
+
+
+@dataclass
+class Nodes:
+    """Two nodes with a core each; the second can be killed and started again.
+
+    Attributes:
+        address: Of the head.
+        token: Lets one in.
+        folder: Of Ray's own files.
+        objects: Address of an object store that speaks S3's protocol; empty for none.
+    """
+
+    address: str
+    token: str
+    folder: Path
+    objects: str
+    second: list[psutil.Process] = field(default_factory=list)
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """What a driver and a node need to be let in."""
+        return {
+            "RAY_ADDRESS": self.address,
+            "RAY_AUTH_MODE": "token",
+            "RAY_AUTH_TOKEN": self.token,
+            "RAY_USAGE_STATS_ENABLED": "0",
+            "AWS_ENDPOINT_URL": self.objects,
+            "AWS_ACCESS_KEY_ID": "anybody",
+            "AWS_SECRET_ACCESS_KEY": "anything",
+        }
+
+    def start(self, *role: str, **more: str) -> list[psutil.Process]:
+        """Start a node; its processes."""
+        before = set(psutil.pids())
+        subprocess.run(
+            [RAY, "start", *role, "--num-cpus", "1", "--disable-usage-stats"],
+            env={**os.environ, **self.environment, "PYTHONPATH": str(TESTS), **more},
+            check=True,
+            capture_output=True,
+        )
+        new = [psutil.Process(pid) for pid in set(psutil.pids()) - before]
+        port = self.address.rpartition(":")[2]
+        return [process for process in new if _tells(process, port)]
+
+    def add_second(self, cache: str = "cache-2") -> None:
+        """Start the second node, with a folder of its own for its cache."""
+        there = str(self.folder / cache)
+        self.second = self.start("--address", self.address, XDG_CACHE_HOME=there)
+
+    def kill_second(self) -> None:
+        """End all of the second node's processes at once, its workers too."""
+        for process in self.second:
+            _kill(process)
+        self.second = []
+
+
+@contextmanager
+def two_nodes(objects: str = "") -> Generator[Nodes]:
+    """Start them; end all of Ray that was started here.
+
+    Args:
+        objects: Address of an object store that speaks S3's protocol.
+    """
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    folder = Path(tempfile.mkdtemp(prefix="ray-"))
+    nodes = Nodes(f"127.0.0.1:{port}", secrets.token_hex(32), folder, objects)
+    head: list[psutil.Process] = []
+    try:
+        head = nodes.start(
+            "--head",
+            "--port",
+            str(port),
+            "--include-dashboard=false",
+            "--temp-dir",
+            str(folder),
+            XDG_CACHE_HOME=str(folder / "cache-1"),
+        )
+        nodes.add_second()
+        yield nodes
+    finally:
+        nodes.kill_second()
+        for process in head:
+            _kill(process)
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _tells(process: psutil.Process, port: str) -> bool:
+    """Whether a process was told this port, as all of one cluster are."""
+    try:
+        return port in " ".join(process.cmdline())
+    except psutil.Error:
+        return False
+
+
+def _kill(process: psutil.Process) -> None:
+    try:
+        family = [process, *process.children(recursive=True)]
+    except psutil.NoSuchProcess:
+        return
+    for one in family:
+        try:
+            one.send_signal(signal.SIGKILL)
+        except psutil.NoSuchProcess:
+            continue

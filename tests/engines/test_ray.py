@@ -1,0 +1,209 @@
+"""Units on two nodes of a real Ray cluster, with deaths at the worst moments."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+from typing import cast
+
+import fsspec
+import pytest
+
+from crew_jobs import AssetReader, Bench
+from engines.ray_nodes import TESTS, Nodes, two_nodes
+from probe.engines.plan import LostUnit, WorkPlan
+from probe.engines.ray_cluster import ClusterRefused
+from probe.engines.ray_engine import RayEngine
+from probe.errors import BadData, WorkerDied
+from probe.processes.serving import WorkerUnfit
+
+pytestmark = pytest.mark.slow
+
+DRIVER = """
+import sys
+from pathlib import Path
+from typing import cast
+from crew_jobs import Bench
+from probe.engines.plan import WorkPlan
+from probe.engines.ray_engine import RayEngine
+notes, units = Path(sys.argv[1]), sys.argv[2:]
+for unit, result in RayEngine(notes / "run").carry_out(WorkPlan("w", Bench(notes), units, str)):
+    with (notes / "kept").open("a") as file:
+        file.write(f"{unit}\\n")
+"""
+
+
+@pytest.fixture(scope="module")
+def nodes():
+    # Ray reads its variables when it is imported.
+    if find_spec("ray") is None:
+        pytest.skip("needs the extra [ray]; make test-slow installs it")
+    server = import_module("moto.server").ThreadedMotoServer(port=0, verbose=False)
+    server.start()
+    host, port = server.get_host_and_port()
+    with two_nodes(f"http://{host}:{port}") as started:
+        yield started
+    server.stop()
+
+
+@pytest.fixture(autouse=True)
+def _let_in(nodes: Nodes, monkeypatch):
+    for name, value in nodes.environment.items():
+        monkeypatch.setenv(name, value)
+
+
+def carry_out(notes: Path, units: list[str], *, store: str | None = None, **bench: bool):
+    plan = WorkPlan("w", Bench(notes, **bench), units, str)
+    told: list[str] = []
+    return dict(RayEngine(notes / "run", store, tell=told.append).carry_out(plan)), told
+
+
+def begun(notes: Path, unit: str) -> int:
+    file = notes / f"begun-{unit}"
+    return len(file.read_text().split()) if file.exists() else 0
+
+
+def wait_for(check, seconds: float = 60.0) -> None:
+    end = time.monotonic() + seconds
+    while not check():
+        assert time.monotonic() < end, "nothing happened"
+        time.sleep(0.05)
+
+
+def test_each_unit_is_done_once_by_both_nodes_and_nothing_is_left(tmp_path):
+    units = [f"unit-{number}" for number in range(6)]
+    results, told = carry_out(tmp_path, units)
+    assert results == {unit: f"{unit} done".encode() for unit in units}
+    assert [begun(tmp_path, unit) for unit in units] == [1] * 6
+    assert not told and not list((tmp_path / "run").glob("*"))
+
+
+def test_the_death_of_a_worker_costs_a_try_and_three_deaths_the_unit(tmp_path):
+    results, _ = carry_out(tmp_path, ["unlucky", "deadly", "a", "b"])
+    lost = results.pop("deadly")
+    assert isinstance(lost, LostUnit) and "3 times" in lost.reason
+    assert results == {unit: f"{unit} done".encode() for unit in ("unlucky", "a", "b")}
+    assert (begun(tmp_path, "unlucky"), begun(tmp_path, "deadly")) == (2, 3)
+
+
+def test_the_death_of_a_node_costs_no_unit(nodes: Nodes, tmp_path):
+    units = [f"second-{number}" for number in range(12)]
+    killer = threading.Thread(
+        target=lambda: (
+            wait_for(lambda: begun(tmp_path, "second-4")),
+            nodes.kill_second(),
+        )
+    )
+    killer.start()
+    results, _ = carry_out(tmp_path, units)
+    killer.join()
+    nodes.add_second()
+    assert results == {unit: f"{unit} done".encode() for unit in units}
+    assert not list((tmp_path / "run").glob("*"))
+
+
+def test_a_driver_that_is_killed_finds_what_was_done(tmp_path):
+    units = ["a", "b", "second-1", "long"]
+    arguments = [sys.executable, "-c", DRIVER, str(tmp_path), *units]
+    driver = subprocess.Popen(arguments, env={**os.environ, "PYTHONPATH": str(TESTS)})
+    kept = tmp_path / "kept"
+    wait_for(lambda: kept.exists() and begun(tmp_path, "long"))
+    driver.send_signal(signal.SIGKILL)
+    driver.wait()
+    done = kept.read_text().split()
+    left = [unit for unit in units if unit not in done and unit != "long"]
+    results, _ = carry_out(tmp_path, [*left, "c"])
+    assert sorted([*done, *results]) == ["a", "b", "c", "second-1"]
+    assert not list((tmp_path / "run").glob("*"))
+
+
+@pytest.fixture
+def store(nodes: Nodes) -> str:
+    s3 = fsspec.filesystem("s3", use_listings_cache=False)
+    if not s3.exists("probe"):
+        s3.mkdir("probe")
+    return "s3://probe/run"
+
+
+def read_assets(tmp_path: Path, store: str | None, units: int = 4):
+    told: list[str] = []
+    plan = WorkPlan("look", AssetReader(), [str(number) for number in range(units)], str)
+    engine = RayEngine(tmp_path, store, tell=told.append)
+    return [json.loads(cast(bytes, result)) for _, result in engine.carry_out(plan)], told
+
+
+def test_assets_and_results_go_by_way_of_an_object_store(
+    nodes: Nodes, tmp_path, store, monkeypatch
+):
+    assets = tmp_path / "assets"
+    (assets / "scans").mkdir(parents=True)
+    (assets / "scans" / "a.txt").write_text("bowl")
+    (assets / "b.txt").write_text("bowl")
+    monkeypatch.setenv("PROBE_ASSETS", str(assets))
+    results, told = read_assets(tmp_path / "run", store)
+    assert not told and not (tmp_path / "run").exists()
+    seen = {result["folder"] for result in results}
+    assert [result["files"] for result in results] == [{"b.txt": "bowl", "scans/a.txt": "bowl"}] * 4
+    assert all(folder.startswith(str(nodes.folder / "cache-")) for folder in seen)
+    s3 = fsspec.filesystem("s3", use_listings_cache=False)
+    assert [name for name in s3.find(store) if "/assets/" not in name] == []
+    assert len(s3.find(f"{store}/assets")) == 1  # the same content is kept once
+
+
+def test_a_node_whose_disk_refuses_is_said_and_the_rest_goes_on(
+    nodes: Nodes, tmp_path, store, monkeypatch
+):
+    (tmp_path / "assets").mkdir()
+    (tmp_path / "assets" / "a.txt").write_text("plate")
+    monkeypatch.setenv("PROBE_ASSETS", str(tmp_path / "assets"))
+    (nodes.folder / "in-the-way").write_text("no folder")
+    nodes.kill_second()
+    nodes.add_second(cache="in-the-way")
+    results, told = read_assets(tmp_path / "run", store, units=6)
+    assert len(results) == 6
+    assert all(result["files"] == {"a.txt": "plate"} for result in results)
+    assert len(told) == 1 and "in-the-way" in told[0] and "The other workers go on" in told[0]
+    nodes.kill_second()
+    nodes.add_second()
+
+
+def test_a_node_that_cannot_work_is_named(tmp_path):
+    with pytest.raises(WorkerUnfit, match="no tools here"):
+        carry_out(tmp_path, ["a"], unfit=True)
+    with pytest.raises(WorkerDied):
+        carry_out(tmp_path, ["a", "b"], stillborn=True)
+
+
+def test_a_store_in_use_by_another_run_is_left_alone(tmp_path):
+    other = tmp_path / "run" / "units-w"
+    other.mkdir(parents=True)
+    (other / "driver").write_text("elsewhere:/runs/mine")
+    with pytest.raises(BadData, match="in use by the run of elsewhere:/runs/mine"):
+        carry_out(tmp_path, ["a"])
+
+
+def test_without_a_token_nothing_is_sent(tmp_path, monkeypatch):
+    monkeypatch.delenv("RAY_AUTH_MODE")
+    with pytest.raises(ClusterRefused, match="RAY_AUTH_MODE isn't token"):
+        carry_out(tmp_path, ["a"])
+    monkeypatch.setenv("RAY_AUTH_MODE", "token")
+    monkeypatch.delenv("RAY_AUTH_TOKEN")
+    monkeypatch.setenv("RAY_AUTH_TOKEN_PATH", str(tmp_path / "none"))
+    with pytest.raises(ClusterRefused, match="there is no token"):
+        carry_out(tmp_path, ["a"])
+
+
+def test_a_wrong_token_is_refused_with_the_remedy(tmp_path):
+    wrong = {**os.environ, "PYTHONPATH": str(TESTS), "RAY_AUTH_TOKEN": "f" * 64}
+    arguments = [sys.executable, "-c", DRIVER, str(tmp_path), "a"]
+    driver = subprocess.run(arguments, env=wrong, capture_output=True, text=True, check=False)
+    assert "ClusterRefused" in driver.stderr and "has another token" in driver.stderr
+    assert "gcs_client.cc" not in driver.stderr and not begun(tmp_path, "a")
