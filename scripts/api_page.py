@@ -65,7 +65,8 @@ def _signature(function: object) -> str:
 
 
 def _plain(text: str) -> str:
-    """Without the quotes that postponed annotations leave, and without addresses in memory."""
+    """Without quotes of postponed annotations, addresses in memory, or all of the usual set-up."""
+    text = text.replace(repr(probe.Setup()), "Setup()")
     text = re.sub(r"(: |-> )'([^']*)'", r"\1\2", text)
     return re.sub(r"<function (\w+) at 0x[0-9a-f]+>", r"\1", text)
 

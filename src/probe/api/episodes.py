@@ -129,10 +129,10 @@ def play(
     pictures: bool = True,
     renderer: Renderer | None = None,
 ) -> EpisodeRecord:
-    """Let an agent work on a task until it answers, stops, or has used its turns.
+    """Run an agent on a task until it answers, stops, or has used its turns.
 
-    The agent runs in this process and could look for the answer there: use this for agents of your
-    own. `probe run --agent FILE.py` runs other people's in a process that is shut off.
+    The agent runs in this process and could look for the answer there, so use this for your own
+    agents. `probe run --agent FILE.py` runs other people's agents in a sandbox.
 
     Args:
         task: Of a suite.
@@ -176,7 +176,7 @@ def score(
 def replay(
     task: Task, record: EpisodeRecord, library: Library, *, renderer: Renderer | None = None
 ) -> tuple[EpisodeRecord, list[str]]:
-    """Do a record's calls again on a fresh table.
+    """Repeat a record's calls on a fresh table.
 
     Args:
         task: What the record is about.

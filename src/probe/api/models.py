@@ -23,9 +23,9 @@ def model_behind(endpoint: str, model: str, timeout: float) -> Ask:
     The key is that of OPENAI_API_KEY; local servers take any.
 
     Args:
-        endpoint: Up to and with its version ("http://localhost:8000/v1").
+        endpoint: Its address, version included ("http://localhost:8000/v1").
         model: As the server calls it.
-        timeout: Seconds after which a reply isn't waited for any longer; then it is tried again.
+        timeout: Seconds to wait for a reply before trying again.
 
     Raises:
         MissingExtra: The client isn't installed.

@@ -45,8 +45,8 @@ class WrittenReport:
 def rescore(folder: str | Path, *, setting: str | None = None, track: Track = silent) -> Scores:
     """Grade the records of a folder again, without physics.
 
-    Writes rows.csv, rows.jsonl and scores.json into the folder. Of a part of a packaged suite they
-    bear the name "demo (2 of 6 tasks)".
+    Writes rows.csv, rows.jsonl and scores.json into the folder. For a part of a packaged suite they
+    name it as "demo (2 of 6 tasks)".
 
     Args:
         folder: Holds suite.json and records.jsonl, as `probe run` or `run` writes them.

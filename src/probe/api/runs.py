@@ -29,11 +29,11 @@ def run(
     workers: int = 1,
     track: Track = silent,
 ) -> list[EpisodeRecord]:
-    """Let one of the built-in agents work on every task of a suite; goes on where it stopped.
+    """Run a built-in agent on every task of a suite; continues where it stopped.
 
     Args:
         suite: See load_suite().
-        out: Folder for the records; what it holds already isn't done again.
+        out: Folder for the records; episodes that it holds already are not run again.
         agent: "scripted", "random", or one of the baselines.
         runs: Episodes of each task.
         noise: How far the hand misses where it is sent: "none", "paper", or a Noise.

@@ -34,7 +34,7 @@ def open_library(pool: Pool = "procedural") -> Library:
 
 
 def load_suite(name: str | Path) -> Suite:
-    """A suite of the package ("v1", "v1-scans", "v1-unfiltered", "behind", "demo"), or of a file.
+    """Load a suite of the package ("v1", "v1-scans", "v1-unfiltered", "behind", "demo") or a file.
 
     Raises:
         UnknownName: It is neither.
@@ -54,14 +54,14 @@ def build_suite(
     setup: Setup = UR5_TABLE,
     track: Track = silent,
 ) -> Suite:
-    """Make, check and freeze tasks; goes on where an earlier call stopped.
+    """Make, check and freeze tasks; continues where an earlier call stopped.
 
     Args:
         out: File for the suite. Kept tasks and the log wait in a folder beside it, with the
             secret salt that decides letters, order and ids.
         counts: Tasks of each question type: {"beneath": 4, "find": 4}.
         pool: Which objects appear; see open_library().
-        public: Draw no salt: anyone can make these tasks again, and foretell their answers.
+        public: Draw no salt: anyone can reproduce these tasks, and predict their answers.
         first: With `public`, number of the first episode of each type.
         certified: Keep only tasks that a scripted agent solves; this takes most of the time.
         setup: The table that the tasks are for; see read_setup().

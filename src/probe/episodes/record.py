@@ -66,12 +66,13 @@ class EpisodeRecord:
         start: The table at the start.
         steps: One for each call.
         answer: The final answer, if one was given.
-        end: Why it ended; "stopped" is the agent's own choice, "fault" is our failure.
+        end: Why it ended; "stopped" is the agent's own choice, "fault" is no fault of the
+            agent.
         fault: What failed, for the end "fault".
         seconds: Timing, which no comparison takes into account.
         noise: How far the hand erred; with the task's seed and the run it gives the same luck.
         conditions: In what the run differed from its tasks.
-        viewpoint: From where and in which light the table was seen.
+        viewpoint: Where the camera stood, and the light.
         participation: How a model took part, or how an agent's own process failed; else None.
     """
 

@@ -40,7 +40,8 @@ class Row(
         correct: The answer counts; in Find the point too.
         letter_correct: The letter alone is right.
         outcome, end: Why it counts or not, and why the episode ended.
-        fault: What failed on our side; the row is then *missing*, whatever else it says.
+        fault: What failed through no fault of the agent; the row is then *missing*, whatever else
+            it says.
         turns, manipulations, perceptions: Calls in all; grasps and pushes carried out, failed
             ones included; looks at the scene and searches.
         turns_spent: The episode ended for want of turns.

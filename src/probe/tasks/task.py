@@ -98,7 +98,7 @@ class Task:
         cover: Instance of the one thing that the question names and that hides the target, or None.
         named: Instances that Reduce wants removed, else empty.
         marks: Of Compare and Size, else empty.
-        certificate: Why it can't be answered by looking.
+        certificate: What was measured when it was made: visibilities, candidates, margins.
         camera: Which of the set-up's cameras shows it.
         version: Of the rules it was made by.
     """
