@@ -1,0 +1,73 @@
+"""Commands on two nodes of a Ray cluster that share no folder with the driver but a store."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+
+import fsspec
+import pytest
+
+from engines.ray_nodes import Nodes, two_nodes
+from probe.episodes.files import line_of, read_records
+from probe.tasks.suite import selection
+from probe.tasks.suite_file import demo_suite, write_suite
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def nodes():
+    # Ray reads its variables when it is imported.
+    if find_spec("ray") is None:
+        pytest.skip("needs the extra [ray]; make test-slow installs it")
+    server = import_module("moto.server").ThreadedMotoServer(port=0, verbose=False)
+    server.start()
+    host, port = server.get_host_and_port()
+    with two_nodes(f"http://{host}:{port}") as started:
+        yield started
+    server.stop()
+
+
+def probe(nodes: Nodes, *arguments: object, **more: str) -> str:
+    done = subprocess.run(
+        [sys.executable, "-m", "probe", *map(str, arguments)],
+        env={**os.environ, **nodes.environment, **more},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def lines(folder: Path) -> list[bytes]:
+    records = read_records(folder / "records.jsonl")
+    return sorted(line_of(record, timed=False) for record in records)
+
+
+def test_records_and_verdicts_are_the_same_as_here(nodes: Nodes, tmp_path, monkeypatch):
+    monkeypatch.delenv("PROBE_ASSETS", raising=False)
+    for name, value in nodes.environment.items():
+        monkeypatch.setenv(name, value)
+    s3 = fsspec.filesystem("s3", use_listings_cache=False)
+    s3.mkdir("work")
+    there = ("--on", "ray", "--store", "s3://work/one")
+    whole, small = demo_suite(), tmp_path / "small.json"
+    write_suite(small, selection(whole, whole.tasks[:2], "small"))
+    for name, where in (("here", ("--workers", 2)), ("there", there)):
+        probe(nodes, "run", small, "--out", tmp_path / name / "run", *where)
+        out = tmp_path / name / "verdicts"
+        probe(nodes, "suite", "verify", small, "--no-solve", "--out", out, *where)
+    here, away = tmp_path / "here", tmp_path / "there"
+    assert lines(here / "run") == lines(away / "run") and len(lines(here / "run")) == 2
+    for verdict in (here / "verdicts").iterdir():
+        assert json.loads(verdict.read_text()) == json.loads(
+            (away / "verdicts" / verdict.name).read_text()
+        )
+    assert [name for name in s3.find("s3://work/one") if "/assets/" not in name] == []
