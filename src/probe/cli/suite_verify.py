@@ -28,7 +28,7 @@ from probe.verification.check import CheckDepth
 from probe.verification.salt import salt_problems
 from probe.verification.text import read_anew
 from probe.verification.verdict import CHECKS, TaskVerdict, read_verdict, write_verdict
-from probe.verification.verifying import Rebuilder, Verifier
+from probe.verification.verifying import Rebuilder, SuiteVerifier
 
 
 class Unverified(ProbeError):
@@ -76,7 +76,7 @@ def verify(
     part = parse_shard(shard)
     played = {task.id for task in spaced(frozen.tasks, histories)}
     engine = where.engine(folder, workers)
-    verifier = Verifier(opener(), solve, frozenset(played))
+    verifier = SuiteVerifier(opener(), solve, frozenset(played))
     mine = part.of(frozen.tasks)
     verdicts = _verdicts(frozen, mine, folder, things, verifier, engine)
     again = [task for task in spaced(mine, rebuild) if known is None or task.id in known]
@@ -95,7 +95,7 @@ def _verdicts(
     tasks: Sequence[Task],
     folder: Path,
     things: Library,
-    verifier: Verifier,
+    verifier: SuiteVerifier,
     engine: Engine,
 ) -> list[TaskVerdict]:
     """Verdicts on tasks, in their order; those that stand already aren't made again.
@@ -122,7 +122,9 @@ def _verdicts(
     return found
 
 
-def _standing(task: Task, folder: Path, things: Library, verifier: Verifier) -> TaskVerdict | None:
+def _standing(
+    task: Task, folder: Path, things: Library, verifier: SuiteVerifier
+) -> TaskVerdict | None:
     """The verdict that is there, if it is of this task and goes deep enough."""
     path = folder / f"{task.id}.json"
     found = read_verdict(path) if path.exists() else None

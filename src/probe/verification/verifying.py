@@ -18,7 +18,7 @@ from probe.verification.check import CheckDepth, check, rebuild_problem
 
 
 @dataclass(frozen=True)
-class Verifier:
+class SuiteVerifier:
     """What checks tasks; see probe.processes.serving.Opening. A result is a verdict as JSON.
 
     Attributes:
