@@ -88,12 +88,9 @@ def build(
         setup: File of another set-up (docs/how-to/extend/add-a-setup.md); tasks keep it.
     """
     check_numbers({"--workers": workers})
-    _check_asked(counts, first, public=public)
+    places = _asked(counts, first, public=public)
     check_new_name(out.stem, out)
     parts, things = BuildFolder(out.with_suffix(".parts")), library(pool)
-    places = places_of(counts, first)
-    if not places:
-        raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
     part, table = parse_shard(shard), read_setup(setup) if setup else UR5_TABLE
     salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table)
     lacking = [place for place in places if not parts.task_path(place).exists()]
@@ -105,7 +102,7 @@ def build(
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
     made = [place for place in places if parts.task_path(place).exists()]
     if waiting := len(places) - len(made) - len(left_out):
-        say(f"{waiting} of {len(places)} tasks wait for other shards; parts: {parts.folder}")
+        say(f"{waiting} of {len(places)} tasks aren't made yet; what there is: {parts.folder}")
         return
     if made:
         _finish(out, made, parts, things, salt, unsolved)
@@ -114,12 +111,21 @@ def build(
         raise Incomplete(written, list(left_out.items()))
 
 
-def _check_asked(counts: Mapping[QuestionType, int], first: int, *, public: bool) -> None:
+def _asked(counts: Mapping[QuestionType, int], first: int, *, public: bool) -> list[TaskSlot]:
+    """The places that are asked for.
+
+    Raises:
+        BadData: None are, or the numbers make no sense.
+    """
     asked = {f"--counts.{question_type}": count for question_type, count in counts.items()}
     check_numbers({"--first": first, **asked})
     if first and not public:
         reason = "numbers public tasks; a private suite's follow from its salt"
         raise BadData("--first", reason, "Say --public too, or leave it out")
+    places = places_of(counts, first)
+    if not places:
+        raise BadData("--counts", "asks for no task", 'Say "--counts.find 2 --counts.count 2"')
+    return places
 
 
 @app.command
