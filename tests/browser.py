@@ -10,6 +10,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -32,6 +33,10 @@ def chromium() -> str | None:
     """Where Chromium is; None if there is none."""
     names = ("chromium", "chromium-browser", "google-chrome")
     return next((found for name in names if (found := shutil.which(name))), None)
+
+
+class PageLeft(AssertionError):
+    """The page was left for another while it was asked for something."""
 
 
 class Browser:
@@ -108,6 +113,8 @@ class Browser:
         while True:
             message = self._read()
             if message.get("id") == self._number:
+                if "navigated" in message.get("error", {}).get("message", ""):
+                    raise PageLeft
                 assert "error" not in message, message["error"]
                 return message["result"]
             self._note(message)
@@ -144,7 +151,13 @@ class Browser:
 
     def wait(self, condition: str) -> None:
         """Until an expression is true in the page."""
-        self.until(lambda: self.run(condition), condition)
+
+        def holds() -> object:
+            with suppress(PageLeft):
+                return self.run(condition)
+            return False
+
+        self.until(holds, condition)
 
     def until(self, holds: Callable[[], object], what: str) -> None:
         """Until something holds."""
