@@ -38,13 +38,22 @@ class EngineChoice:
             remedy = "Use --shard I/N on each machine"
             raise BadData("--on", "models are asked from one machine", remedy)
 
-    def engine(self, out: Path, workers: int | None, tell: Callable[[str], object] = say) -> Engine:
+    def engine(
+        self,
+        out: Path,
+        workers: int | None,
+        tell: Callable[[str], object] = say,
+        *,
+        usual: int = 1,
+    ) -> Engine:
         """The engine for work whose results go to a folder.
 
         Args:
             out: The folder.
-            workers: Processes; None for one here, and for one on each core of a cluster.
+            workers: Processes; None for the usual number here, and for one on each core of a
+                cluster.
             tell: Is told what a person should know.
+            usual: Processes here, if nobody says otherwise.
 
         Raises:
             BadData: An option would do nothing.
@@ -53,4 +62,4 @@ class EngineChoice:
             return RayEngine(out, self.store, workers, tell)
         if self.store is not None:
             raise BadData("--store", "does nothing without --on ray", "Leave it out")
-        return LocalEngine(workers or 1)
+        return LocalEngine(workers or usual)

@@ -57,7 +57,7 @@ def build(
     pool: Pool = "procedural",
     public: bool = False,
     first: int = 0,
-    workers: int = 1,
+    workers: int | None = None,
     where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     shard: str = "0/1",
     unchecked: bool = False,
@@ -80,7 +80,7 @@ def build(
         public: Draw no salt, so that anyone can reproduce these tasks and predict their
             answers.
         first: With --public, number of the first episode of each type; others give other tasks.
-        workers: Processes.
+        workers: Processes; by default 1, and on a cluster one on each core.
         where: On which machines.
         shard: "0/2" and "1/2" on two machines that see this folder share the work.
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.

@@ -11,7 +11,7 @@ from pathlib import Path
 from probe.api.resources import tables_for
 from probe.cli.engines import EngineChoice
 from probe.cli.model_run import ModelRunOptions, run_model
-from probe.cli.teaching import TeachingSetup
+from probe.cli.teaching import WORKERS, TeachingSetup
 from probe.engines.plan import Engine
 from probe.episodes.noise import NOISES
 from probe.generation.build_folder import BuildFolder
@@ -36,7 +36,7 @@ def hands_of(site: TeachingSetup, out: Path, where: EngineChoice) -> TeacherWork
     Raises:
         BadData: A model is to teach from a cluster.
     """
-    engine = where.engine(out, site.workers)
+    engine = where.engine(out, site.workers, usual=WORKERS)
     if site.model is not None:
         where.refuse_for_models()
     parts = BuildFolder(out / TASKS)
@@ -80,7 +80,7 @@ def _seated(site: TeachingSetup, model: str) -> Play:
         noise=NOISES[site.noise],
         conditions=site.conditions,
         shard=Shard(),
-        workers=site.workers,
+        workers=site.workers or WORKERS,
     )
 
     def play(suite: Suite, setting: Setting, runs: int, out: Path) -> Iterator[str]:

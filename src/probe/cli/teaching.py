@@ -16,6 +16,9 @@ from probe.train.collect.settings import CollectionSettings
 from probe.train.collect.teacher import TEACHER
 from probe.train.collect.training import Training
 
+WORKERS = 2
+"""Processes of this machine, if nobody says otherwise."""
+
 
 @dataclass(frozen=True)
 class TeachingSetup:
@@ -31,7 +34,7 @@ class TeachingSetup:
         split: Take the training part of this split alone (`probe assets split`).
         noise: How far the hand errs.
         lighting: Of the pictures.
-        workers: Processes.
+        workers: Processes; by default 2, and on a cluster one on each core.
     """
 
     model: str | None = None
@@ -42,7 +45,7 @@ class TeachingSetup:
     split: Path | None = None
     noise: NoiseName = "none"
     lighting: LightKind = "ambient"
-    workers: int = 2
+    workers: int | None = None
 
     @property
     def counting(self) -> Points:

@@ -38,7 +38,7 @@ def bench(
     grasps: int = 300,
     pushes: int = 200,
     first_seed: int = 40_000,
-    workers: int = 1,
+    workers: int | None = None,
     where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     shard: str = "0/1",
     sigma: float | None = None,
@@ -56,7 +56,7 @@ def bench(
         grasps: Attempts.
         pushes: Attempts.
         first_seed: Of the first table.
-        workers: Processes.
+        workers: Processes; by default 1, and on a cluster one on each core.
         where: On which machines.
         shard: "0/2" and "1/2" on two machines that see this folder share the work; then run once
             more with "0/1"
