@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import io
 import os
 import shutil
@@ -108,6 +109,28 @@ def claim_folder(path: Path, settings: BaseModel, remedy: str, *, private: bool 
         if was != now:
             reason = f"was begun with {name} {was}, not {now}"
             raise BadData(path, reason, "Say the same again, or choose another folder")
+
+
+@contextlib.contextmanager
+def alone(folder: Path) -> Generator[None]:
+    """Keep other processes out of such a block; the lock leaves no file and dies with us.
+
+    Args:
+        folder: What is worked on; it is made if need be.
+
+    Raises:
+        OutputFailed: It can't be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        handle = os.open(folder, os.O_RDONLY)
+    except OSError as error:
+        raise OutputFailed(folder, error) from error
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(handle)
 
 
 @contextlib.contextmanager

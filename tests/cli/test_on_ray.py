@@ -6,14 +6,12 @@ import json
 import os
 import subprocess
 import sys
-from importlib import import_module
-from importlib.util import find_spec
 from pathlib import Path
 
 import fsspec
 import pytest
 
-from engines.ray_nodes import Nodes, two_nodes
+from engines.ray_nodes import Nodes, nodes_and_store
 from probe.episodes.files import line_of, read_records
 from probe.tasks.suite import selection
 from probe.tasks.suite_file import demo_suite, write_suite
@@ -23,15 +21,8 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def nodes():
-    # Ray reads its variables when it is imported.
-    if find_spec("ray") is None:
-        pytest.skip("needs the extra [ray]; make test-slow installs it")
-    server = import_module("moto.server").ThreadedMotoServer(port=0, verbose=False)
-    server.start()
-    host, port = server.get_host_and_port()
-    with two_nodes(f"http://{host}:{port}") as started:
+    with nodes_and_store() as started:
         yield started
-    server.stop()
 
 
 def probe(nodes: Nodes, *arguments: object, **more: str) -> str:

@@ -13,9 +13,12 @@ import tempfile
 from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 
 import psutil
+import pytest
 
 TESTS = Path(__file__).resolve().parents[1]
 RAY = Path(sys.executable).with_name("ray")
@@ -106,6 +109,22 @@ def two_nodes(objects: str = "") -> Generator[Nodes]:
         for process in head:
             _kill(process)
         shutil.rmtree(folder, ignore_errors=True)
+
+
+@contextmanager
+def nodes_and_store() -> Generator[Nodes]:
+    """Two nodes, and a local server of an object store for them; skips where Ray isn't there."""
+    # Not by an import: Ray reads its variables when it is imported.
+    if find_spec("ray") is None:
+        pytest.skip("needs the extra [ray]; make test-slow installs it")
+    server = import_module("moto.server").ThreadedMotoServer(port=0, verbose=False)
+    server.start()
+    host, port = server.get_host_and_port()
+    try:
+        with two_nodes(f"http://{host}:{port}") as started:
+            yield started
+    finally:
+        server.stop()
 
 
 def _tells(process: psutil.Process, port: str) -> bool:

@@ -9,8 +9,6 @@ import subprocess
 import sys
 import threading
 import time
-from importlib import import_module
-from importlib.util import find_spec
 from pathlib import Path
 from typing import cast
 
@@ -18,7 +16,7 @@ import fsspec
 import pytest
 
 from crew_jobs import AssetReader, Bench
-from engines.ray_nodes import TESTS, Nodes, two_nodes
+from engines.ray_nodes import TESTS, Nodes, nodes_and_store
 from probe.engines.plan import LostUnit, WorkPlan
 from probe.engines.ray_cluster import ClusterRefused
 from probe.engines.ray_engine import RayEngine
@@ -43,15 +41,8 @@ for unit, result in RayEngine(notes / "run").carry_out(WorkPlan("w", Bench(notes
 
 @pytest.fixture(scope="module")
 def nodes():
-    # Ray reads its variables when it is imported.
-    if find_spec("ray") is None:
-        pytest.skip("needs the extra [ray]; make test-slow installs it")
-    server = import_module("moto.server").ThreadedMotoServer(port=0, verbose=False)
-    server.start()
-    host, port = server.get_host_and_port()
-    with two_nodes(f"http://{host}:{port}") as started:
+    with nodes_and_store() as started:
         yield started
-    server.stop()
 
 
 @pytest.fixture(autouse=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing
 from itertools import chain
 from pathlib import Path
@@ -18,7 +18,7 @@ from probe.cli.running import AGAIN
 from probe.cli.screen import ScreenTable, bar, say, say_above
 from probe.cli.shards import parse_shard
 from probe.cli.suite_salt import origins_by
-from probe.engines.plan import Engine, LostUnit
+from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.errors import ProbeError, Unfinished
 from probe.tasks.suite import Suite, check_objects, spaced
 from probe.tasks.suite_file import digest_of, find_suite
@@ -49,7 +49,7 @@ def verify(
     rebuild: int = 0,
     salt: Path | None = None,
     pool: Pool = "procedural",
-    workers: int = 1,
+    workers: int | None = None,
     where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     shard: str = "0/1",
 ) -> None:
@@ -63,7 +63,7 @@ def verify(
         rebuild: How many tasks, evenly spaced, are made from their seeds again.
         salt: File of a private suite's salt: do the tasks follow from what it was committed to?
         pool: Which objects the suite was made of, for that.
-        workers: Processes.
+        workers: Processes; by default 1, and on a cluster one on each core.
         where: On which machines.
         shard: "0/2" and "1/2" on two machines that see this folder share the work; then run once
             more without.
@@ -105,21 +105,34 @@ def _verdicts(
     """
     verdicts = {task.id: _standing(task, folder, things, verifier) for task in tasks}
     waiting = [task for task in tasks if verdicts[task.id] is None]
-    plan = verifier.plan(suite, waiting)
+    results = _results("Verifying", verifier.plan(suite, waiting), len(tasks), engine)
+    with closing(results):
+        for task, result in results:
+            found = verdicts[task.id] = TaskVerdict.model_validate_json(result)
+            write_verdict(folder / f"{task.id}.json", found)
+    return [verdict for verdict in verdicts.values() if verdict is not None]
+
+
+def _results(
+    doing: str, plan: WorkPlan[Task], total: int, engine: Engine
+) -> Generator[tuple[Task, bytes]]:
+    """What comes of a plan's tasks, with a bar that counts those of before as well.
+
+    Raises:
+        Unfinished: Workers died over some; it comes last.
+    """
+    lost = 0
     with bar() as progress, closing(engine.carry_out(plan)) as results:
-        done = len(tasks) - len(waiting)
-        line = progress.add_task("Verifying", total=len(tasks), completed=done)
+        line = progress.add_task(doing, total=total, completed=total - len(plan.units))
         for task, result in results:
             if isinstance(result, LostUnit):
                 say_above(progress, f"{task.id}: {result.reason}")
+                lost += 1
             else:
-                found = verdicts[task.id] = TaskVerdict.model_validate_json(result)
-                write_verdict(folder / f"{task.id}.json", found)
+                yield task, result
             progress.advance(line)
-    found = [verdict for verdict in verdicts.values() if verdict is not None]
-    if missing := len(tasks) - len(found):
-        raise Unfinished(missing, len(tasks), "tasks", AGAIN)
-    return found
+    if lost:
+        raise Unfinished(lost, total, "tasks", AGAIN)
 
 
 def _standing(
@@ -155,18 +168,11 @@ def _rebuilt(
     Raises:
         Unfinished: Workers died over some.
     """
-    problems, lost = dict[str, str](), 0
-    with bar() as progress, closing(engine.carry_out(rebuilder.plan(suite, tasks))) as results:
-        line = progress.add_task("Rebuilding", total=len(tasks))
+    plan, problems = rebuilder.plan(suite, tasks), dict[str, str]()
+    with closing(_results("Rebuilding", plan, len(tasks), engine)) as results:
         for task, result in results:
-            if isinstance(result, LostUnit):
-                say_above(progress, f"{task.id}: {result.reason}")
-                lost += 1
-            elif result:
+            if result:
                 problems[task.id] = result.decode()
-            progress.advance(line)
-    if lost:
-        raise Unfinished(lost, len(tasks), "rebuilt tasks", AGAIN)
     return {task.id: problems[task.id] for task in tasks if task.id in problems}
 
 

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import json
-import os
 import shutil
-from collections.abc import Generator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from probe.engines.result_store import ResultStore
-from probe.errors import BadData, OutputFailed
-from probe.files import whole_folder, write_bytes
+from probe.errors import BadData
+from probe.files import alone, whole_folder, write_bytes
 
 
 @dataclass(frozen=True)
@@ -42,7 +39,7 @@ class AssetBundle:
             OutputFailed: The disk is full.
         """
         folder = cache / "nodes" / self.digest
-        with _alone(cache / "nodes" / f"{self.digest}.lock"):
+        with alone(folder.parent):
             if not folder.exists():
                 for half in folder.parent.glob(f".{folder.name}.*"):
                     shutil.rmtree(half, ignore_errors=True)
@@ -75,18 +72,3 @@ def publish(folder: Path, store: ResultStore) -> AssetBundle:
         if sha not in there:
             store.write(sha, content)
     return AssetBundle(store, files)
-
-
-@contextmanager
-def _alone(lock: Path) -> Generator[None]:
-    """Wait until no other process of this machine is in such a block."""
-    try:
-        lock.parent.mkdir(parents=True, exist_ok=True)
-        handle = os.open(lock, os.O_RDWR | os.O_CREAT, 0o644)
-    except OSError as error:
-        raise OutputFailed(lock, error) from error
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX)
-        yield
-    finally:
-        os.close(handle)

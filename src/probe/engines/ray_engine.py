@@ -10,6 +10,7 @@ import socket
 from collections import deque
 from collections.abc import Callable, Generator
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Generic
 
@@ -117,6 +118,11 @@ class _Crew(Generic[Unit]):
     stillborn: int = 0
     members: dict[Any, _Member[Unit]] = field(default_factory=dict[Any, "_Member[Unit]"])
 
+    @cached_property
+    def workers(self) -> Any:
+        """What starts a worker on some node."""
+        return self.ray.remote(num_cpus=1, max_restarts=0)(RayWorker)
+
     def results(self, waiting: deque[tuple[Unit, int]]) -> Generator[tuple[Unit, bytes | LostUnit]]:
         """Do what waits; a unit's result is removed from the store once it is kept."""
         try:
@@ -136,8 +142,7 @@ class _Crew(Generic[Unit]):
         """Start workers for what waits, as many as there may be."""
         opening = sum(member.unit is None for member in self.members.values())
         for _ in range(min(self.count - len(self.members), waiting - opening)):
-            made = self.ray.remote(num_cpus=1, max_restarts=0)(RayWorker)
-            actor = made.remote(self.plan.opening, self.node)
+            actor = self.workers.remote(self.plan.opening, self.node)
             self.members[actor.open.remote()] = _Member(actor)
 
     def _news(self) -> list[Any]:

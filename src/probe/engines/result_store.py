@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
@@ -78,15 +79,26 @@ class ResultStore:
         return {str(name).rpartition("/")[2] for name in found}
 
     def has(self, key: str) -> bool:
-        """Whether a whole file of this name is there."""
-        return key in self.names()
+        """Whether a whole file of this name is there.
+
+        Raises:
+            BadData: The store can't be read.
+        """
+        if self.folder is not None:
+            return (self.folder / key).exists()
+        try:
+            found: bool = self._objects.exists(f"{self.url}/{key}")
+        except Exception as error:
+            raise BadData(self.url, str(error), _REMEDY) from error
+        return found
 
     def remove(self, key: str) -> None:
         """Remove a file, if it is there."""
         if self.folder is not None:
             (self.folder / key).unlink(missing_ok=True)
-        elif self._objects.exists(f"{self.url}/{key}"):
-            self._objects.rm_file(f"{self.url}/{key}")
+        else:
+            with suppress(FileNotFoundError):
+                self._objects.rm_file(f"{self.url}/{key}")
 
     def sweep(self, kept: Collection[str] = ()) -> None:
         """Remove all files but some, also those that a killed worker left half-written."""

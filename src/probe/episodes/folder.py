@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import fcntl
-import os
 from collections.abc import Generator, Iterable
 from contextlib import contextmanager
 from dataclasses import replace
@@ -11,8 +10,8 @@ from pathlib import Path
 
 from probe.episodes.files import append_line, append_record, read_records
 from probe.episodes.record import EpisodeRecord
-from probe.errors import BadData, OutputFailed
-from probe.files import write_text
+from probe.errors import BadData
+from probe.files import alone, write_text
 from probe.reading import is_there, opened, words
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
@@ -151,18 +150,3 @@ def add_run(out: Path, record: EpisodeRecord) -> None:
 
 def _whose(record: EpisodeRecord) -> tuple[str, str, str]:
     return record.task, record.agent, record.setting
-
-
-@contextmanager
-def alone(folder: Path) -> Generator[None]:
-    """Keep other processes from adding a record; the lock leaves no file and dies with us."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        handle = os.open(folder, os.O_RDONLY)
-    except OSError as error:
-        raise OutputFailed(folder, error) from error
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX)
-        yield
-    finally:
-        os.close(handle)

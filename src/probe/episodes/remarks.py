@@ -9,9 +9,8 @@ from pathlib import Path
 import pydantic
 
 from probe.episodes.files import append_line
-from probe.episodes.folder import alone
 from probe.errors import BadData
-from probe.files import fault, write_bytes
+from probe.files import alone, fault, write_bytes
 from probe.reading import contents, is_there
 
 REMARKS = "remarks.jsonl"
