@@ -33,12 +33,14 @@ class Nodes:
         token: Lets one in.
         folder: Of Ray's own files.
         objects: Address of an object store that speaks S3's protocol; empty for none.
+        cache: What the nodes have computed already; None for an empty cache for each.
     """
 
     address: str
     token: str
     folder: Path
     objects: str
+    cache: Path | None = None
     second: list[psutil.Process] = field(default_factory=list)
 
     @property
@@ -67,9 +69,15 @@ class Nodes:
         port = self.address.rpartition(":")[2]
         return [process for process in new if _tells(process, port)]
 
+    def start_first(self) -> list[psutil.Process]:
+        """Start the head; its processes."""
+        head = ("--head", "--include-dashboard=false", "--temp-dir", str(self.folder))
+        cache = str(self.cache or self.folder / "cache-1")
+        return self.start(*head, "--port", self.address.rpartition(":")[2], XDG_CACHE_HOME=cache)
+
     def add_second(self, cache: str = "cache-2") -> None:
-        """Start the second node, with a folder of its own for its cache."""
-        there = str(self.folder / cache)
+        """Start the second node; a new cache is in a folder of its own."""
+        there = str(self.cache or self.folder / cache)
         self.second = self.start("--address", self.address, XDG_CACHE_HOME=there)
 
     def kill_second(self) -> None:
@@ -80,28 +88,21 @@ class Nodes:
 
 
 @contextmanager
-def two_nodes(objects: str = "") -> Generator[Nodes]:
+def two_nodes(objects: str = "", cache: Path | None = None) -> Generator[Nodes]:
     """Start them; end all of Ray that was started here.
 
     Args:
         objects: Address of an object store that speaks S3's protocol.
+        cache: What the nodes have computed already; None for an empty cache for each.
     """
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     folder = Path(tempfile.mkdtemp(prefix="ray-"))
-    nodes = Nodes(f"127.0.0.1:{port}", secrets.token_hex(32), folder, objects)
+    nodes = Nodes(f"127.0.0.1:{port}", secrets.token_hex(32), folder, objects, cache)
     head: list[psutil.Process] = []
     try:
-        head = nodes.start(
-            "--head",
-            "--port",
-            str(port),
-            "--include-dashboard=false",
-            "--temp-dir",
-            str(folder),
-            XDG_CACHE_HOME=str(folder / "cache-1"),
-        )
+        head = nodes.start_first()
         nodes.add_second()
         yield nodes
     finally:
@@ -112,8 +113,12 @@ def two_nodes(objects: str = "") -> Generator[Nodes]:
 
 
 @contextmanager
-def nodes_and_store() -> Generator[Nodes]:
-    """Two nodes, and a local server of an object store for them; skips where Ray isn't there."""
+def nodes_and_store(cache: Path | None = None) -> Generator[Nodes]:
+    """Two nodes, and a local server of an object store for them; skips where Ray isn't there.
+
+    Args:
+        cache: What the nodes have computed already; None for an empty cache for each.
+    """
     # Not by an import: Ray reads its variables when it is imported.
     if find_spec("ray") is None:
         pytest.skip("needs the extra [ray]; make test-slow installs it")
@@ -121,7 +126,7 @@ def nodes_and_store() -> Generator[Nodes]:
     server.start()
     host, port = server.get_host_and_port()
     try:
-        with two_nodes(f"http://{host}:{port}") as started:
+        with two_nodes(f"http://{host}:{port}", cache) as started:
             yield started
     finally:
         server.stop()

@@ -14,8 +14,8 @@ def test_what_is_written_is_there_under_its_key(tmp_path):
     assert store.names() == set()
     store.write("find-1.0", b"a record")
     assert store.has("find-1.0") and store.read("find-1.0") == b"a record"
-    store.remove("find-1.0")
-    store.remove("find-1.0")
+    store.remove_all(["find-1.0"])
+    store.remove_all(["find-1.0"])
     assert not store.has("find-1.0")
 
 
@@ -50,7 +50,7 @@ def test_assets_are_fetched_once_and_are_what_they_were(tmp_path):
     folder = made.fetch(tmp_path / "cache")
     assert (folder / "scans" / "bowl.obj").read_bytes() == b"v 0 0 0"
     for key in made.store.names():
-        made.store.remove(key)
+        made.store.remove_all([key])
     assert made.fetch(tmp_path / "cache") == folder
 
 

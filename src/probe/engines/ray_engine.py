@@ -55,9 +55,9 @@ class RayEngine:
         results = self._results(plan.name)
         self._claim(results)
         units = {plan.key(unit): unit for unit in plan.units}
-        for key in sorted(results.names() & units.keys()):
-            yield units.pop(key), results.read(key)
-            results.remove(key)
+        finished = results.read_all(sorted(results.names() & units.keys()))
+        for key, content in finished.items():
+            yield units.pop(key), content
         results.sweep({MARK})
         results.write(MARK, self._driver)
         if units:
@@ -128,12 +128,8 @@ class _Crew(Generic[Unit]):
         try:
             while waiting or any(member.unit is not None for member in self.members.values()):
                 self._hire(len(waiting))
-                for said in self._news():
-                    member = self.members.pop(said)
-                    unit, result = self._hear(said, member, waiting)
-                    if unit is not None and result is not None:
-                        yield unit, result
-                        self.node.results.remove(self.plan.key(unit))
+                heard = [self._hear(said, waiting) for said in self._news()]
+                yield from self._kept([event for event in heard if event is not None])
         finally:
             for member in self.members.values():
                 self.ray.kill(member.actor)
@@ -145,31 +141,44 @@ class _Crew(Generic[Unit]):
             actor = self.workers.remote(self.plan.opening, self.node)
             self.members[actor.open.remote()] = _Member(actor)
 
+    def _kept(
+        self, ended: list[tuple[Unit, LostUnit | None]]
+    ) -> Generator[tuple[Unit, bytes | LostUnit]]:
+        """Fetch results together, since each trip to an object store takes its time."""
+        keys = [self.plan.key(unit) for unit, lost in ended if lost is None]
+        found = self.node.results.read_all(keys)
+        for unit, lost in ended:
+            yield unit, lost or found[self.plan.key(unit)]
+        self.node.results.remove_all(keys)
+
     def _news(self) -> list[Any]:
-        """The next that a worker says."""
+        """All that workers have said since; waits until one says something."""
         while True:
-            said, _ = self.ray.wait(list(self.members), num_returns=1, timeout=_PATIENCE)
+            open_calls = list(self.members)
+            said, _ = self.ray.wait(open_calls, num_returns=1, timeout=_PATIENCE)
             if said:
-                return said
+                return self.ray.wait(open_calls, num_returns=len(open_calls), timeout=0)[0]
             free = self.ray.available_resources().get("CPU", 0)
             if all(member.unit is None for member in self.members.values()) and not free:
                 self.tell("No core of the cluster is free; waiting for one.")
 
     def _hear(
-        self, said: Any, member: _Member[Unit], waiting: deque[tuple[Unit, int]]
-    ) -> tuple[Unit | None, bytes | LostUnit | None]:
-        """Take in what a worker says and give it the next unit; a unit and its result, if any."""
+        self, said: Any, waiting: deque[tuple[Unit, int]]
+    ) -> tuple[Unit, LostUnit | None] | None:
+        """Take in what a worker says and give it the next unit; a unit that ended, if any."""
+        member = self.members.pop(said)
         unit = member.unit
         try:
             report: NodeReport = self.ray.get(said)
         except self.ray.exceptions.RayError as error:
-            return unit, self._bury(member, error, waiting)
+            lost = self._bury(member, error, waiting)
+            return None if unit is None or lost is None else (unit, lost)
         if report.problem is not None:
             self._dismiss(member, report, waiting)
-            return None, None
+            return None
         self.stillborn = 0
         self._occupy(member, waiting)
-        return unit, None if unit is None else self.node.results.read(self.plan.key(unit))
+        return None if unit is None else (unit, None)
 
     def _occupy(self, member: _Member[Unit], waiting: deque[tuple[Unit, int]]) -> None:
         """Give a worker the next unit, or let it go home."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
@@ -63,6 +63,21 @@ class ResultStore:
             raise BadData(f"{self.url}/{key}", str(error), _REMEDY) from error
         return content
 
+    def read_all(self, keys: Sequence[str]) -> dict[str, bytes]:
+        """The contents of files, fetched at the same time; in the order of the keys.
+
+        Raises:
+            BadData: One isn't there, or can't be read.
+        """
+        if self.folder is not None or not keys:
+            return {key: self.read(key) for key in keys}
+        try:
+            found: dict[str, bytes] = self._objects.cat([f"{self.url}/{key}" for key in keys])
+        except Exception as error:
+            raise BadData(self.url, str(error), _REMEDY) from error
+        content = {name.rpartition("/")[2]: whole for name, whole in found.items()}
+        return {key: content[key] for key in keys}
+
     def names(self) -> set[str]:
         """What whole files are there.
 
@@ -92,18 +107,18 @@ class ResultStore:
             raise BadData(self.url, str(error), _REMEDY) from error
         return found
 
-    def remove(self, key: str) -> None:
-        """Remove a file, if it is there."""
+    def remove_all(self, keys: Collection[str]) -> None:
+        """Remove files, if they are there."""
         if self.folder is not None:
-            (self.folder / key).unlink(missing_ok=True)
-        else:
+            for key in keys:
+                (self.folder / key).unlink(missing_ok=True)
+        elif keys:
             with suppress(FileNotFoundError):
-                self._objects.rm_file(f"{self.url}/{key}")
+                self._objects.rm([f"{self.url}/{key}" for key in keys])
 
     def sweep(self, kept: Collection[str] = ()) -> None:
         """Remove all files but some, also those that a killed worker left half-written."""
-        for key in self.names() - set(kept):
-            self.remove(key)
+        self.remove_all(self.names() - set(kept))
         if self.folder is not None and self.folder.exists():
             for half in self.folder.glob(".*"):
                 half.unlink(missing_ok=True)
