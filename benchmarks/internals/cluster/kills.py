@@ -173,7 +173,8 @@ def main(
                 same = todo.result(out) == expected
                 print(
                     f"{work}, {victim} killed {len(trial.kills)} times so far: "
-                    f"same bytes {same}, left over {left_over(out, url)}, repeated {trial.repeats} times",
+                    f"same bytes {same}, left over {left_over(out, url)}, "
+                    f"repeated {trial.repeats} times",
                     flush=True,
                 )
             print(f"{victim}: at {[round(at) for at in trial.kills]} s", flush=True)
