@@ -1,9 +1,10 @@
 """Where a Ray cluster saturates, simulated: `python benchmarks/internals/cluster/saturation.py`.
 
-Measures internals, not the public API. Needs `pip install simpy matplotlib`, not PROBE. Clusters of 16 to 4,000 cores do a
-hundred episodes a core. What a unit costs apart from its work was measured on two cores by
-`unit_costs.py` (whose JSON lies beside this file); trips to an object store, its bandwidth, deaths
-and stragglers are assumed, and named below. Prints how busy cores are, and draws a picture.
+Measures internals, not the public API. Needs `pip install simpy matplotlib`, and nothing of PROBE.
+Clusters of 16 to 4,000 cores do a hundred episodes a core. What a unit costs apart from its work
+was measured on two cores by `unit_costs.py` (whose JSON lies beside this file); trips to an object
+store, its bandwidth, deaths and stragglers are assumed, and named below. Prints how busy cores are,
+and draws a picture.
 """
 
 from __future__ import annotations
