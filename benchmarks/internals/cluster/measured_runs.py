@@ -32,6 +32,9 @@ def start(arguments: tuple[object, ...], variables: Mapping[str, str]) -> subpro
 
 
 def lines(folder: Path) -> list[bytes]:
-    """A run's records without their times, in an order of their own."""
-    records = read_records(folder / "records.jsonl")
+    """A run's records without their times, in an order of their own.
+
+    Failures of ours are left out: each stands beside its repetition.
+    """
+    records = [it for it in read_records(folder / "records.jsonl") if it.end != "fault"]
     return sorted(line_of(record, timed=False) for record in records)
