@@ -58,6 +58,12 @@ def test_each_job_is_done_once(tmp_path, workers):
     assert not multiprocessing.active_children()
 
 
+def test_a_full_disk_stops_the_work_and_is_named(tmp_path):
+    with pytest.raises(WorkerUnfit, match=r"/cache/x\.npz: No space left on device"):
+        dict(carry_out(Bench(tmp_path), ["roomy", "a"], 1))
+    assert not pids(tmp_path, "a") and not multiprocessing.active_children()
+
+
 @pytest.mark.parametrize("workers", [1, 2])
 def test_a_killed_worker_costs_one_job_which_is_begun_anew(tmp_path, workers):
     results = dict(carry_out(Bench(tmp_path), ["unlucky", "a", "b", "c"], workers))

@@ -166,6 +166,13 @@ def test_a_node_whose_disk_refuses_is_said_and_the_rest_goes_on(
     nodes.add_second()
 
 
+def test_a_disk_that_fills_up_during_the_work_costs_no_unit(tmp_path):
+    units = [f"roomy-{number}" for number in range(6)]
+    results, told = carry_out(tmp_path, units)
+    assert results == {unit: f"{unit} done".encode() for unit in units}
+    assert len(told) == 1 and "No space left on device" in told[0]
+
+
 def test_a_node_that_cannot_work_is_named(tmp_path):
     with pytest.raises(WorkerUnfit, match="no tools here"):
         carry_out(tmp_path, ["a"], unfit=True)

@@ -15,6 +15,7 @@ from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.grading import question_of
 from probe.episodes.record import TableState
+from probe.errors import OutputFailed
 from probe.runs.plan import Job, RunOrder
 from probe.runs.run import RunStart, work
 from probe.runs.work import WorkerSetup, stopped
@@ -49,6 +50,14 @@ def test_an_episode_that_fails_is_tried_three_times(tmp_path):
     assert (record.conditions, record.question) == (ORDER.conditions, question_of(TASK))
     assert record.start.scene == TASK.scene
     assert record.start.joints == tuple(Ur5().parked)
+
+
+def test_a_full_disk_is_no_fault_of_the_episode():
+    def full(*_: object) -> Any:
+        raise OutputFailed("/cache/x.npz", "No space left on device")
+
+    with pytest.raises(OutputFailed, match="No space left"):
+        WorkerSetup(ORDER, NOWHERE, full)._line(NOWHERE, NOWHERE, Job(TASK, 0))
 
 
 @pytest.mark.slow

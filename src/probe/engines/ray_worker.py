@@ -55,7 +55,7 @@ class RayWorker(Generic[Unit]):
         assert self._do is not None, "a worker is opened first"
         try:
             self._node.results.write(key, self._do(unit))
-        except OutputFailed as error:
+        except OutputFailed as error:  # the disk, or the store
             return NodeReport(socket.gethostname(), str(error))
         return NodeReport(socket.gethostname())
 

@@ -12,14 +12,15 @@ from multiprocessing import parent_process
 from multiprocessing.connection import Connection, wait
 from typing import TypeVar
 
-from probe.errors import ProbeError
+from probe.errors import OutputFailed, ProbeError
 
 Job = TypeVar("Job")
 Result = TypeVar("Result")
 
 Opening = Callable[[], AbstractContextManager[Callable[[Job], Result]]]
 """Sets a worker up and gives what does a job; it is sent to the worker, so it has to be of a
-module or a value of such a class. What the doing raises is a fault of this program."""
+module or a value of such a class. The doing may raise OutputFailed if this machine's disk is full;
+whatever else it raises is a fault of this program."""
 
 _MEMORY = "Raise the limit (ulimit -v), leave other programs, or say --workers 1."
 
@@ -30,7 +31,10 @@ class WorkerUnfit(ProbeError):
 
 @dataclass(frozen=True)
 class WorkerReady:
-    """A worker's first message, with the reason if it can't work; later ones are results."""
+    """A worker's first message, with the reason if it can't work, and its last if it can't go on.
+
+    All others are results.
+    """
 
     problem: str | None = None
 
@@ -66,8 +70,12 @@ def serve(opening: Opening[Job, Result], pipe: Connection) -> None:
             return
         with suppress(EOFError, BrokenPipeError):
             pipe.send(WorkerReady())
-            while True:
-                pipe.send(carry(pipe.recv()))
+            try:
+                while True:
+                    pipe.send(carry(pipe.recv()))
+            except OutputFailed as error:
+                # A full disk is no fault of the job: every other one would fail as well.
+                pipe.send(WorkerReady(str(error)))
 
 
 def _end_with_parent() -> None:

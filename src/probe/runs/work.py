@@ -16,6 +16,7 @@ from probe.episodes.participation import Participation
 from probe.episodes.play import play
 from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.turns import Agent
+from probe.errors import OutputFailed
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, RunOrder
 from probe.runs.viewpoints import circumstances_of
@@ -98,6 +99,8 @@ class WorkerSetup:
             record = self.played(job, things, renderer)
             line_of(record)  # one that can't be written down is a fault, too
             return record
+        except OutputFailed:
+            raise  # this machine's disk is full: another one may do it
         except Exception as error:
             # Whatever it is, it costs this episode alone and is told in its record.
             return failed(job, self.order, f"{type(error).__name__}: {error}")
