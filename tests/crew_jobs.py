@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from probe.errors import OutputFailed, ProbeError
+from probe.generation.making import TaskMaker
 from probe.runs.plan import Job
 from probe.runs.work import WorkerSetup
 
@@ -82,6 +83,14 @@ class Deadly(WorkerSetup):
     @contextmanager
     def __call__(self) -> Generator[Callable[[Job], bytes]]:
         yield lambda job: os.kill(os.getpid(), signal.SIGKILL) or b""
+
+
+class DeadlyMaker(TaskMaker):
+    """A workplace where every place of a suite kills the worker."""
+
+    @contextmanager
+    def __call__(self) -> Generator[Callable[[object], bytes]]:
+        yield lambda place: os.kill(os.getpid(), signal.SIGKILL) or b""
 
 
 def aborts(name: str, task: object, run: int, library: object, renderer: object) -> NoReturn:

@@ -7,6 +7,12 @@ import os
 import subprocess
 import sys
 
+import pytest
+
+from crew_jobs import DeadlyMaker
+from probe.cli import suite
+from probe.cli.feasibility import Unmade
+
 CRATE = {
     "version": 1,
     "id": "own_crate",
@@ -57,3 +63,11 @@ def test_compare_is_left_out_where_ones_own_have_no_paint_twins(tmp_path):
     assert result.returncode == 1
     assert "1 things of your own play the parts" in result.stdout
     assert "0 pairs of things of your own differ in paint alone" in " ".join(result.stderr.split())
+
+
+def test_a_place_over_which_workers_die_is_no_success(tmp_path, monkeypatch):
+    monkeypatch.delenv("PROBE_ASSETS", raising=False)
+    monkeypatch.setattr(suite, "TaskMaker", DeadlyMaker)
+    with pytest.raises(Unmade, match=r"1 of 1 tasks .*3 times.* The same command tries them again"):
+        suite.build(tmp_path / "mine.json", counts={"size": 1}, public=True)
+    assert not (tmp_path / "mine.json").exists()

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from probe.assets.library import Library
 from probe.engines.plan import Engine, LostUnit, WorkPlan
-from probe.errors import ProbeError, Unsatisfiable
+from probe.errors import OutputFailed, ProbeError, Unsatisfiable
 from probe.generation.build import BuildResources, fill
 from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.generation.salt import Salt
@@ -139,6 +139,8 @@ def _filled(parts: BuildFolder, resources: BuildResources, place: TaskSlot) -> _
             pass
     except Unsatisfiable as error:
         return _Filled(str(error))
+    except OutputFailed:
+        raise  # this machine's disk is full: another one may do it
     except ProbeError as error:
         return _Filled(str(error), fatal=True)
     return _Filled()
