@@ -65,8 +65,8 @@ class Nodes:
             check=True,
             capture_output=True,
         )
-        new = [psutil.Process(pid) for pid in set(psutil.pids()) - before]
         port = self.address.rpartition(":")[2]
+        new = [it for it in psutil.process_iter() if it.pid not in before]
         return [process for process in new if _tells(process, port)]
 
     def start_first(self) -> list[psutil.Process]:
@@ -125,6 +125,8 @@ def nodes_and_store(cache: Path | None = None) -> Generator[Nodes]:
     server = import_module("moto.server").ThreadedMotoServer(port=0, verbose=False)
     server.start()
     host, port = server.get_host_and_port()
+    # A file system that was opened for an earlier server is handed out again else.
+    import_module("s3fs").S3FileSystem.clear_instance_cache()
     try:
         with two_nodes(f"http://{host}:{port}", cache) as started:
             yield started

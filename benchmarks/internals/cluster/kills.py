@@ -116,11 +116,21 @@ class Trial:
             driver.kill()
             driver.communicate()
             return True
-        workers = [one for one in psutil.process_iter() if one.name().startswith("ray::RayWorker")]
+        workers = [one for one in psutil.process_iter() if self._is_ours(one)]
         if not workers:
             return False
         self.draw.choice(workers).kill()
         return True
+
+    def _is_ours(self, process: psutil.Process) -> bool:
+        """Whether it is a worker of this cluster; others may run on this machine."""
+        try:
+            if not process.name().startswith("ray::RayWorker"):
+                return False
+            parent = process.parent()
+            return parent is not None and str(self.nodes.folder) in " ".join(parent.cmdline())
+        except psutil.Error:
+            return False
 
 
 def left_over(out: Path, store: str | None) -> list[str]:

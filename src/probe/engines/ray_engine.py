@@ -116,6 +116,7 @@ class _Crew(Generic[Unit]):
     count: int
     tell: Callable[[str], object]
     stillborn: int = 0
+    told: set[NodeReport] = field(default_factory=set[NodeReport])
     members: dict[Any, _Member[Unit]] = field(default_factory=dict[Any, "_Member[Unit]"])
 
     @cached_property
@@ -223,4 +224,7 @@ class _Crew(Generic[Unit]):
         self.count -= 1
         if self.count == 0:
             raise WorkerUnfit(f"{report.node}: {report.problem}")
-        self.tell(f"{report.node}: {report.problem} The other workers go on.")
+        # Ray may start another worker on the same node, which says the same.
+        if report not in self.told:
+            self.told.add(report)
+            self.tell(f"{report.node}: {report.problem} The other workers go on.")
