@@ -11,7 +11,7 @@ import pytest
 
 from crew_jobs import DeadlyMaker
 from probe.cli import suite
-from probe.cli.feasibility import Unmade
+from probe.errors import Unfinished
 
 CRATE = {
     "version": 1,
@@ -65,9 +65,10 @@ def test_compare_is_left_out_where_ones_own_have_no_paint_twins(tmp_path):
     assert "0 pairs of things of your own differ in paint alone" in " ".join(result.stderr.split())
 
 
-def test_a_place_over_which_workers_die_is_no_success(tmp_path, monkeypatch):
+def test_a_place_over_which_workers_die_is_no_success(tmp_path, monkeypatch, capsys):
     monkeypatch.delenv("PROBE_ASSETS", raising=False)
     monkeypatch.setattr(suite, "TaskMaker", DeadlyMaker)
-    with pytest.raises(Unmade, match=r"1 of 1 tasks .*3 times.* The same command tries them again"):
+    with pytest.raises(Unfinished, match="1 of 1 tasks .* The same command tries them again"):
         suite.build(tmp_path / "mine.json", counts={"size": 1}, public=True)
+    assert "3 times" in " ".join(capsys.readouterr().out.split())
     assert not (tmp_path / "mine.json").exists()

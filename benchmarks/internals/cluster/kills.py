@@ -88,10 +88,9 @@ class Trial:
         """
         since = time.perf_counter()
         process = start(command, self.nodes.environment)
-        pause = self.draw.uniform(5, 25)
         while True:
             with suppress(subprocess.TimeoutExpired):
-                said, _ = process.communicate(timeout=pause)
+                said, _ = process.communicate(timeout=self.draw.uniform(5, 25))
                 if process.returncode == 0:
                     return
                 if "The same command tries them again" not in said:
@@ -99,7 +98,6 @@ class Trial:
                 self.repeats += 1
                 process = start(command, self.nodes.environment)
                 continue
-            pause = self.draw.uniform(5, 25)
             if len(self.kills) < most and self._kill(process):
                 self.kills.append(time.perf_counter() - since)
                 if self.victim == "node":

@@ -56,7 +56,7 @@ class Driver:
     each: float
     wait: float
     trips: int = 0
-    together: int = 64
+    together: int = TOGETHER
 
     def fetching(self, results: int) -> float:
         """Seconds in which results are fetched and removed."""

@@ -27,15 +27,6 @@ class Incomplete(ProbeError):
         )
 
 
-class Unmade(ProbeError):
-    """Some tasks that could be made weren't, through no fault of theirs."""
-
-    def __init__(self, count: int, of: int, reason: str) -> None:
-        super().__init__(
-            f"{count} of {of} tasks aren't made yet: {reason}. The same command tries them again."
-        )
-
-
 def show_possible(found: Sequence[Feasibility], things: Library) -> None:
     """A table of types: how many tasks there are the things for, and what is missing."""
     if things.leading:

@@ -12,15 +12,16 @@ import tyro
 from probe.api.resources import Pool, library, opener, tables_for
 from probe.assets.library import Library
 from probe.cli.engines import EngineChoice
-from probe.cli.feasibility import Incomplete, Unmade, show_possible
+from probe.cli.feasibility import Incomplete, show_possible
 from probe.cli.numbers import check_numbers
+from probe.cli.running import AGAIN
 from probe.cli.screen import ScreenTable, bar, say, say_above
 from probe.cli.shards import parse_shard
 from probe.cli.shortcuts import learn, shortcuts
 from probe.cli.suite_certify import certify
 from probe.cli.suite_verify import verify
 from probe.engines.plan import Engine
-from probe.errors import BadData
+from probe.errors import BadData, Unfinished
 from probe.files import write_text
 from probe.generation.build import (
     assemble,
@@ -98,13 +99,14 @@ def build(
     seen = None if where.store else parts
     maker = TaskMaker(seen, opener(pool), tables_for(pool), unchecked, salt, table)
     mine = [place for place in part.of(places) if place not in left_out]
-    lost = _fill(maker, parts, mine, where.engine(parts.folder, workers))
+    _fill(maker, parts, mine, where.engine(parts.folder, workers))
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
     made = [place for place in places if parts.task_path(place).exists()]
-    if lost:
-        raise Unmade(len(lost), len(places), lost[0])
-    if waiting := len(places) - len(made) - len(left_out):
-        say(f"{waiting} of {len(places)} tasks aren't made yet; what there is: {parts.folder}")
+    waiting = set(places) - set(made) - left_out.keys()
+    if lost := waiting & set(mine):
+        raise Unfinished(len(lost), len(places), "tasks", AGAIN)
+    if waiting:
+        say(f"{len(waiting)} of {len(places)} tasks aren't made yet; what there is: {parts.folder}")
         return
     if made:
         _finish(out, made, parts, things, salt, unsolved)
@@ -154,25 +156,16 @@ def _hopeless(
     return {place: it.missing[0] for it in found for place in it.hopeless}
 
 
-def _fill(
-    maker: TaskMaker, parts: BuildFolder, places: Sequence[TaskSlot], engine: Engine
-) -> list[str]:
-    """Make tasks; a place for which none can be made doesn't end the others.
-
-    Returns:
-        Why a place has no task that might have one, such as that workers died.
-    """
-    lost = list[str]()
+def _fill(maker: TaskMaker, parts: BuildFolder, places: Sequence[TaskSlot], engine: Engine) -> None:
+    """Make tasks; a place for which none can be made doesn't end the others."""
     with bar() as progress, closing(make_tasks(maker, parts, places, engine)) as results:
         line = progress.add_task("Building", total=len(places))
         for place, problem in results:
             # A place's log says why none of its candidates was kept.
             if problem and not parts.is_exhausted(place, ATTEMPTS):
                 say_above(progress, f"{place.question_type} {place.episode}: {problem}")
-                lost.append(problem)
             done = f"Building, last {place.question_type} {place.episode}"
             progress.update(line, advance=1, description=done)
-    return lost
 
 
 def _finish(
