@@ -9,10 +9,10 @@ import numpy as np
 
 from probe.assets.spec import ObjectSpec
 from probe.scene.scene import PlacedObject, Scene
-from probe.scene.setup import UR5_TABLE
+from probe.scene.setup import BASKET_CAMERA_HEIGHT, UR5_TABLE
 from probe.station.station import Arm, Hand
 from probe.station.ur5 import Gripper, Ur5
-from probe.types import Array, Frame, Pose
+from probe.types import Array, Camera, Frame, Pose
 
 
 @dataclass(frozen=True)
@@ -31,32 +31,41 @@ class Block:
         return slice(top, bottom + 1), slice(left, right + 1)
 
 
-def paint(blocks: Sequence[Block], *, rgb: bool = True) -> Frame:
-    """A frame of blocks; where two overlap the higher one shows."""
-    labels = np.zeros((1024, 1024), np.int32)
-    heights = np.zeros((1024, 1024))
-    picture = np.full((1024, 1024, 3), 120, np.uint8)
+def paint(blocks: Sequence[Block], *, rgb: bool = True, camera: Camera | None = None) -> Frame:
+    """A frame of blocks, from the top camera or another; where two overlap the higher one shows."""
+    camera = camera or UR5_TABLE.camera()
+    size = (camera.height_px, camera.width_px)
+    labels = np.zeros(size, np.int32)
+    heights = np.zeros(size)
+    picture = np.full((*size, 3), 120, np.uint8)
     for block in sorted(blocks, key=lambda b: b.height):
         labels[block.pixels] = block.instance
         heights[block.pixels] = block.height
         picture[block.pixels] = block.colour
-    depth = (UR5_TABLE.top.eye[2] - heights).astype(np.float32)
+    depth = (camera.world_from_camera.position[2] - heights).astype(np.float32)
     shares = {b.instance: b.share for b in blocks if (labels == b.instance).any()}
-    return Frame(UR5_TABLE.camera(), depth, picture if rgb else None, labels, shares)
+    return Frame(camera, depth, picture if rgb else None, labels, shares)
 
 
 class PaintedStation:
-    """A Station that can only be looked at; a test moves the blocks by hand."""
+    """A Station that can only be looked at; a test moves the blocks by hand.
+
+    Blocks that are removed lie in a row in the basket.
+    """
 
     def __init__(self, blocks: Sequence[Block]) -> None:
         self.arm: Arm = Ur5()
         self.hand: Hand = Gripper()
         self.blocks = list(blocks)
+        self.removed: list[Block] = []
         self.drawn = 0
 
     def observe(self, *, rgb: bool) -> Frame:
         self.drawn += rgb
         return paint(self.blocks, rgb=rgb)
+
+    def look_into_basket(self, *, rgb: bool) -> Frame:
+        return paint(_in_a_row(self.removed), rgb=rgb, camera=UR5_TABLE.basket_camera)
 
     def joints(self) -> Array:
         return self.arm.parked
@@ -80,6 +89,7 @@ class PaintedStation:
         labels = paint(self.blocks).labels
         assert labels is not None
         hit = int(np.bincount(labels[mask]).argmax())
+        self.removed += [b for b in self.blocks if b.instance == hit]
         self.blocks = [b for b in self.blocks if b.instance != hit]
 
     def shift(self, mask: Array, du: int, dv: int) -> None:
@@ -94,6 +104,19 @@ class PaintedStation:
             else b
             for b in self.blocks
         ]
+
+
+def _in_a_row(blocks: Sequence[Block]) -> list[Block]:
+    """Blocks as the basket's camera sees them, side by side, at their true sizes."""
+    pixel = UR5_TABLE.view_size / 1024 * UR5_TABLE.basket_camera.focal_px / BASKET_CAMERA_HEIGHT
+    placed: list[Block] = []
+    left = 60
+    for block in blocks:
+        width = round(pixel * (block.box[2] - block.box[0] + 1))
+        height = round(pixel * (block.box[3] - block.box[1] + 1))
+        placed.append(replace(block, box=(left, 60, left + width - 1, 60 + height - 1)))
+        left += width + 10
+    return placed
 
 
 @dataclass(frozen=True)

@@ -122,7 +122,7 @@ def _plan(
     planner: Planner,
 ) -> tuple[GraspStatus, Removal | None, int]:
     """The best grasp unlike those that failed, with its paths; else why there is none."""
-    terrain = survey(frame, setup)
+    terrain = survey(frame, setup, station.look_into_basket(rgb=False))
     target = target_of(frame, mask, terrain)
     grasps = planner(target, terrain, station.hand)
     fresh = [g for g in grasps if not any(_alike(g, other) for other in failed)]

@@ -44,7 +44,12 @@ class Palette:
 
     def alike(self, rgb: Array, mask: Array) -> float:
         """How much the colours under a mask are the thing's, 0 to 1."""
-        return float(np.sqrt(self.thing * _histogram(_bins(rgb[mask][None])[0])).sum())
+        return float(np.sqrt(self.thing * histogram(rgb, mask)).sum())
+
+
+def histogram(rgb: Array, mask: Array) -> Array:
+    """Colours of a mask's pixels, over luma and two chromas, adding up to 1, shape (8, 32, 32)."""
+    return _histogram(_bins(rgb[mask][None])[0])
 
 
 def _bins(rgb: Array) -> Array:

@@ -13,6 +13,7 @@ from probe.manipulation.handshape import HandShape
 from probe.manipulation.kinematics import either_way, line, moved, reaching, straight, turned
 from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.target import Target
+from probe.manipulation.terrain import Terrain
 from probe.scene.setup import Basket
 from probe.station.station import Arm
 from probe.types import Array, Pose
@@ -97,8 +98,9 @@ def way_out(
     carried = np.concatenate([points[::_THINNED], hand.inverse().apply(held)])
     centre = hand.inverse().apply(target.centre[None])[0]
     fallback: tuple[Array, Array] | None = None
+    above = _top(obstacles.terrain, basket) + _ABOVE
     for lift in _lifts(obstacles, joints, hand, held, basket):
-        for goal in _goals(arm, lift[-1], centre, carried, basket):
+        for goal in _goals(arm, lift[-1], centre, carried, basket, above):
             if obstacles.free(np.array([lift[-1], goal]), carried):
                 return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
             fallback = fallback or (lift, goal)
@@ -131,13 +133,21 @@ def _lifts(
             yield path
 
 
+def _top(terrain: Terrain, basket: Basket) -> float:
+    """Height of the basket's walls, or of what lies in it if that is more, metres."""
+    middle, half = np.array(basket.position[:2]), np.array(basket.size[:2]) / 2
+    rows, columns = terrain.cells(np.array([middle - half, middle + half]))
+    inside = terrain.heights[rows[0] : rows[1] + 1, columns[0] : columns[1] + 1]
+    return max(basket.position[2] + basket.size[2], float(inside.max()))
+
+
 def _goals(
-    arm: Arm, joints: Array, centre: Array, carried: Array, basket: Basket
+    arm: Arm, joints: Array, centre: Array, carried: Array, basket: Basket, above: float
 ) -> Sequence[Array]:
-    """Joint angles that hold the target's centre over the basket, nearest first."""
+    """Joint angles that hold the target's centre so high over the basket, nearest first."""
     hand = arm.forward(joints)
     lowest = float(hand.apply(carried)[:, 2].min())
-    rise = max(0.0, basket.position[2] + basket.size[2] + _ABOVE - lowest)
+    rise = max(0.0, above - lowest)
     found: list[Array] = []
     for angle in _TURNS:
         pose = turned(hand, float(angle))

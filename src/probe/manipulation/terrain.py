@@ -64,7 +64,7 @@ class Terrain:
         return replace(self, heights=np.where(cells, 0.0, self.heights))
 
 
-def survey(frame: Frame, setup: Setup) -> Terrain:
+def survey(frame: Frame, setup: Setup, basket: Frame | None = None) -> Terrain:
     """Heights of all that a frame shows, with the basket's walls beside it.
 
     Cells in the shadow of something tall are as low as the lowest ones near them.
@@ -72,6 +72,7 @@ def survey(frame: Frame, setup: Setup) -> Terrain:
     Args:
         frame: From a camera that looks down on the table, straight or obliquely.
         setup: The table's.
+        basket: From the camera above the basket; None where what lies in it doesn't matter.
     """
     middle = np.array(setup.basket.position[:2])
     half = np.array(setup.basket.size[:2]) / 2 + _RIM
@@ -84,6 +85,9 @@ def survey(frame: Frame, setup: Setup) -> Terrain:
     seen = raster(empty, lifted(frame, everything, step=_step(frame.camera)))
     heights = np.maximum(_shadows_filled(seen), 0.0)
     terrain = replace(empty, heights=heights)
+    if basket is not None:
+        inside = raster(terrain, lifted(basket, np.ones_like(basket.depth, bool)))
+        np.maximum(heights, _within(terrain, setup.basket, inside), out=heights)
     _stamp_basket(terrain, setup.basket)
     heights[[0, -1], :] = 0.0
     heights[:, [0, -1]] = 0.0
@@ -129,11 +133,24 @@ def _shadows_filled(seen: Array) -> Array:
     return filled
 
 
-def _stamp_basket(terrain: Terrain, basket: Basket) -> None:
+def _within(terrain: Terrain, basket: Basket, heights: Array) -> Array:
+    """Heights, shape (nx, ny), over the basket's floor; 0 elsewhere."""
+    x, y = _from_middle(terrain, basket)
     inner = np.array(basket.size[:2]) / 2
+    return np.where((x <= inner[0]) & (y <= inner[1]), heights, 0.0)
+
+
+def _from_middle(terrain: Terrain, basket: Basket) -> tuple[Array, Array]:
+    """How far cells lie from the basket's middle, along x, shape (nx, 1), and y, (1, ny)."""
     nx, ny = terrain.heights.shape
     x = np.abs(terrain.corner[0] + (np.arange(nx) + 0.5) * CELL - basket.position[0])[:, None]
     y = np.abs(terrain.corner[1] + (np.arange(ny) + 0.5) * CELL - basket.position[1])[None, :]
+    return x, y
+
+
+def _stamp_basket(terrain: Terrain, basket: Basket) -> None:
+    inner = np.array(basket.size[:2]) / 2
+    x, y = _from_middle(terrain, basket)
     outside = (x > inner[0]) | (y > inner[1])
     wall = outside & (x < inner[0] + _RIM) & (y < inner[1] + _RIM)
     terrain.heights[wall] = basket.position[2] + basket.size[2]

@@ -12,6 +12,15 @@ from dataclasses import dataclass
 from probe.scene.cameras import CameraPlacement, View
 from probe.types import Camera, PictureScale, Pose, Vector3
 
+BASKET_CAMERA_HEIGHT = 1.2
+"""How far above the basket's floor its camera stands, metres: out of the arm's reach."""
+
+BASKET_CAMERA_MARGIN = 0.05
+"""How much its camera sees on each side of the basket, metres."""
+
+BASKET_PICTURE_PX = 512
+"""Edge of the pictures of the basket."""
+
 FLOOR_DEPTH = 0.75
 """How far below the table's top the floor lies."""
 
@@ -113,6 +122,15 @@ class Setup:
     def camera(self, view: View = "top") -> Camera:
         """A fixed camera, by name."""
         return self.placement(view).camera(self.picture_px)
+
+    @property
+    def basket_camera(self) -> Camera:
+        """The camera that looks straight down into the basket."""
+        x, y, floor = self.basket.position
+        width = max(self.basket.size[:2]) + 2 * BASKET_CAMERA_MARGIN
+        fov = 2 * math.degrees(math.atan(width / 2 / BASKET_CAMERA_HEIGHT))
+        placed = CameraPlacement((x, y, floor + BASKET_CAMERA_HEIGHT), (x, y, floor), fov)
+        return placed.camera(BASKET_PICTURE_PX)
 
 
 UR5_TABLE = Setup()

@@ -34,6 +34,10 @@ class OffsetStation:
         """As Station."""
         return self._station.observe(rgb=rgb)
 
+    def look_into_basket(self, *, rgb: bool) -> Frame:
+        """As Station."""
+        return self._station.look_into_basket(rgb=rgb)
+
     def joints(self) -> Array:
         """Where the arm believes to be; where it was stopped, the angles as measured."""
         measured = self._station.joints()

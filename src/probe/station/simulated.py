@@ -58,7 +58,7 @@ class SimulatedStation:
         self._camera = camera or world.setup.camera()
         self._light = light
         self._goal = world.joints
-        self._alone_px: dict[PlacedObject, int] = {}
+        self._alone_px: dict[Camera, dict[PlacedObject, int]] = {}
 
     def observe(self, *, rgb: bool) -> Frame:
         """Look at the table with the fixed camera.
@@ -66,13 +66,24 @@ class SimulatedStation:
         Raises:
             ArmInView: The arm isn't parked, so it would hide part of the table.
         """
+        return self._seen_by(self._camera, rgb=rgb)
+
+    def look_into_basket(self, *, rgb: bool) -> Frame:
+        """Look into the basket with the camera above it.
+
+        Raises:
+            ArmInView: The arm isn't parked.
+        """
+        return self._seen_by(self._world.setup.basket_camera, rgb=rgb)
+
+    def _seen_by(self, camera: Camera, *, rgb: bool) -> Frame:
         if np.abs(self._world.joints - self.arm.parked).max() > BLOCKED:
             raise ArmInView
         objects = self._world.scene().objects
-        frame = self._renderer.draw(objects, self._camera, rgb=rgb, light=self._light)
+        frame = self._renderer.draw(objects, camera, rgb=rgb, light=self._light)
         assert frame.labels is not None
         shown = set(np.unique(frame.labels).tolist()) - {0}
-        outlines = self._alone([placed for placed in objects if placed.instance in shown])
+        outlines = self._alone([placed for placed in objects if placed.instance in shown], camera)
         counts = np.bincount(frame.labels.ravel())
         shares = {number: counts[number] / size for number, size in outlines.items()}
         return replace(self._measured(frame), shares=shares)
@@ -138,14 +149,15 @@ class SimulatedStation:
             if self._world.object_speed() < _STILL:
                 return
 
-    def _alone(self, objects: Sequence[PlacedObject]) -> dict[int, int]:
+    def _alone(self, objects: Sequence[PlacedObject], camera: Camera) -> dict[int, int]:
         """Pixels of each object if it stood there alone; drawn anew only for what has moved."""
-        new = [placed for placed in objects if placed not in self._alone_px]
+        known = self._alone_px.setdefault(camera, {})
+        new = [placed for placed in objects if placed not in known]
         if new:
-            outlines = self._renderer.outlines(new, self._camera)
+            outlines = self._renderer.outlines(new, camera)
             for placed in new:
-                self._alone_px[placed] = int(np.count_nonzero(outlines[placed.instance]))
-        return {placed.instance: self._alone_px[placed] for placed in objects}
+                known[placed] = int(np.count_nonzero(outlines[placed.instance]))
+        return {placed.instance: known[placed] for placed in objects}
 
     def _trails(self, joints: Array) -> bool:
         return bool(np.abs(self._world.joints - joints).max() > BLOCKED)

@@ -1,4 +1,6 @@
-"""One arm, one camera, one table: the only thing that tells simulation and robot apart.
+"""One arm, one table, a camera over it and one over the basket; simulated or real.
+
+This is the only thing that tells simulation and robot apart.
 
 Skills are written once over this. Nothing here says what stands on the table: a skill sees a
 Frame, moves the arm and feels how far the gripper closed.
@@ -56,6 +58,14 @@ class Station(Protocol):
 
         Raises:
             ArmInView: The arm isn't parked, so it would hide part of the table.
+        """
+        ...
+
+    def look_into_basket(self, *, rgb: bool) -> Frame:
+        """Look into the basket with the camera above it.
+
+        Raises:
+            ArmInView: The arm isn't parked.
         """
         ...
 

@@ -1,40 +1,50 @@
-"""What became of a grasp or a push, in words for the agent. Knows no motion."""
+"""What became of a grasp or a push, in words for the agent: what the hand felt and the cameras saw.
+
+The hand tells how far it got; where the thing is now, and whether it worked, the cameras tell.
+"""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-GRASP_WORDS = {
-    "removed": "{id} was lifted and dropped into the basket.",
+from probe.changes.compare import Change, Changes
+
+FELT = {
+    "removed": "the gripper held something until it let go over the basket",
     "no_candidate": "no place to grip was found on what shows of {id}. It may be too wide, too "
-    "flat or too hidden. Nothing was moved. Push it, or first clear what stands around it.",
+    "flat or too hidden. Nothing was moved. Push it, or first clear what stands around it",
     "unreachable": "no grip on {id} is within reach without hitting other objects. Nothing was "
-    "moved. Push it to a freer place, or first clear what stands around it.",
-    "blocked": "the gripper touched something on its way to {id} and stopped; objects there may "
-    "have moved. First clear or push aside what stands next to it, or push {id} itself.",
-    "slipped": "the gripper closed on {id} but lost it while lifting. It is still on the table "
-    "and may have moved. Try again with a new object_id, or push it.",
-    "dropped": "{id} fell on the way to the basket. It has moved; if it no longer shows in the "
-    "picture, it lies outside and is out of reach.",
-    "moved": "{id} is no longer where it was, but it did not get into the basket. If it no "
-    "longer shows in the picture, it lies outside and is out of reach.",
+    "moved. Push it to a freer place, or first clear what stands around it",
+    "blocked": "the gripper touched something and stopped",
+    "slipped": "the gripper closed on {id} but lost it while lifting",
+    "dropped": "the gripper lost what it held on the way to the basket",
+    "moved": "the gripper did not get hold of {id}",
 }
+"""What the hand felt during a grasp, by the skill's status."""
 
-PUSH_WORDS = {
-    "pushed": "the gripper pushed the whole way{moved}. What it met has moved as well.",
+ADVICE = {
+    "blocked": "First clear or push aside what stands next to it, or push it.",
+    "slipped": "Grasp it once more, or push it.",
+    "dropped": "Grasp it once more, or push it.",
+    "moved": "Grasp it once more, or push it.",
+}
+"""What may help with a thing that still shows on the table, by the skill's status."""
+
+SWEPT = {
+    "pushed": "the gripper pushed the whole way",
     "short": "the gripper pushed for only part of the way, up to where its reach or the basket "
-    "ended it{moved}. What it met has moved as well.",
-    "unmoved": "the gripper went the whole way, but {id} hardly moved. Push it in another "
-    "direction or further, or grasp it.",
+    "ended it",
+    "unmoved": "the gripper went the whole way",
     "no_space": "there is no free spot behind {id} or on it where the gripper could come down for "
-    "a push this way. Nothing was moved. Try another direction, or grasp it.",
+    "a push this way. Nothing was moved. Try another direction, or grasp it",
     "unreachable": "the arm can't make this push. Nothing was moved. Try another direction or a "
-    "shorter distance, or grasp it.",
-    "blocked": "the gripper met something too heavy or too firm and stopped early; objects there "
-    "may have moved. Try another direction, or first clear what stands in the way.",
+    "shorter distance, or grasp it",
+    "blocked": "the gripper met something too heavy or too firm and stopped early",
 }
+"""What the hand felt during a push, by the skill's status."""
 
-_WORKED = frozenset(("removed", "pushed", "short"))
+ENOUGH = 0.5
+"""Share of the distance asked for that a thing has to go for a push to have worked."""
 
 
 class OutcomeText(NamedTuple):
@@ -44,14 +54,72 @@ class OutcomeText(NamedTuple):
     words: str
 
 
-def grasp_words(status: str, object_id: str) -> OutcomeText:
-    """What became of a grasp, by the skill's status."""
-    return OutcomeText(status in _WORKED, GRASP_WORDS[status].format(id=object_id))
+def nothing_moved(status: str, object_id: str) -> OutcomeText:
+    """What is said of an attempt that ended before the arm moved."""
+    return OutcomeText(False, f"{(FELT | SWEPT)[status].format(id=object_id)}.")
 
 
-def push_words(status: str, object_id: str, moved: float | None) -> OutcomeText:
-    """What became of a push, by the skill's status and how far the thing went, metres."""
-    how_far = f"; {object_id} can't be told by its looks any more"
-    if moved is not None:
-        how_far = f"; {object_id} moved about {max(0, round(100 * moved))} cm that way"
-    return OutcomeText(status in _WORKED, PUSH_WORDS[status].format(id=object_id, moved=how_far))
+def grasp_words(status: str, object_id: str, change: Change, changes: Changes) -> OutcomeText:
+    """What became of a grasp.
+
+    Args:
+        status: The skill's.
+        object_id: What the thing is called.
+        change: What the cameras saw of it.
+        changes: What they saw of everything.
+    """
+    if change.fate == "basket" or (status == "removed" and _must_be_it(change, changes)):
+        how = "was lifted and dropped into" if status == "removed" else "ended up in"
+        return OutcomeText(True, f"{object_id} {how} the basket.")
+    felt = FELT[status].format(id=object_id)
+    return OutcomeText(False, f"{felt}. {_whereabouts(status, object_id, change)}")
+
+
+def push_words(
+    status: str, object_id: str, change: Change, moved: float | None, asked: float
+) -> OutcomeText:
+    """What became of a push.
+
+    Args:
+        status: The skill's.
+        object_id: What the thing is called.
+        change: What the cameras saw of it.
+        moved: How far it went the way it was pushed, metres; None if the camera can't tell.
+        asked: How far it was to go, metres.
+    """
+    swept = SWEPT[status].format(id=object_id)
+    shows = change.fate in ("stayed", "moved")
+    if moved is None or not shows:
+        return OutcomeText(False, f"{swept}. {_whereabouts(status, object_id, change)}")
+    place = "" if change.after is None else f", to {_place(change)}"
+    how_far = f"{object_id} moved about {max(0, round(100 * moved))} cm that way{place}"
+    worked = moved >= ENOUGH * asked
+    advice = "" if worked else " Push it in another direction or further, or grasp it."
+    return OutcomeText(worked, f"{swept}; {how_far}.{advice}")
+
+
+def _must_be_it(change: Change, changes: Changes) -> bool:
+    """Whether what was held must be the thing, though it can't be told by its looks.
+
+    Something new lies in the basket, the thing shows nowhere, and nothing else has vanished.
+    """
+    gone = [other for other in changes.things if other.fate in ("lost", "covered")]
+    return bool(changes.newly_in_basket) and change.fate == "lost" and gone == [change]
+
+
+def _whereabouts(status: str, object_id: str, change: Change) -> str:
+    advice = f" {ADVICE[status]}" if status in ADVICE else ""
+    if change.fate == "stayed":
+        return f"{object_id} is still where it was.{advice}"
+    if change.fate == "moved":
+        return f"{object_id} is still on the table, now at {_place(change)}.{advice}"
+    if change.fate == "basket":
+        return f"{object_id} lies in the basket."
+    if change.fate == "covered":
+        return f"{object_id} shows no longer; something has come over the place where it was."
+    return f"{object_id} shows neither on the table nor in the basket."
+
+
+def _place(change: Change) -> str:
+    assert change.after is not None
+    return str(list(change.after.thing.point_px))

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import assert_never
 
 from probe.asking import UnusableReply
+from probe.changes.compare import Change, compare
+from probe.changes.sighting import including
 from probe.perception.matching import Match, match
 from probe.perception.pointer import Finder
 from probe.perception.scene_graph import SceneDescriber
 from probe.perception.things import Detector, Thing
 from probe.scene.setup import Setup
 from probe.station.station import Station
+from probe.toolshed.bystanders import bystander_words
 from probe.toolshed.graph import scene_text, thing_lines, told_text
 from probe.toolshed.handles import Handles
-from probe.toolshed.outcomes import grasp_words, push_words
+from probe.toolshed.outcomes import OutcomeText, grasp_words, nothing_moved, push_words
 from probe.toolshed.parse import parse
 from probe.toolshed.pictures import outlined
 from probe.toolshed.refusals import BudgetSpent, EpisodeOver, Refusal
@@ -157,27 +161,33 @@ class Toolshed:
         return self._finder.find(description, self._view.coloured)
 
     def _grasp(self, request: GraspAndRemove) -> ToolResult:
-        thing = self._take_up(request.object_id)
+        name, thing = request.object_id, self._take_up(request.object_id)
+        before, seen = including(self._view.look, thing)
         outcome = self._skills.grasp_and_remove(
-            self._station, self._view.frame, thing.mask, self._setup
+            self._station, before.table, thing.mask, self._setup
         )
+        if outcome.frame is before.table:
+            return self._told(nothing_moved(outcome.status, name), thing)
         self._view.show(outcome.frame)
-        worked, words = grasp_words(outcome.status, request.object_id)
-        return self._told(worked, words, thing.point_px)
+        held = seen if outcome.status == "removed" else None
+        changes = compare(before, self._view.look, held)
+        change = changes.of(seen)
+        told = grasp_words(outcome.status, name, change, changes)
+        return self._told(told, thing, changes.but(seen))
 
     def _push(self, request: Push) -> ToolResult:
-        thing = self._take_up(request.object_id)
+        name, thing = request.object_id, self._take_up(request.object_id)
+        before, seen = including(self._view.look, thing)
+        asked = request.distance_cm / 100
         outcome = self._skills.push(
-            self._station,
-            self._view.frame,
-            thing.mask,
-            request.direction,
-            request.distance_cm / 100,
-            self._setup,
+            self._station, before.table, thing.mask, request.direction, asked, self._setup
         )
+        if outcome.frame is before.table:
+            return self._told(nothing_moved(outcome.status, name), thing)
         self._view.show(outcome.frame)
-        worked, words = push_words(outcome.status, request.object_id, outcome.moved)
-        return self._told(worked, words, thing.point_px)
+        changes = compare(before, self._view.look)
+        told = push_words(outcome.status, name, changes.of(seen), outcome.moved, asked)
+        return self._told(told, thing, changes.but(seen))
 
     def _take_up(self, object_id: str) -> Thing:
         """The thing that a manipulation is about; from here on it counts.
@@ -193,11 +203,12 @@ class Toolshed:
         self.manipulations += 1
         return thing
 
-    def _told(self, worked: bool, words: str, point_px: tuple[int, int]) -> ToolResult:
-        left = MANIPULATIONS - self.manipulations
-        text = f"{'Done' if worked else 'Failed'}: {words} Manipulations left: {left}."
-        status = "done" if worked else "failed"
-        return ToolResult(text, self._picture(), status=status, point_px=point_px)
+    def _told(self, told: OutcomeText, thing: Thing, others: Sequence[Change] = ()) -> ToolResult:
+        verdict = "Done" if told.worked else "Failed"
+        left = f"Manipulations left: {MANIPULATIONS - self.manipulations}."
+        text = " ".join(filter(None, (f"{verdict}:", told.words, bystander_words(others), left)))
+        status = "done" if told.worked else "failed"
+        return ToolResult(text, self._picture(), status=status, point_px=thing.point_px)
 
     def _picture(self) -> Array | None:
         return self._view.rgb if self._pictures else None

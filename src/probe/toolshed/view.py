@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from probe.changes.sighting import Look, sightings
 from probe.perception.things import Detector, Thing
 from probe.station.station import Station
 from probe.types import Array, Frame
@@ -15,10 +16,11 @@ class CurrentView:
         self._detector = detector
         self._frame = station.observe(rgb=False)
         self._things: tuple[Thing, ...] | None = None
+        self._look: Look | None = None
 
     def show(self, frame: Frame) -> None:
         """The table may have changed: this is what it looks like from now on."""
-        self._frame, self._things = frame, None
+        self._frame, self._things, self._look = frame, None, None
 
     @property
     def frame(self) -> Frame:
@@ -47,3 +49,13 @@ class CurrentView:
                 self._frame = self._station.observe(rgb=True)
             self._things = self._detector.detect(self._frame)
         return self._things
+
+    @property
+    def look(self) -> Look:
+        """What shows on the table and in the basket."""
+        if self._look is None:
+            table = self.coloured
+            basket = self._station.look_into_basket(rgb=True)
+            below = sightings(basket, self._detector.detect(basket))
+            self._look = Look(table, sightings(table, self.things), basket, below)
+        return self._look

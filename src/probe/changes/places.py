@@ -1,0 +1,62 @@
+"""Which things are still where they were, by depth. Knows no looks and no names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from probe.changes.sighting import Sighting
+from probe.types import Array, Frame
+
+SAME = 0.003
+"""Metres by which a pixel's depth may differ and still show the same."""
+
+_NEARER = 0.001
+_CONTRADICTED = 0.05
+_COVERED = 0.6
+_STILL = 0.5
+
+
+def unmoved(
+    before: Frame, after: Frame, earlier: Sequence[Sighting], later: Sequence[Sighting]
+) -> Mapping[int, int]:
+    """Pairs of things, one of each look, that nothing says have moved, by their numbers.
+
+    A thing may show more or less of itself than before: what shows no longer must be hidden by
+    something nearer, and what shows now must have been.
+    """
+    owner = np.full(after.depth.shape, -1)
+    for number, sighting in enumerate(later):
+        owner[sighting.thing.mask] = number
+    pairs: dict[int, int] = {}
+    for number, sighting in enumerate(earlier):
+        mask = sighting.thing.mask
+        owners = owner[mask]
+        owners = owners[owners >= 0]
+        if not owners.size:
+            continue
+        other = int(np.bincount(owners).argmax())
+        now = later[other].thing.mask
+        if other not in pairs.values() and _contradicted(before, after, mask, now) < _CONTRADICTED:
+            pairs[number] = other
+    return pairs
+
+
+def still_there(before: Frame, after: Frame, mask: Array) -> bool:
+    """Whether most of a mask's pixels have the depth that they had."""
+    return float(np.mean(np.abs(after.depth[mask] - before.depth[mask]) < SAME)) > _STILL
+
+
+def covered(before: Frame, after: Frame, mask: Array) -> bool:
+    """Whether something nearer to the camera has come over most of a mask's pixels."""
+    return float(np.mean(after.depth[mask] < before.depth[mask] - _NEARER)) > _COVERED
+
+
+def _contradicted(before: Frame, after: Frame, was: Array, now: Array) -> float:
+    """Share of a thing's pixels that can't be if it stands as it stood."""
+    nearer = before.depth - after.depth
+    gone = was & ~now & (nearer <= _NEARER)
+    come = now & ~was & (nearer >= -_NEARER)
+    lifted = was & now & (np.abs(nearer) > SAME)
+    return float(np.count_nonzero(gone | come | lifted)) / np.count_nonzero(was | now)
