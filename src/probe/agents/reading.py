@@ -19,8 +19,8 @@ since the thing wasn't found."""
 
 # Words of the tool's replies to a grasp, and what they mean.
 _GRASPED: Mapping[str, Outcome] = {
-    "no longer where it was": "gone",
-    "fell on the way": "gone",
+    "shows neither on the table": "gone",
+    "still on the table": "lost",
     "lost it while lifting": "lost",
     "no place to grip": "no grip",
     "no grip on": "no grip",

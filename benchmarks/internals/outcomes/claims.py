@@ -1,0 +1,112 @@
+"""What a tool's reply claims of things, read back from its text and held against the truth."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+
+import numpy as np
+
+from probe.changes.compare import MOVED
+from probe.perception.oracle import NOTICED_PX
+from probe.scene.scene import Scene
+from probe.tasks.grading import whereabouts
+from probe.types import Array
+
+_NOW = re.compile(r"now at \[(\d+), (\d+)\]")
+_MOVED = re.compile(r"by about \d+ cm, to \[(\d+), (\d+)\]")
+_LEFT = re.compile(r"that was at \[(\d+), (\d+)\]")
+_BASKET = re.compile(r"Also in the basket now: (.*?)\.(?: [A-Z]|$)")
+_UNSEEN = ("shows neither", "shows no longer")
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """How things stood at one time.
+
+    Attributes:
+        scene: Where everything is.
+        labels: Instances in the fixed camera's picture, int, shape (h, w).
+        in_basket: Visible pixels in the basket's picture, by instance.
+        names: By instance.
+    """
+
+    scene: Scene
+    labels: Array
+    in_basket: Mapping[int, int]
+    names: Mapping[int, str]
+
+    def shows(self, instance: int) -> bool:
+        """Whether a person would notice it on the table."""
+        return int(np.count_nonzero(self.labels == instance)) >= NOTICED_PX
+
+    def where(self, instance: int) -> str:
+        return whereabouts(self.scene[instance].pose, self.scene.setup)
+
+    def at(self, u: str, v: str) -> int:
+        return int(self.labels[int(v), int(u)])
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """How one reply fares; lists hold names of things."""
+
+    seed: int
+    pool: str
+    dense: bool
+    tool: str
+    text: str
+    target: str
+    done: bool
+    false_done: bool
+    in_basket: int
+    basket_unsaid: list[str] = field(default_factory=list[str])
+    moved: int = 0
+    unmentioned: list[str] = field(default_factory=list[str])
+    called_unseen: int = 0
+    wrongly_unseen: list[str] = field(default_factory=list[str])
+    placed: int = 0
+    mixed_up: list[str] = field(default_factory=list[str])
+
+    def line(self) -> dict[str, object]:
+        return asdict(self)
+
+
+def judge(
+    seed: int, pool: str, dense: bool, tool: str, text: str, target: int, old: Table, new: Table
+) -> Verdict:
+    """Hold a reply against what has really happened."""
+    done = text.startswith("Done") and tool == "grasp"
+    seen = [o.instance for o in old.scene.objects if old.shows(o.instance)]
+    others = [number for number in seen if number != target and old.where(number) == "table"]
+    fell_in = [number for number in others if new.where(number) == "basket"]
+    listed = _BASKET.search(text)
+    said = listed[1].split("; ") if listed else []
+    unsaid = [old.names[n] for n in fell_in if old.names[n] not in said and not _unnamed(said)]
+    inside = new.where(target) == "basket"
+    if inside and not done and "lies in the basket" not in text:
+        unsaid.append(old.names[target])
+    changed = [n for n in others if n not in fell_in and (_far(old, new, n) or not new.shows(n))]
+    now = [new.at(*place) for place in _MOVED.findall(text)]
+    left = [old.at(*place) for place in _LEFT.findall(text)]
+    silent = [old.names[n] for n in changed if n not in now and n not in left]
+    unseen = left + ([target] if any(words in text for words in _UNSEEN) else [])
+    wrong = [old.names[n] for n in unseen if new.shows(n) or new.in_basket.get(n, 0) >= NOTICED_PX]
+    places = _NOW.findall(text)
+    mixed = [old.names[target] for place in places if new.at(*place) != target]
+    mixed += [old.names.get(n, "the table") for n in now if n not in others]
+    return Verdict(
+        seed, pool, dense, tool, text, old.names[target], done, done and not inside,
+        len(fell_in) + inside, unsaid, len(changed), silent, len(unseen), wrong,
+        len(places) + len(now), mixed,
+    )  # fmt: skip
+
+
+def _unnamed(said: list[str]) -> bool:
+    return any(words.startswith("something") for words in said)
+
+
+def _far(old: Table, new: Table, instance: int) -> bool:
+    way = np.subtract(new.scene[instance].pose.position, old.scene[instance].pose.position)
+    return float(np.linalg.norm(way)) > MOVED
