@@ -6,6 +6,7 @@ import pytest
 from manipulation.views import Block, view
 from probe.manipulation.terrain import CELL, lifted, survey
 from probe.scene.setup import UR5_TABLE
+from probe.types import Frame
 
 TALL = Block(0.12, -0.10, (0.05, 0.06, 0.15))
 
@@ -31,6 +32,16 @@ def test_the_basket_has_walls_and_an_empty_middle() -> None:
     x, y, _ = UR5_TABLE.basket.position
     wall = y + UR5_TABLE.basket.size[1] / 2 + 2 * CELL
     assert heights_at(terrain, (x, wall), (x, y)) == pytest.approx([UR5_TABLE.basket.size[2], 0.0])
+
+
+def test_what_lies_in_the_basket_stands_as_high_as_its_camera_sees_it() -> None:
+    camera = UR5_TABLE.basket_camera
+    x, y, floor = camera.world_from_camera.position
+    depth = np.full((camera.height_px, camera.width_px), floor, np.float32)
+    depth[200:300, 200:300] -= 0.1
+    terrain = survey(view([TALL])[0], UR5_TABLE, Frame(camera, depth))
+    found = heights_at(terrain, (x, y), (x + 0.15, y), (0.12, -0.10))
+    assert found == pytest.approx([0.1, 0.0, 0.15], abs=0.001)
 
 
 def test_points_beyond_the_grid_are_over_the_table() -> None:

@@ -1,0 +1,118 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from probe.changes.compare import Changes, Fate, compare
+from probe.changes.sighting import Look, including, sightings
+from probe.perception.oracle import Oracle
+from probe.perception.things import Thing, Words
+from probe.scene.setup import UR5_TABLE
+from tabletops import Block, paint, spec
+
+SPECS = {
+    1: spec("red mug", "red"),
+    2: spec("blue book", "blue"),
+    3: spec("white ball", "white"),
+    4: spec("white ball", "white"),
+}
+MUG = Block(1, (100, 100, 219, 219))
+BOOK = Block(2, (500, 300, 799, 699), height=0.02, colour=(30, 60, 150))
+BALL = Block(3, (600, 450, 679, 529), height=0.08, colour=(240, 240, 240))
+TWIN = Block(4, (850, 450, 929, 529), height=0.08, colour=(240, 240, 240))
+CM = round(0.01 * 1024 / UR5_TABLE.view_size)
+
+
+def moved(block: Block, du: int, dv: int = 0) -> Block:
+    left, top, right, bottom = block.box
+    box = (left + du, top + dv, right + du, bottom + dv)
+    return Block(block.instance, box, block.height, block.colour)
+
+
+def look(*blocks: Block, basket: tuple[Block, ...] = ()) -> Look:
+    oracle = Oracle(SPECS)
+    table, below = paint(blocks), paint(basket, camera=UR5_TABLE.basket_camera)
+    return Look(
+        table,
+        sightings(table, oracle.detect(table)),
+        below,
+        sightings(below, oracle.detect(below)),
+    )
+
+
+def fates(changes: Changes) -> dict[str, Fate]:
+    return {str(change.before.thing.words.name): change.fate for change in changes.things}
+
+
+def test_a_thing_that_shows_more_of_itself_has_stayed():
+    changes = compare(look(MUG, BOOK, BALL), look(MUG, BOOK))
+    assert fates(changes) == {"red mug": "stayed", "blue book": "stayed", "white ball": "lost"}
+
+
+def test_a_thing_that_shows_less_of_itself_has_stayed():
+    over = Block(3, (500, 300, 700, 500), height=0.08, colour=(240, 240, 240))
+    assert fates(compare(look(MUG, BOOK, TWIN), look(MUG, BOOK, over)))["blue book"] == "stayed"
+
+
+@pytest.mark.parametrize(("way", "fate"), [(2 * CM, "stayed"), (4 * CM, "moved")])
+def test_things_count_as_moved_from_3_cm_on(way: int, fate: Fate):
+    changes = compare(look(MUG, BOOK), look(moved(MUG, way), BOOK))
+    assert fates(changes) == {"red mug": fate, "blue book": "stayed"}
+
+
+def test_a_flat_thing_that_slides_on_its_own_plane_has_moved():
+    card = Block(2, (300, 600, 699, 899), height=0.001, colour=(30, 60, 150))
+    changes = compare(look(card), look(moved(card, 5 * CM)))
+    assert fates(changes) == {"blue book": "moved"}
+    assert np.linalg.norm(changes.things[0].shift) == pytest.approx(0.05, abs=0.003)
+
+
+def test_what_was_put_into_the_basket_is_found_there():
+    inside = Block(3, (100, 100, 150, 150), height=0.08, colour=(240, 240, 240))
+    changes = compare(look(MUG, BOOK, BALL), look(MUG, BOOK, basket=(inside,)))
+    assert fates(changes)["white ball"] == "basket"
+    assert changes.newly_in_basket == ()
+
+
+def test_what_lay_in_the_basket_before_is_not_what_was_put_there():
+    inside = Block(4, (100, 100, 150, 150), height=0.08, colour=(240, 240, 240))
+    changes = compare(look(MUG, BALL, basket=(inside,)), look(MUG, basket=(inside,)))
+    assert fates(changes) == {"red mug": "stayed", "white ball": "lost"}
+
+
+def test_of_twins_the_one_that_stayed_is_not_the_one_that_went():
+    inside = Block(3, (100, 100, 150, 150), height=0.08, colour=(240, 240, 240))
+    before, after = look(BALL, TWIN), look(TWIN, basket=(inside,))
+    ball = next(s for s in before.things if s.thing.box_px == BALL.box)
+    assert compare(before, after).of(ball).fate == "basket"
+    assert [change.fate for change in compare(before, after).but(ball)] == ["stayed"]
+
+
+def test_what_was_held_is_in_the_basket_though_a_twin_comes_to_light():
+    inside = Block(3, (100, 100, 150, 150), height=0.08, colour=(240, 240, 240))
+    beneath = moved(Block(4, BALL.box, 0.04, BALL.colour), 10)
+    before, after = look(BALL), look(beneath, basket=(inside,))
+    assert compare(before, after, before.things[0]).things[0].fate == "basket"
+
+
+def test_what_something_came_over_is_covered():
+    over = Block(2, (80, 80, 379, 479), height=0.1, colour=(30, 60, 150))
+    assert fates(compare(look(MUG, BOOK), look(MUG, over))) == {
+        "red mug": "covered",
+        "blue book": "moved",
+    }
+
+
+def test_other_things_of_other_names_are_not_taken_for_one():
+    other = Block(2, (300, 600, 419, 719), colour=MUG.colour)
+    assert fates(compare(look(MUG), look(other))) == {"red mug": "lost"}
+
+
+def test_a_thing_that_was_pointed_at_takes_the_place_of_what_it_covers():
+    before = look(MUG, BOOK)
+    pointed = Thing.of(before.things[0].thing.mask, Words(None, "", (), "that"))
+    with_it, sighting = including(before, pointed)
+    assert len(with_it.things) == 2 and with_it.things[-1] is sighting
+    assert compare(with_it, look(MUG, BOOK)).of(sighting).fate == "stayed"
+    same, known = including(before, before.things[0].thing)
+    assert same is before and known is before.things[0]

@@ -1,0 +1,96 @@
+"""What is said after a manipulation when the hand and the cameras disagree."""
+
+from __future__ import annotations
+
+import yaml
+
+from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
+from probe.toolshed.toolshed import Toolshed
+from tabletops import Block, Done, PaintedStation, spec
+
+SPECS = {41: spec("red mug", "red"), 42: spec("blue book", "blue"), 43: spec("white ball", "white")}
+MUG = Block(41, (100, 100, 219, 219))
+BOOK = Block(42, (500, 300, 799, 699), height=0.02, colour=(30, 60, 150))
+BALL = Block(43, (600, 450, 679, 529), height=0.08, colour=(240, 240, 240))
+
+
+class Skills:
+    """A hand that claims one thing while the table does another."""
+
+    def __init__(self, status, after, removed=(), moved=None):
+        self.status, self.after, self.removed, self.moved = status, list(after), removed, moved
+
+    def _go(self, station):
+        station.blocks = self.after
+        station.removed += self.removed
+        return Done(self.status, station.observe(rgb=False), self.moved)
+
+    def grasp_and_remove(self, station, frame, mask, setup):
+        return self._go(station)
+
+    def push(self, station, frame, mask, direction, distance, setup):
+        return self._go(station)
+
+
+def told(name, skills, tool="grasp_and_remove", **arguments):
+    shed = Toolshed(PaintedStation([MUG, BOOK, BALL]), Oracle(SPECS), skills, UR5_TABLE)
+    found = yaml.safe_load(shed.call("find_object", {"description": name}).text)
+    return shed.call(tool, {"object_id": found["object_id"], **arguments})
+
+
+def moved(block, du):
+    left, top, right, bottom = block.box
+    return Block(block.instance, (left + du, top, right + du, bottom), block.height, block.colour)
+
+
+def test_another_thing_in_the_basket_is_no_success():
+    result = told("blue book", Skills("removed", [MUG, BOOK], [BALL]))
+    assert result.status == "failed"
+    assert "object_1 is still where it was." in result.text
+    assert "Also in the basket now: white ball." in result.text
+
+
+def test_what_went_along_is_said():
+    result = told("blue book", Skills("removed", [MUG], [BOOK, BALL]))
+    assert result.text == (
+        "Done: object_1 was lifted and dropped into the basket. Also in the basket now: white "
+        "ball. Manipulations left: 9."
+    )
+
+
+def test_a_thing_in_plain_view_is_not_out_of_reach():
+    result = told("red mug", Skills("moved", [moved(MUG, 200), BOOK, BALL]))
+    assert "object_1 is still on the table, now at [359, 159]." in result.text
+
+
+def test_a_thing_that_is_gone_is_not_said_to_be_in_the_basket():
+    result = told("red mug", Skills("removed", [BOOK, BALL]))
+    assert result.status == "failed"
+    assert "object_1 shows neither on the table nor in the basket." in result.text
+
+
+def test_what_the_hand_lost_into_the_basket_is_done():
+    result = told("red mug", Skills("dropped", [BOOK, BALL], [MUG]))
+    assert result.text.startswith("Done: object_1 ended up in the basket.")
+
+
+def test_what_shows_otherwise_in_the_basket_must_be_what_was_held():
+    other_side = Block(41, MUG.box, MUG.height, (20, 20, 20), share=0.1)
+    result = told("red mug", Skills("removed", [BOOK, BALL], [other_side]))
+    assert result.status == "done"
+
+
+def test_bystanders_are_named_with_their_places():
+    result = told("red mug", Skills("removed", [BOOK, moved(BALL, -300)], [MUG]))
+    assert "Also moved: white ball by about 16 cm, to [339, 489]." in result.text
+
+
+def test_a_push_that_hardly_moved_the_thing_has_failed():
+    arguments = {"direction": "left", "distance_cm": 10}
+    short = told("red mug", Skills("pushed", [moved(MUG, -53), BOOK, BALL], moved=0.03), "push",
+                 **arguments)  # fmt: skip
+    assert short.status == "failed" and "moved about 3 cm that way, to [106, 159]" in short.text
+    far = told("red mug", Skills("pushed", [moved(MUG, -90), BOOK, BALL], moved=0.051), "push",
+               **arguments)  # fmt: skip
+    assert far.status == "done"
