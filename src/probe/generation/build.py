@@ -12,6 +12,7 @@ from probe.assets.library import Library
 from probe.errors import BadData, Unsatisfiable
 from probe.generation.attempt import Attempt
 from probe.generation.build_folder import (
+    IMMOVABLE,
     KEPT,
     RESTLESS,
     UNSOLVED,
@@ -21,6 +22,7 @@ from probe.generation.build_folder import (
     TaskSlot,
 )
 from probe.generation.generate import make
+from probe.generation.movable import immovable
 from probe.generation.plan import ATTEMPTS
 from probe.generation.restored_stage import RestoredStage
 from probe.generation.result import Rejection, TaskCandidate
@@ -43,7 +45,8 @@ class BuildResources:
     """What tasks are made with.
 
     Attributes:
-        unchecked: Leave out the scripted agents' check: for tests of the generator alone.
+        unchecked: Leave out the checks by skills and by scripted agents: for tests of the generator
+            alone.
         salt: Of a private suite.
         setup: The table that tasks are for.
     """
@@ -207,6 +210,8 @@ def _attempt(
         return Rejection(RESTLESS, restless), ()
     if resources.unchecked:
         return result, ()
+    if stuck := immovable(result.task, resources.library, resources.renderer):
+        return Rejection(IMMOVABLE, stuck), ()
     return result, trials(result.task, resources.library, resources.renderer)
 
 

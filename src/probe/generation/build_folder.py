@@ -23,7 +23,7 @@ from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionType, Task
 from probe.texts import cell, uncell
 
-KEPT, UNSOLVED, RESTLESS = "kept", "solvable", "at rest"
+KEPT, UNSOLVED, RESTLESS, IMMOVABLE = "kept", "solvable", "at rest", "movable"
 """Names of results: a task; a candidate that failed only the scripted agents' check; one whose
 things move once its table stands alone."""
 

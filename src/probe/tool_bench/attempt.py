@@ -127,6 +127,10 @@ class _Timed:
         with self._clock():
             return self._station.observe(rgb=rgb)
 
+    def look_into_basket(self, *, rgb: bool) -> Frame:
+        with self._clock():
+            return self._station.look_into_basket(rgb=rgb)
+
     def joints(self) -> Array:
         return self._station.joints()
 
