@@ -8,7 +8,6 @@ from dataclasses import asdict, dataclass, field
 
 import numpy as np
 
-from probe.changes.compare import MOVED
 from probe.perception.oracle import NOTICED_PX
 from probe.scene.scene import Scene
 from probe.tasks.grading import whereabouts
@@ -18,6 +17,7 @@ _NOW = re.compile(r"now at \[(\d+), (\d+)\]")
 _MOVED = re.compile(r"by about \d+ cm, to \[(\d+), (\d+)\]")
 _LEFT = re.compile(r"that was at \[(\d+), (\d+)\]")
 _BASKET = re.compile(r"Also in the basket now: (.*?)\.(?: [A-Z]|$)")
+_FAR = 0.03
 _UNSEEN = ("shows neither", "shows no longer")
 
 
@@ -109,4 +109,4 @@ def _unnamed(said: list[str]) -> bool:
 
 def _far(old: Table, new: Table, instance: int) -> bool:
     way = np.subtract(new.scene[instance].pose.position, old.scene[instance].pose.position)
-    return float(np.linalg.norm(way)) > MOVED
+    return float(np.linalg.norm(way)) > _FAR

@@ -54,9 +54,10 @@ def covered(before: Frame, after: Frame, mask: Array) -> bool:
 
 
 def _contradicted(before: Frame, after: Frame, was: Array, now: Array) -> float:
-    """Share of a thing's pixels that can't be if it stands as it stood."""
+    """Share of what a thing showed, or shows, that can't be if it stands as it stood."""
     nearer = before.depth - after.depth
     gone = was & ~now & (nearer <= _NEARER)
     come = now & ~was & (nearer >= -_NEARER)
     lifted = was & now & (np.abs(nearer) > SAME)
-    return float(np.count_nonzero(gone | come | lifted)) / np.count_nonzero(was | now)
+    earlier = np.count_nonzero(gone | lifted) / np.count_nonzero(was)
+    return max(earlier, np.count_nonzero(come | lifted) / np.count_nonzero(now))
