@@ -112,12 +112,14 @@ FORGERIES = {
         "its answer is none, and its last call says",
     ),
     "a second try": (
-        with_steps(HONEST, *HONEST.steps[:3], answer_of(OTHER), HONEST.steps[3]),
+        with_steps(HONEST, *HONEST.steps[:3], answer_of(OTHER, point=[1, 2]), HONEST.steps[3]),
         "calls follow its answer",
     ),
     "a first answer called malformed": (
         with_steps(
-            HONEST, replace(answer_of(OTHER), status="malformed", after=START), *HONEST.steps
+            HONEST,
+            replace(answer_of(OTHER, point=[1, 2]), status="malformed", after=START),
+            *HONEST.steps,
         ),
         r'step 1 \(answer_question\): it is "malformed", and such a call can only be done',
     ),
