@@ -1,8 +1,14 @@
 import pytest
 
 from probe.agents.baselines import AtOnce, always, always_none, extreme, middle_number
+from probe.episodes.run import run_episode
 from probe.episodes.turns import Question
-from tabletops import Block, spec
+from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
+from probe.toolshed.answer_form import AnswerForm
+from probe.toolshed.result import Answer
+from probe.toolshed.toolshed import Toolshed
+from tabletops import Block, Obedient, PaintedStation, spec
 
 SPECS = {1: spec("blue bowl", "blue"), 2: spec("red die", "red")}
 BLOCKS = [Block(1, (300, 300, 499, 499)), Block(2, (600, 700, 700, 800))]
@@ -63,3 +69,13 @@ def test_of_marked_things_what_shows_decides():
     question, areas = asked("Object A", "Object B"), {"A": 700, "B": 900}
     assert extreme(SIZES, areas, largest=True)(question) == "B"
     assert extreme(SIZES, areas, largest=False)(question) == "A"
+
+
+def test_asked_for_a_point_it_says_the_same_again():
+    form = AnswerForm(tuple("ABCDE"), tuple("ABCD"))
+    tools = Toolshed(PaintedStation(BLOCKS), Oracle(SPECS), Obedient(), UR5_TABLE, form=form)
+    agent = AtOnce(always("C"))
+    question = asked("v", "w", "x", "y", NONE)
+    record = run_episode("t", question, agent, tools, PaintedStation(BLOCKS), agent_name="a")
+    assert [step.status for step in record.steps] == ["malformed", "done"]
+    assert record.answer == Answer("C", None)

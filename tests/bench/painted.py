@@ -14,7 +14,7 @@ from typing import Any
 from probe.assets.library import open_library
 from probe.bench.plan import ModelRunPlan
 from probe.episodes.episode import Episode
-from probe.episodes.grading import question_of
+from probe.episodes.grading import answer_form, question_of
 from probe.episodes.turns import Call
 from probe.perception.oracle import Oracle
 from probe.runs.episode_worker import EpisodeWorker, EpisodeWorkerSetup
@@ -73,7 +73,8 @@ class PaintedKeeper(EpisodeWorker):
     def _open(self, job: Job) -> Episode:
         station = PaintedStation(BLOCKS)
         skills = Deadly(Path(str(self._place.cache)))
-        tools = Toolshed(station, Oracle(SPECS), skills, UR5_TABLE)
+        form = answer_form(job.task)
+        tools = Toolshed(station, Oracle(SPECS), skills, UR5_TABLE, form=form)
         question = question_of(job.task, tools.first_picture())
         name = self._order.agent
         witness = Told(station, job.task.scene)

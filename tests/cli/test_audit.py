@@ -29,6 +29,7 @@ from probe.episodes.noise import NOISES
 from probe.episodes.participation import ModelReply, Participation
 from probe.episodes.play import play
 from probe.episodes.record import EpisodeRecord, Seconds, TableState
+from probe.episodes.replay import OtherTools
 from probe.errors import BadData
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
@@ -307,3 +308,11 @@ def test_names_and_times_are_what_no_replay_can_tell(played, tmp_path, capsys):
 def test_the_folder_of_an_audit_is_a_path(tmp_path: Path):
     with pytest.raises(BadData, match=r"suite\.json"):
         audit(tmp_path / "nowhere")
+
+
+def test_what_other_tools_made_is_checked_and_not_replayed(tmp_path, capsys):
+    out = write_folder(tmp_path, replace(honest(), tools=1))
+    audit(out)
+    assert "1 can't be replayed: version 1 of the tools made it" in told(capsys)
+    with pytest.raises(OtherTools, match="Install probe-vqa 0.1 for that"):
+        audit(out, replay="all")

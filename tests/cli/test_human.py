@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import pytest
 
-from probe.cli.human import taken_up
+from probe.cli.human import SETTING, taken_up
 from probe.episodes.files import append_record, read_records
-from probe.episodes.folder import RECORDS, setting_of_folder
+from probe.episodes.folder import RECORDS, claim_setting, setting_of_folder
 from probe.episodes.noise import NO_NOISE, NOISES
 from probe.episodes.remarks import REMARKS, Remark, add_remark, read_remarks
 from probe.errors import BadData
+from probe.interfaces.human.session_store import UNFINISHED
 from run_folders import DEMO, episode
 
 RECORD = replace(episode(DEMO.tasks[0], agent="Ada"), noise=NO_NOISE)
@@ -69,3 +70,16 @@ def test_a_folder_has_one_suite_one_noise_and_people_alone(tmp_path):
         taken_up(tmp_path / "agents", DEMO, NO_NOISE),
     ):
         pass
+
+
+def test_people_do_not_go_on_with_other_tools(tmp_path):
+    other = replace(RECORD, tools=1)
+    claim_setting(tmp_path / "done", SETTING)
+    append_record(tmp_path / "done" / RECORDS, other)
+    append_record(tmp_path / "midway" / UNFINISHED / "0.jsonl", other)
+    for name in ("done", "midway"):
+        with (
+            pytest.raises(BadData, match="version 1 of the tools"),
+            taken_up(tmp_path / name, DEMO, NO_NOISE),
+        ):
+            pass

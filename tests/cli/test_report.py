@@ -197,3 +197,17 @@ def test_a_suite_that_was_replaced_is_noticed(tmp_path):
     write_suite(out / "suite.json", replace(DEMO, tasks=DEMO.tasks[1:]))
     with pytest.raises(BadData, match="is not in suite.json"):
         write_run_report([out])
+
+
+def test_results_of_other_tools_stand_beside_in_words(tmp_path, capsys):
+    late = [episode(task) for task in PLAIN]
+    early = [replace(it, tools=1) for it in late]
+    folders = [write_run(tmp_path / "early", early), write_run(tmp_path / "late", late)]
+    page = Page(write_run_report(folders, tmp_path / "both").read_text())
+    words = "different versions of the tools (1 and"
+    for section in ("scores", "differences"):
+        assert words in page.section(section)
+    assert "tools 1" in page.section("scores")
+    assert words in " ".join(capsys.readouterr().out.split())
+    alone = Page(write_run_report(folders[:1]).read_text())
+    assert "versions of the tools" not in alone.section("scores")

@@ -99,3 +99,18 @@ def test_what_was_ordered_and_is_not_there_is_missing(folders, tmp_path, capsys)
     (shift,) = json.loads((tmp_path / "out.json").read_text())
     assert shift["missing"] == len(DEMO.tasks)
     assert "6" in capsys.readouterr().out
+
+
+def test_other_tools_are_told_of(folders, tmp_path, capsys, monkeypatch):
+    plain, tilted = folders
+    graded = import_module("probe.cli.robustness").graded
+
+    def earlier(out: Path, track: Track):
+        version = {"plain": 1, "tilted": 2}[out.name]
+        return [(task, replace(it, tools=version), score) for task, it, score in graded(out, track)]
+
+    monkeypatch.setattr(import_module("probe.cli.robustness"), "graded", earlier)
+    robustness(plain, (tilted,), out=tmp_path / "out.json")
+    (shift,) = json.loads((tmp_path / "out.json").read_text())
+    assert shift["tools"] == [1, 2]
+    assert "versions of the tools (1 and 2)" in " ".join(capsys.readouterr().out.split())

@@ -83,3 +83,10 @@ def test_two_runs_do_not_share_a_folder(tmp_path):
     with begun(tmp_path, DEMO, RunOrder("random")), there:
         begin(tmp_path)
     assert len(begin(tmp_path).jobs) == len(DEMO.tasks)
+
+
+def test_records_of_other_tools_are_not_added_to(tmp_path):
+    append_record(tmp_path / "out" / RECORDS, replace(RECORD, tools=1))
+    with pytest.raises(BadData, match="version 1 of the tools.*go on with probe-vqa 0.1"):
+        begin(tmp_path / "out")
+    assert [path.name for path in (tmp_path / "out").iterdir()] == [RECORDS]

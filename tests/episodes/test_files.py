@@ -4,12 +4,14 @@ from dataclasses import replace
 
 import pytest
 
+from probe.checksum import without_sum
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import (
     append_record,
     cut_off,
     line_of,
     read_records,
+    record_of,
     set_aside_cut,
     write_records,
 )
@@ -19,6 +21,7 @@ from probe.perception.dials import Dials
 from probe.scene.lighting import Lighting
 from probe.scene.setup import UR5_TABLE
 from probe.scene.viewpoint import Viewpoint
+from probe.toolshed.version import TOOLS_VERSION
 from probe.types import Pose
 
 
@@ -134,3 +137,24 @@ def test_a_missing_file_is_named(tmp_path):
 def test_what_was_cut_off_is_found_however_long_it_is(tmp_path, before, rest):
     (tmp_path / "records.jsonl").write_bytes(before + rest)
     assert cut_off(tmp_path / "records.jsonl") == rest
+
+
+def test_the_version_of_the_tools_is_kept(play):
+    record = play()
+    assert record.tools == TOOLS_VERSION
+    assert json.loads(line_of(record))["tools"] == TOOLS_VERSION
+    assert record_of(line_of(record)) == record
+
+
+def test_records_that_name_no_version_are_of_the_first_and_keep_their_bytes(play):
+    first = replace(play(), tools=1)
+    line = line_of(first)
+    assert "tools" not in json.loads(line)
+    assert record_of(line) == first and line_of(record_of(line)) == line
+
+
+@pytest.mark.parametrize("version", [0, -1, 1.5, 10**9, "x"])
+def test_a_version_that_cannot_be_is_refused(play, version):
+    said = json.loads(without_sum(line_of(play()))) | {"tools": version}
+    with pytest.raises(BadData, match="tools"):
+        record_of(json.dumps(said).encode())

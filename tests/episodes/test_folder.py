@@ -3,8 +3,9 @@ from pathlib import Path
 
 import pytest
 
-from probe.episodes.files import read_records
+from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import (
+    RECORDS,
     add_run,
     claim_setting,
     in_order,
@@ -82,3 +83,10 @@ def test_a_folder_with_records_of_others_can_claim_no_arm(tmp_path, play):
     add_run(tmp_path, play())
     with pytest.raises(BadData, match="others have records there"):
         claim_setting(tmp_path, "human")
+
+
+def test_records_of_other_tools_get_no_company(tmp_path, play):
+    append_record(tmp_path / RECORDS, replace(play(), tools=1))
+    with pytest.raises(BadData, match="was run with version 1 of the tools, and this release"):
+        start_folder(tmp_path, demo_suite())
+    assert [path.name for path in tmp_path.iterdir()] == [RECORDS]

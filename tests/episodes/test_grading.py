@@ -3,8 +3,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from probe.episodes.grading import OtherTask, grade_episode, question_of
+from probe.episodes.grading import OtherTask, answer_form, grade_episode, question_of
+from probe.tasks.suite_file import packaged_suite
 from probe.tasks.task import Certificate, Option, Task
+from probe.toolshed.answer_form import AnswerForm
+from task_examples import FIND
 
 
 def task_of(record, **changes):
@@ -60,3 +63,12 @@ def test_an_agent_is_told_words_and_options_alone(play):
     question = question_of(task_of(play()))
     assert question.options == (("A", "here"), ("B", "there"))
     assert set(vars(question)) == {"text", "options", "picture", "scale"}
+
+
+def test_a_complete_answer_has_a_letter_of_the_task_and_where_asked_a_point():
+    letters = ("A", "B", "C", "D", "E")
+    assert answer_form(FIND) == AnswerForm(letters, letters[:4])
+    forms = {task.question_type: answer_form(task) for task in packaged_suite("v1").tasks}
+    assert forms["find"] == AnswerForm(letters, letters[:4])
+    assert forms["beneath"] == AnswerForm(letters)
+    assert forms["size"] == AnswerForm(("A", "B"))

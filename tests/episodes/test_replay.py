@@ -5,7 +5,8 @@ import pytest
 from episodes.conftest import CALLS, QUESTION
 from probe.episodes.episode import Episode
 from probe.episodes.files import line_of, read_records, write_records
-from probe.episodes.replay import NotAsBefore, differences, replay, resume
+from probe.episodes.replay import NotAsBefore, OtherTools, differences, replay, resume
+from probe.toolshed.version import TOOLS_VERSION
 
 
 def test_a_replay_is_the_same_to_the_byte(tmp_path, play, fresh):
@@ -51,3 +52,16 @@ def test_another_table_is_not_gone_on_with(play, fresh):
     episode = Episode("t-1", QUESTION, tools, station, agent_name="fixed", run=2)
     with pytest.raises(NotAsBefore, match="start"):
         resume(left, episode)
+
+
+@pytest.mark.parametrize(("version", "release"), [(1, "probe-vqa 0.1"), (TOOLS_VERSION + 1, "")])
+def test_a_record_of_other_tools_is_not_repeated(play, fresh, version, release):
+    record = replace(play(*CALLS[:3]), tools=version)
+    station, tools = fresh()
+    words = f"version {version} of the tools.*has version {TOOLS_VERSION}.*Install .*{release}"
+    with pytest.raises(OtherTools, match=words):
+        replay(record, tools, station)
+    episode = Episode("t-1", QUESTION, tools, station, agent_name="fixed", run=2)
+    with pytest.raises(OtherTools, match=words):
+        resume(record, episode)
+    assert tools.turns == 0

@@ -12,9 +12,11 @@ import pytest
 
 from golden.digests import CHOSEN, GOLDEN, chosen, digests
 from probe.api.resources import everything
+from probe.cli.audit import audit
 from probe.cli.report import write_run_report
 from probe.cli.rescore import rescore
 from probe.episodes.files import line_of, read_records
+from probe.episodes.replay import OtherTools
 from probe.render.renderer import Renderer
 from probe.tasks.suite_file import demo_suite, write_suite
 
@@ -75,3 +77,9 @@ def test_records_are_reported_as_they_were(folder: Path):
     for path in sorted((folder / "episodes").iterdir()):
         found.update(path.name.encode() + path.read_bytes())
     assert found.hexdigest() == REPORT
+
+
+def test_records_are_not_replayed_by_other_tools(folder: Path):
+    assert {record.tools for record in read_records(folder / "records.jsonl")} == {1}
+    with pytest.raises(OtherTools, match=r"Install probe-vqa 0\.1"):
+        audit(folder, replay="all")

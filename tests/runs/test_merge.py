@@ -59,6 +59,7 @@ def test_a_fault_gives_way_to_its_repetition(folders, tmp_path):
         (record(0), "a, run 0 is in .*/0 too"),
         (record(1, noise=NOISES["paper"]), "run under other conditions"),
         (record(1, conditions=Conditions(lighting="hdri")), "run under other conditions"),
+        (record(1, tools=1), "run with version 1 of the tools, others with [2-9]"),
     ],
 )
 def test_what_does_not_go_together_is_refused(folders, tmp_path, other, words):
@@ -116,3 +117,9 @@ def test_only_a_new_folder_will_do(folders):
     parts = folders([record(0)], [record(1)])
     with pytest.raises(BadData, match="holds a run"):
         merge_folders(parts, parts[0])
+
+
+def test_runs_of_the_first_tools_are_merged_as_ever(folders, tmp_path):
+    parts = folders([record(0, tools=1)], [record(1, tools=1)])
+    assert merge_folders(parts, tmp_path / "out") == 2
+    assert [it.tools for it in read_records(tmp_path / "out" / RECORDS)] == [1, 1]

@@ -43,6 +43,7 @@ RECORD = EpisodeRecord(
     Answer("B", (3.0, 4.0)),
     "answered",
     seconds=Seconds((1.0,) * 7, (0.5,) * 7),
+    tools=7,
 )
 MISSED = Score(correct=False, letter_correct=True, outcome="missed")
 
@@ -75,6 +76,7 @@ def test_a_row_says_what_the_record_and_the_score_say():
         "tokens_in": 10,
         "tokens_out": 20,
         "cost": 0.25,
+        "tools": 7,
     }
 
 

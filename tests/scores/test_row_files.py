@@ -107,3 +107,16 @@ def test_nothing_is_left_half_written(tmp_path, write):
     with pytest.raises(OutputFailed):
         write(tmp_path / "file" / "rows", ROWS)
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+@pytest.mark.parametrize(("write", "read"), FORMS)
+def test_the_version_of_the_tools_is_kept(tmp_path, write, read):
+    rows = [row("find-1"), row("find-2", tools=2)]
+    write(tmp_path / "rows", rows)
+    assert [it.tools for it in read(tmp_path / "rows")] == [1, 2]
+
+
+@pytest.mark.parametrize(("write", "read"), FORMS)
+def test_rows_of_the_first_version_read_as_release_0_1_wrote_them(tmp_path, write, read):
+    write(tmp_path / "rows", ROWS)
+    assert b"tools" not in (tmp_path / "rows").read_bytes().replace(b"seconds_tools", b"")

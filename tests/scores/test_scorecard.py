@@ -254,3 +254,10 @@ def test_a_type_lacks_a_run_that_only_other_types_have():
     assert (find.headline.value, find.headline.missing, find.headline.rows) == (None, 1, 2)
     assert (find.headline.worst, find.headline.best) == (0.5, 1.0)
     assert size.headline.value == 1.0
+
+
+def test_a_card_has_the_version_of_its_tools_and_no_two():
+    rows = [row("find-1", tools=2), row("find-2", tools=2)]
+    assert scorecard(rows, roster("find-1", "find-2"), 0).tools == 2
+    with pytest.raises(ContraryRows, match="has version 1 of the tools, others have 2"):
+        scorecard([rows[0], row("find-2", tools=1)], roster("find-1", "find-2"), 0)

@@ -15,14 +15,17 @@ _NUMBER = re.compile(r"\d+")
 
 
 class AtOnce:
-    """Makes a single call, an answer by a rule, without a look at anything; an Agent."""
+    """Answers at once by a rule, without a look at anything; an Agent.
+
+    It never points. Where that is asked for, its answer is refused once, and it repeats it.
+    """
 
     def __init__(self, rule: Rule) -> None:
         self._rule = rule
 
     def act(self, question: Question, history: Sequence[Turn]) -> Call | None:
         """The answer; None where the rule has none."""
-        letter = None if history else self._rule(question)
+        letter = self._rule(question)
         return None if letter is None else Call.of("answer_question", {"choice": letter})
 
 

@@ -187,6 +187,9 @@ def replay(
     Returns:
         The new record, and where it differs from the first, in words; nothing if the two are the
         same byte for byte, times apart.
+
+    Raises:
+        OtherTools: Tools of another version made the record.
     """
     with running(renderer) as drawing:
         again = replay_afresh(task, record, library, drawing)

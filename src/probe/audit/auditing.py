@@ -81,7 +81,7 @@ def begin(out: Path, suite: Suite, key_file: Path, reference: Suite | None = Non
     foreign, known = is_foreign(out, key_file), earlier(out, key_file)
     audit = Audit(out, claims, key_file, missing, foreign, known)
     for claim in claims:
-        if reason := unable(claim.record):
+        if claim.line not in audit.verdicts and (reason := unable(claim.record)):
             audit.verdicts[claim.line] = ReplayVerdict(outcome="not replayable", reason=reason)
     return audit
 

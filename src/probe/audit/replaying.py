@@ -16,6 +16,7 @@ from probe.render.renderer import Renderer
 from probe.runs.vary import vary
 from probe.tasks.suite import Suite, check_objects, part
 from probe.tasks.task import Task
+from probe.toolshed.version import TOOLS_VERSION
 
 _SHOWN = 4
 """Differences that a verdict names."""
@@ -72,6 +73,8 @@ class Replayer:
 
 def unable(record: EpisodeRecord) -> str | None:
     """Why doing a record's calls again can't come out as before; None if it can."""
+    if record.tools != TOOLS_VERSION:
+        return f"version {record.tools} of the tools made it, and this release has {TOOLS_VERSION}"
     if record.participation is None:
         return None
     setting, _, more = record.participation.setting.partition(", ")

@@ -7,10 +7,10 @@ from inspect_ai.model import ChatMessageAssistant
 from probe.bench.model_conversation import ModelConversation
 from probe.bench.process_pool import Assignment
 from probe.bench.wire import call_of, result_message
+from probe.episodes.grading import answer_form
 from probe.episodes.participation import ModelReply, Points
 from probe.runs.worker_messages import CallResult
 from probe.tasks.task import Task
-from probe.tasks.type_rules import rules_of
 from probe.toolshed.result import Answer
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import meant
@@ -50,21 +50,16 @@ async def in_words(
     Raises:
         ModelFailed: No reply came.
     """
-    letters = "".join(option.letter for option in task.options)
+    form = answer_form(task)
     answer: Answer | None = None
     for last in (False, True):
         said = await conversation.reply()
         conversation.replies.append(ModelReply(0, said.text))
-        answer = read_answer(said.text, points, letters) or answer
-        if last or (answer and not _lacks_point(task, answer)):
+        answer = read_answer(said.text, points, "".join(form.letters)) or answer
+        if last or (answer and not form.lacks_point(answer.choice, answer.point_px)):
             break
         conversation.say(reminder(setting, answered=answer is not None))
     return answer
-
-
-def _lacks_point(task: Task, answer: Answer) -> bool:
-    """Whether an object was named that has to be pointed at; "None of the above" can't be."""
-    return rules_of(task.question_type).pointed and answer.choice != "E" and answer.point_px is None
 
 
 async def _carried_out(

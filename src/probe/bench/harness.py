@@ -18,6 +18,7 @@ from probe.bench.plan import ModelRunPlan
 from probe.bench.scoring import MISSING, RIGHT, STORE, WRONG, accuracy_by_type, graded
 from probe.bench.stopping import RunStopped
 from probe.texts import line
+from probe.toolshed.version import TOOLS_VERSION
 
 _LOGGER = getLogger(__name__)
 
@@ -45,7 +46,12 @@ def harness_task(plan: ModelRunPlan, runner: ModelRunner | None = None) -> Harne
         # A sample of ours raises only where no other would fare better.
         fail_on_error=True,
         name=plan.setting.replace("-", "_"),
-        metadata={"suite": plan.suite.name, "records": str(plan.out), "points": plan.points},
+        metadata={
+            "suite": plan.suite.name,
+            "records": str(plan.out),
+            "points": plan.points,
+            "tools": TOOLS_VERSION,
+        },
     )
 
 

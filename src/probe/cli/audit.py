@@ -24,6 +24,7 @@ from probe.cli.option_conflicts import refuse_stray
 from probe.cli.screen import bar, say
 from probe.engines.local import LocalEngine
 from probe.episodes.folder import SUITE
+from probe.episodes.replay import check_tools
 from probe.errors import BadData, ProbeError
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite, read_suite
@@ -88,6 +89,9 @@ def audit(
     tell_checks(out, asked, found)
     if suite is not None:
         say(f"{out}: its suite is {suite}, all of it.")
+    if replay is not None and found.claims:
+        # The tools of all records of a folder have one version.
+        check_tools(found.claims[0].record)
     if verify is None and (replay is not None or sign is None):
         _replay(found, asked, _drawn(found, count, seed), workers, whole=count is None)
     if sign is not None:

@@ -19,11 +19,12 @@ from probe.cli.screen import say
 from probe.episodes.circumstances import Circumstances
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, check_suite, claim_setting, occupied
+from probe.episodes.folder import RECORDS, check_suite, check_tools_of, claim_setting, occupied
 from probe.episodes.noise import NOISES, Noise, NoiseName
 from probe.episodes.play import open_episode
 from probe.episodes.remarks import REMARKS
 from probe.errors import BadData, MissingExtra
+from probe.interfaces.human.session_store import UNFINISHED
 from probe.render.renderer import Renderer
 from probe.tasks.suite import Suite, check_objects
 from probe.tasks.suite_file import find_suite
@@ -80,8 +81,8 @@ def taken_up(out: Path, suite: Suite, noise: Noise) -> Generator[None]:
     A line that was cut off when an earlier one was killed is moved to a file beside it.
 
     Raises:
-        BadData: It is about another suite, has another noise, holds records of others, or another
-            run is at work there.
+        BadData: It is about another suite, has another noise, holds records of others or of tools
+            of another version, or another run is at work there.
         OutputFailed: It can't be written.
     """
     check_suite(out, suite)
@@ -91,12 +92,15 @@ def taken_up(out: Path, suite: Suite, noise: Noise) -> Generator[None]:
             cut = set_aside_cut(out / name)
             if cut is not None:
                 say(f"The last line of {name} was cut off: moved to {cut}.")
-        _check_noise(out, noise)
+        _check_earlier(out, noise)
         yield
 
 
-def _check_noise(out: Path, noise: Noise) -> None:
+def _check_earlier(out: Path, noise: Noise) -> None:
     records = read_records(out / RECORDS) if (out / RECORDS).exists() else []
+    check_tools_of(out / RECORDS, records)
+    for path in sorted((out / UNFINISHED).glob("*.jsonl")):
+        check_tools_of(path, read_records(path))
     if any(record.noise != noise for record in records):
         raise BadData(out, "holds records with another noise", "Choose another folder")
 

@@ -12,6 +12,7 @@ from probe.api import reports
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.rescore import headline_line
 from probe.cli.screen import say, track
+from probe.toolshed.version import tools_words
 
 
 def report(
@@ -50,6 +51,8 @@ def write_run_report(
         tell_unsummed(run)
     for card in written.scores.cards:
         say(headline_line(card))
+    if words := tools_words(card.tools for card in written.scores.cards):
+        say(f"{words}.")
     if written.remark:
         say(f"{written.remark}.")
     for name, words in written.audits:

@@ -21,6 +21,7 @@ from probe.scores.marking import roster_of_tasks
 from probe.scores.robustness import ConditionEffect, shifts
 from probe.scores.row import Row
 from probe.tasks.suite_file import read_suite
+from probe.toolshed.version import tools_words
 
 
 def robustness(
@@ -55,6 +56,8 @@ def robustness(
     text = pydantic.TypeAdapter(list[ConditionEffect]).dump_json(made, indent=1).decode()
     write_text(out, text + "\n")
     _table(made).show()
+    if words := tools_words(version for each in made for version in each.tools):
+        say(f"{words}.")
     for each in made:
         say(_line(each))
     say(f"p is corrected for {len(made)} comparisons. All figures are in {out}.")

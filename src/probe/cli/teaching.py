@@ -12,6 +12,7 @@ from probe.bench.models import settings_of
 from probe.episodes.conditions import Conditions, LightKind
 from probe.episodes.noise import NoiseName
 from probe.episodes.participation import Points
+from probe.toolshed.version import TOOLS_VERSION
 from probe.train.collect.settings import CollectionSettings
 from probe.train.collect.teacher import TEACHER
 from probe.train.collect.training import Training
@@ -87,4 +88,5 @@ class TeachingSetup:
             lighting=self.lighting,
             shard=shard,
             first=first,
+            tools=TOOLS_VERSION,
         )

@@ -25,6 +25,7 @@ from probe.tool_bench.work import (
     read_trials,
     start,
 )
+from probe.toolshed.version import TOOLS_VERSION
 
 app = tyro.extras.SubcommandApp()
 PAGE = "index.html"
@@ -76,6 +77,7 @@ def bench(
         push_noise=level.push,
         first_seed=first_seed,
         graspgen=graspgen,
+        tools=TOOLS_VERSION,
     )
     start(out, settings)
     things = library(pool)
@@ -98,7 +100,10 @@ def _report(out: Path, settings: ToolBenchSettings, things: Library) -> None:
         if some:
             summaries.append(summarise(tool, some))
     error = f"{1000 * settings.grasp_noise:.1f} mm" if settings.grasp_noise else "none"
-    title = f"The tools alone: {settings.pool} objects, error of the hand in grasps {error}"
+    title = (
+        f"The tools alone, version {settings.tools}: {settings.pool} objects, error of the hand in "
+        f"grasps {error}"
+    )
     failures = [_failure(trial, things) for trial in trials if not trial.good]
     again, tables = drawn_anew(trials)
     rest = (

@@ -93,6 +93,8 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
     viewpoint: Annotated[ViewpointDocument | None, pydantic.Field(alias="sight")] = None
     # None of agents that are no models, and in records of before there were any.
     participation: Annotated[ParticipationDocument | None, pydantic.Field(alias="seat")] = None
+    # Release 0.1 had version 1 and didn't say so; its records keep their bytes.
+    tools: int = pydantic.Field(default=1, ge=1, le=10**6, exclude_if=lambda version: version == 1)
 
     @pydantic.model_validator(mode="after")
     def _points_into_its_pictures(self) -> EpisodeDocument:
@@ -123,6 +125,7 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             conditions=record.conditions,
             viewpoint=ViewpointDocument.of(record.viewpoint),
             participation=record.participation and ParticipationDocument.of(record.participation),
+            tools=record.tools,
         )
 
     def record(self) -> EpisodeRecord:
@@ -143,6 +146,7 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             conditions=self.conditions,
             viewpoint=self.viewpoint.viewpoint() if self.viewpoint else Viewpoint(),
             participation=self.participation and self.participation.participation(),
+            tools=self.tools,
         )
 
 

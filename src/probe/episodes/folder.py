@@ -15,6 +15,7 @@ from probe.files import alone, write_text
 from probe.reading import is_there, opened, words
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
+from probe.toolshed.version import TOOLS_VERSION, release_words
 
 RECORDS, SUITE, SETTING = "records.jsonl", "suite.json", "arm"
 
@@ -23,13 +24,14 @@ def start_folder(out: Path, suite: Suite) -> None:
     """Make a folder that records about a suite can be added to, or see that it is one.
 
     Raises:
-        BadData: It is about another suite, or its records can't be read.
+        BadData: It is about another suite, or its records can't be read or were made by tools of
+            another version.
         OutputFailed: It can't be written.
     """
     check_suite(out, suite)
-    _found(out, suite)
     if (out / RECORDS).exists():
-        read_records(out / RECORDS)
+        check_tools_of(out / RECORDS, read_records(out / RECORDS))
+    _found(out, suite)
 
 
 def _found(out: Path, suite: Suite) -> None:
@@ -58,6 +60,22 @@ def check_suite(out: Path, suite: Suite) -> None:
     """
     if (out / SUITE).exists() and read_suite(out / SUITE) != suite:
         raise BadData(out / SUITE, "is another suite", "Choose another folder")
+
+
+def check_tools_of(path: Path, records: Iterable[EpisodeRecord]) -> None:
+    """See that what is played now may stand beside records in a file.
+
+    Raises:
+        BadData: Tools of another version made one of them.
+    """
+    for record in records:
+        if record.tools != TOOLS_VERSION:
+            reason = (
+                f"was run with version {record.tools} of the tools, and this release has version "
+                f"{TOOLS_VERSION}"
+            )
+            remedy = f"Choose another folder, or go on with {release_words(record.tools)}"
+            raise BadData(path, reason, remedy)
 
 
 def claim_setting(out: Path, setting: str) -> None:

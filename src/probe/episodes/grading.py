@@ -8,6 +8,8 @@ from probe.errors import ProbeError
 from probe.tasks.grading import FinalAnswer, LastView, Score, grade, looks_at_end
 from probe.tasks.marks import drawn
 from probe.tasks.task import LETTERS, Letter, Task
+from probe.tasks.type_rules import rules_of
+from probe.toolshed.answer_form import AnswerForm
 from probe.types import Array
 
 
@@ -27,6 +29,13 @@ def question_of(task: Task, picture: Array | None = None) -> Question:
         picture = drawn(picture, task.marks)
     options = tuple((option.letter, option.text) for option in task.options)
     return Question(task.question, options, picture, task.scale)
+
+
+def answer_form(task: Task) -> AnswerForm:
+    """What a complete answer to a task is; "None of the above" can't be pointed at."""
+    letters = tuple(option.letter for option in task.options)
+    pointed = rules_of(task.question_type).pointed
+    return AnswerForm(letters, tuple(it for it in letters if it != "E") if pointed else ())
 
 
 def grade_episode(task: Task, record: EpisodeRecord, labels: Array) -> Score:

@@ -9,9 +9,9 @@ from probe.episodes.arm_skills import ArmSkills
 from probe.episodes.circumstances import PLAIN_TRY, Circumstances
 from probe.episodes.conditions import NO_DIALS
 from probe.episodes.episode import Episode
-from probe.episodes.grading import grade_episode, question_of
+from probe.episodes.grading import answer_form, grade_episode, question_of
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.replay import replay
+from probe.episodes.replay import check_tools, replay
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Agent
 from probe.perception.choice import Perceiver, dialled, ideal
@@ -70,6 +70,7 @@ def set_table(
         pictures=pictures,
         finder=perception.finder,
         teller=perception.teller,
+        form=answer_form(task),
     )
     return tools, station
 
@@ -151,7 +152,11 @@ def replay_afresh(
         record: Of an agent without a model that points.
         library: Has the task's objects.
         renderer: Draws what the station sees; what was loaded in it is replaced.
+
+    Raises:
+        OtherTools: Tools of another version made it.
     """
+    check_tools(record)
     tools, station = set_table(task, library, renderer, record.circumstances, pictures=False)
     return replay(record, tools, station)
 

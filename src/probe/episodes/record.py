@@ -14,6 +14,7 @@ from probe.scene.scene import Scene
 from probe.scene.setup import picture_scale
 from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.result import Answer, Status
+from probe.toolshed.version import TOOLS_VERSION
 from probe.types import PictureScale
 
 End = Literal["answered", "stopped", "out_of_turns", "fault"]
@@ -74,6 +75,7 @@ class EpisodeRecord:
         conditions: In what the run differed from its tasks.
         viewpoint: Where the camera stood, and the light.
         participation: How a model took part, or how an agent's own process failed; else None.
+        tools: Version of the tools.
     """
 
     task: str
@@ -90,6 +92,7 @@ class EpisodeRecord:
     conditions: Conditions = AS_FROZEN
     viewpoint: Viewpoint = field(default_factory=Viewpoint)
     participation: Participation | None = None
+    tools: int = TOOLS_VERSION
 
     @property
     def setting(self) -> str:

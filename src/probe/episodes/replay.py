@@ -12,6 +12,7 @@ from probe.episodes.run import run_episode
 from probe.episodes.turns import Call, Question, Turn
 from probe.errors import ProbeError
 from probe.toolshed.toolshed import Toolshed
+from probe.toolshed.version import TOOLS_VERSION, release_words
 
 _FIELDS = (
     "task",
@@ -26,8 +27,30 @@ _FIELDS = (
     "conditions",
     "viewpoint",
     "participation",
+    "tools",
 )
 _PARTS = ("call", "status", "text", "point_px", "after")
+
+
+class OtherTools(ProbeError):
+    """A record can't be repeated with the tools of this release."""
+
+    def __init__(self, record: EpisodeRecord) -> None:
+        super().__init__(
+            f"{record.task} by {record.agent} was played with version {record.tools} of the tools, "
+            f"and this release has version {TOOLS_VERSION}: its calls can't be done again here. "
+            f"Install {release_words(record.tools)} for that. Grading and reports need no replay."
+        )
+
+
+def check_tools(record: EpisodeRecord) -> None:
+    """See that a record was made by the tools of this release.
+
+    Raises:
+        OtherTools: It wasn't.
+    """
+    if record.tools != TOOLS_VERSION:
+        raise OtherTools(record)
 
 
 class NotAsBefore(ProbeError):
@@ -60,7 +83,11 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, state: StateReader) -> Epi
         toolshed: Fresh, over a table that stands as at the record's start, with the record's
             circumstances.
         state: Tells the new record where things are.
+
+    Raises:
+        OtherTools: Tools of another version made it.
     """
+    check_tools(record)
     again = run_episode(
         record.task,
         record.question,
@@ -84,8 +111,10 @@ def resume(record: EpisodeRecord, episode: Episode) -> tuple[Turn, ...]:
         Each call with what came of it, now as then.
 
     Raises:
+        OtherTools: Tools of another version made it.
         NotAsBefore: Something came out otherwise.
     """
+    check_tools(record)
     turns = tuple(episode.step(step.call) for step in record.steps)
     if found := differences(record, episode.record):
         raise NotAsBefore(record, found)

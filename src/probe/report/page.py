@@ -21,6 +21,7 @@ from probe.report.summary_tables import effort_table, missing_table, type_table,
 from probe.scores.summary import Scores
 from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
+from probe.toolshed.version import tools_words
 
 LARGEST_SINGLE = 20
 """Episodes that a single file may hold; each brings some half a megabyte of pictures."""
@@ -124,6 +125,7 @@ def _values(report: Report) -> dict[str, object]:
         "suite": report.suite,
         "identity": identity_of(report.suite),
         "scores": report.scores,
+        "tools": tools_words(card.tools for card in cards),
         "cards": cards,
         "types": type_table(cards),
         "effort": effort_table(cards),

@@ -31,8 +31,9 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
 
     Raises:
         BadData: They are about different suites, were run under different conditions, were to have
-            different numbers of runs, only some are people's, an episode is in two of them, one
-            can't be read or can't be of a run of the suite, or the new folder isn't new.
+            different numbers of runs, their tools have different versions, only some are
+            people's, an episode is in two of them, one can't be read or can't be of a run of the
+            suite, or the new folder isn't new.
         OutputFailed: It can't be written.
     """
     if (out / SUITE).exists() or (out / RECORDS).exists():
@@ -92,6 +93,9 @@ def _check(
     """Refuse a record that doesn't go with those before it; note it otherwise."""
     if (record.noise, record.conditions) != (first.noise, first.conditions):
         raise BadData(part, "was run under other conditions", "Merge runs under the same ones")
+    if record.tools != first.tools:
+        reason = f"was run with version {record.tools} of the tools, others with {first.tools}"
+        raise BadData(part, reason, "Merge runs of one version; `probe report` takes several")
     key = record.task, record.agent, record.setting, record.run
     if key in found:
         reason = f"{record.task}, {record.agent}, run {record.run} is in {found[key]} too"

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.episodes.files import line_of, read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, add_line, check_suite, occupied
+from probe.episodes.folder import RECORDS, add_line, check_suite, check_tools_of, occupied
 from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
@@ -19,6 +19,7 @@ from probe.runs.plan import Job, RunOrder
 from probe.runs.work import WorkerSetup, failed
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import content_hash
+from probe.toolshed.version import TOOLS_VERSION
 from probe.types import Shard
 
 
@@ -62,9 +63,10 @@ def begun(out: Path, suite: Suite, order: RunOrder) -> Generator[RunStart]:
 
 
 def name_of(suite: Suite, order: RunOrder) -> str:
-    """A digest of a suite and of how it is run, but for the shard; 32 hex digits."""
+    """A digest of a suite, of how it is run, the shard apart, and of the tools; 32 hex digits."""
     how = repr(replace(order, shard=Shard()))
-    return hashlib.sha256(f"run {content_hash(suite)} {how}".encode()).hexdigest()[:32]
+    said = f"run {content_hash(suite)} {how} tools {TOOLS_VERSION}"
+    return hashlib.sha256(said.encode()).hexdigest()[:32]
 
 
 def work(
@@ -93,8 +95,9 @@ def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: RunOrder
     """See that records were made under the conditions of an order.
 
     Raises:
-        BadData: They weren't.
+        BadData: They weren't, or tools of another version made them.
     """
+    check_tools_of(path, earlier)
     for record in earlier:
         if record.noise != order.noise:
             raise BadData(path, "was run with another noise", "Choose another folder")

@@ -80,6 +80,7 @@ def row_of(
             "manipulated": record.manipulations > 0,
             "seconds_agent": _total(record.seconds.agent, record),
             "seconds_tools": _total(record.seconds.tools, record),
+            "tools": record.tools,
             **asdict(usage or _usage(record)),
             **_execution(task, record, score),
         }

@@ -35,6 +35,7 @@ class ConditionEffect:
         certified: The difference on the tasks whose rules still hold; None if none of them does.
         certified_tasks: How many these are.
         missing: Rows that failed on our side, of both.
+        tools: Versions of the tools, first as frozen.
     """
 
     conditions: str
@@ -44,6 +45,7 @@ class ConditionEffect:
     certified: float | None
     certified_tasks: int
     missing: int
+    tools: tuple[int, int]
 
 
 def shifts(
@@ -71,14 +73,16 @@ def shifts(
     base = by_entrant(settled(plain))
     results |= {entrant: units_of(present(rows)) for entrant, rows in base.items()}
     missing = {entrant: len(gaps_of(rows, roster)) for entrant, rows in base.items()}
+    tools = {entrant: rows[0].tools for entrant, rows in base.items()}
     for label, rows in others.items():
         found = by_entrant(settled(rows))
         results |= {entrant: units_of(present(some)) for entrant, some in found.items()}
         missing |= {entrant: len(gaps_of(some, roster)) for entrant, some in found.items()}
+        tools |= {entrant: some[0].tools for entrant, some in found.items()}
         pairs |= {(it, _counterpart(it, label, base)): label for it in found}
     compared = family(results, pairs, seed)
     return [
-        _shift(label, pair, results, broken.get(label, ()), missing)
+        _shift(label, pair, results, broken.get(label, ()), missing, tools)
         for pair, label in zip(compared, pairs.values(), strict=True)
     ]
 
@@ -96,6 +100,7 @@ def _shift(
     results: Results,
     broken: Collection[str],
     missing: Mapping[Entrant, int],
+    tools: Mapping[Entrant, int],
 ) -> ConditionEffect:
     first, second = _shared(results[pair.first], results[pair.second])
     held = [
@@ -111,6 +116,7 @@ def _shift(
         certified=macro(strata_of(held)) if held else None,
         certified_tasks=len(held),
         missing=missing[pair.first] + missing[pair.second],
+        tools=(tools[pair.second], tools[pair.first]),
     )
 
 

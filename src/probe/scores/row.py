@@ -51,6 +51,7 @@ class Row(
         tokens_in, tokens_out, cost: Of the model; the cost in US dollars.
         precision, recall, exact, attempts_a_removal, others_disturbed, strict: Of Reduce, how
             what was asked for was done; see probe.scores.fidelity.
+        tools: Version of the tools; files leave it out where it is 1, as release 0.1 did.
     """
 
     suite: str
@@ -86,6 +87,7 @@ class Row(
     attempts_a_removal: float | None = None
     others_disturbed: int | None = None
     strict: bool | None = None
+    tools: int = pydantic.Field(default=1, ge=1, exclude_if=lambda version: version == 1)
 
     @pydantic.model_validator(mode="after")
     def _agrees_with_itself(self) -> Row:

@@ -15,22 +15,26 @@ from probe.reading import RECORDS, contents
 from probe.scores.row import Row
 from probe.texts import cell, uncell
 
+_TOOLS = "tools"
 _REMEDY = "Write it again with `probe rescore`"
 
 
 def write_csv(path: Path, rows: Sequence[Row]) -> None:
     """Write rows as CSV with a head (RFC 4180, UTF-8); what is unknown is an empty cell.
 
-    A text that a spreadsheet would take for a formula has an apostrophe before it.
+    There is no column for the tools if their version is 1 in all rows, as in release 0.1. A text
+    that a spreadsheet would take for a formula has an apostrophe before it.
 
     Raises:
         OutputFailed: It can't be written; nothing half-written is left.
     """
     text = io.StringIO()
-    writer = csv.DictWriter(text, [field.alias or name for name, field in Row.model_fields.items()])
+    cells = [{name: _cell(value) for name, value in row.model_dump().items()} for row in rows]
+    told = {name for each in cells for name in each}
+    heads = [field.alias or name for name, field in Row.model_fields.items()]
+    writer = csv.DictWriter(text, [it for it in heads if it in told or it != _TOOLS], restval="1")
     writer.writeheader()
-    for row in rows:
-        writer.writerow({name: _cell(value) for name, value in row.model_dump().items()})
+    writer.writerows(cells)
     write_text(path, text.getvalue())
 
 

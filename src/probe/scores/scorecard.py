@@ -17,7 +17,7 @@ from probe.scores.missing import Gap, Headline, gaps_of, headline, present, runs
 from probe.scores.power import detectable_gap
 from probe.scores.roster import Listed, Roster, chance_by_type, naive_by_type
 from probe.scores.row import Entrant, Row
-from probe.scores.units import Unit, Worth, is_correct, strata_of, units_of
+from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
 from probe.tasks.type_rules import rules_of
 
 
@@ -99,6 +99,7 @@ class Scorecard:
         detectable: Difference from an equally variable agent, unrelated to this one, that 80 % of
             suites of this size would show; pairs have their own. None while rows are missing.
         outcomes, effort, execution: What it did; the last of Reduce.
+        tools: Version of the tools it had; files leave it out where it is 1.
     """
 
     entrant: Entrant
@@ -111,6 +112,7 @@ class Scorecard:
     outcomes: tuple[Outcomes, ...]
     effort: Effort
     execution: Execution | None
+    tools: Annotated[int, pydantic.Field(exclude_if=lambda version: version == 1)] = 1
 
 
 def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
@@ -122,9 +124,12 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
         seed: Of the bootstrap.
 
     Raises:
-        ContraryRows: They are of several entrants or suites, or a run is there twice.
+        ContraryRows: They are of several entrants, suites or versions of the tools, or a run is
+            there twice.
     """
-    gaps = gaps_of(rows, roster)
+    gaps, tools = gaps_of(rows, roster), rows[0].tools
+    if odd := next((row for row in rows if row.tools != tools), None):
+        raise ContraryRows(odd, f"it has version {odd.tools} of the tools, others have {tools}")
     question_types = chance_by_type(roster)
     error, freedom = standard_error(strata_of([] if gaps else units_of(rows)))
     return Scorecard(
@@ -141,6 +146,7 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
         outcomes=tuple(outcomes(rows)),
         effort=effort(rows),
         execution=execution(rows),
+        tools=tools,
     )
 
 

@@ -42,7 +42,11 @@ class TrialScene(NamedTuple):
 
 
 class ToolBenchSettings(BaseModel):
-    """What trials of one folder have in common."""
+    """What trials of one folder have in common.
+
+    Attributes:
+        tools: Version of the tools; 1 in files of before it was written down.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -53,6 +57,7 @@ class ToolBenchSettings(BaseModel):
     first_seed: int
     graspgen: str | None = None
     """Address of a GraspGen server; None for the built-in planner."""
+    tools: int = 1
 
     @property
     def planner(self) -> Planner:

@@ -63,6 +63,28 @@ class BudgetSpent(Refusal):
         )
 
 
+class NoSuchOption(Refusal):
+    """The question doesn't offer the letter of an answer."""
+
+    def __init__(self, choice: str, letters: Sequence[str]) -> None:
+        offered = f"{', '.join(letters[:-1])} and {letters[-1]}"
+        super().__init__(
+            f"Nothing is recorded: this question has no option {choice}. Its options are "
+            f"{offered}. Answer with one of these letters."
+        )
+
+
+class PointMissing(Refusal):
+    """The question asks for a point, and the answer has none; said once in an episode."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "This question asks you to point at something: give point=[u, v] as well, a place on "
+            "that object in the last picture you were shown. Nothing is recorded yet. If you "
+            "can't give a point, answer again without one; that answer is then recorded."
+        )
+
+
 class EpisodeOver(Refusal):
     """A call after the end."""
 

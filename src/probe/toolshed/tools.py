@@ -120,8 +120,8 @@ class Push(_Arguments):
 class AnswerQuestion(_Arguments):
     """Give the final answer. This ends the episode and can't be taken back.
 
-    Give a point only if the question asks you to point at something: a place on that object in
-    the last picture you were shown.
+    If the question asks you to point at something, give a point as well: a place on that object in
+    the last picture you were shown. Otherwise give none. "None of the above" needs no point.
     """
 
     choice: Annotated[

@@ -15,13 +15,14 @@ from probe.perception.scene_graph import SceneDescriber
 from probe.perception.things import Detector, Thing
 from probe.scene.setup import Setup
 from probe.station.station import Station
+from probe.toolshed.answer_form import ANY_ANSWER, AnswerForm
 from probe.toolshed.bystanders import bystander_words
 from probe.toolshed.graph import scene_text, thing_lines, told_text
 from probe.toolshed.handles import Handles
 from probe.toolshed.outcomes import OutcomeText, grasp_words, nothing_moved, push_words
 from probe.toolshed.parse import parse
 from probe.toolshed.pictures import outlined
-from probe.toolshed.refusals import BudgetSpent, EpisodeOver, Refusal
+from probe.toolshed.refusals import BudgetSpent, EpisodeOver, PointMissing, Refusal
 from probe.toolshed.result import Answer, ToolResult
 from probe.toolshed.skills import Skills
 from probe.toolshed.tools import (
@@ -69,6 +70,7 @@ class Toolshed:
         pictures: bool = True,
         finder: Finder | None = None,
         teller: SceneDescriber | None = None,
+        form: AnswerForm = ANY_ANSWER,
     ) -> None:
         """Set up the tools and look at the table once.
 
@@ -80,6 +82,7 @@ class Toolshed:
             pictures: Whether results carry pictures; texts are the same without.
             finder: Finds what words describe; None to match them with what the detector finds.
             teller: Tells the scene graph; None to make it from what the detector finds.
+            form: What a complete answer is; by default any letter without a point.
         """
         self.answer: Answer | None = None
         self.ended = False
@@ -92,6 +95,8 @@ class Toolshed:
         self._view = CurrentView(station, detector)
         self._finder = finder
         self._teller = teller
+        self._form = form
+        self._asked_for_point = False
         self._handles = Handles(detected=finder is None)
 
     def first_picture(self) -> Array | None:
@@ -130,9 +135,8 @@ class Toolshed:
                 return self._grasp(request)
             case Push():
                 return self._push(request)
-            case AnswerQuestion(choice=choice, point=point):
-                self.answer = Answer(choice, point)
-                return ToolResult("Your answer is recorded; the episode has ended.")
+            case AnswerQuestion():
+                return self._answer(request)
             case _:
                 assert_never(request)
 
@@ -188,6 +192,21 @@ class Toolshed:
         changes = compare(before, self._view.look)
         told = push_words(outcome.status, name, changes.of(seen), outcome.moved, asked)
         return self._told(told, thing, changes.but(seen))
+
+    def _answer(self, request: AnswerQuestion) -> ToolResult:
+        """Record an answer.
+
+        Raises:
+            NoSuchOption: The question doesn't have its letter.
+            PointMissing: It lacks a point; raised once, and never at the last turn.
+        """
+        last = self._asked_for_point or self.turns >= TURNS
+        refusal = self._form.refusal_of(request.choice, request.point, last=last)
+        if refusal is not None:
+            self._asked_for_point = self._asked_for_point or isinstance(refusal, PointMissing)
+            raise refusal
+        self.answer = Answer(request.choice, request.point)
+        return ToolResult("Your answer is recorded; the episode has ended.")
 
     def _take_up(self, object_id: str) -> Thing:
         """The thing that a manipulation is about; from here on it counts.

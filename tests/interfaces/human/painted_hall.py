@@ -17,7 +17,7 @@ if __name__ == "__main__":
 from interfaces.painted import BLOCKS, SPECS, Slow  # noqa: E402
 from probe.episodes.episode import Episode  # noqa: E402
 from probe.episodes.folder import claim_setting, start_folder  # noqa: E402
-from probe.episodes.grading import question_of  # noqa: E402
+from probe.episodes.grading import answer_form, question_of  # noqa: E402
 from probe.interfaces.human.session_manager import SessionManager  # noqa: E402
 from probe.perception.oracle import Oracle  # noqa: E402
 from probe.scene.setup import UR5_TABLE  # noqa: E402
@@ -58,7 +58,9 @@ class Room:
         assert self.gate.wait(20)
         self.set += 1
         station = PaintedStation(BLOCKS)
-        tools = Toolshed(station, Oracle(SPECS), _Hand(self.slow), UR5_TABLE)
+        tools = Toolshed(
+            station, Oracle(SPECS), _Hand(self.slow), UR5_TABLE, form=answer_form(task)
+        )
         question = question_of(task, tools.first_picture())
         return Episode(task.id, question, tools, station, agent_name=name, run=run)
 

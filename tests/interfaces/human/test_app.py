@@ -14,6 +14,7 @@ from interfaces.painted import BLOCKS
 from probe.episodes.files import read_records
 from probe.episodes.remarks import Remark, read_remarks
 from probe.episodes.turns import Call
+from probe.toolshed.result import Answer
 from probe.toolshed.tools import tool_schemas
 from tabletops import paint
 from task_examples import FIND
@@ -98,11 +99,21 @@ def test_two_people_have_two_tables(visitor, tmp_path):
     state = bea.call("grasp_and_remove", object_id="object_1")
     assert state["entries"][0]["status"] == "malformed"
     assert (pixels(bea.picture(0)) == paint(BLOCKS).rgb).all()
-    visitor.call("answer_question", choice="B")
-    bea.call("answer_question", choice="A")
+    visitor.call("answer_question", choice="B", point=[620, 480])
+    bea.call("answer_question", choice="A", point=[5, 5])
     records = read_records(tmp_path / "records.jsonl")
     said = {record.agent: record.answer and record.answer.choice for record in records}
     assert said == {"Ada": "B", "Bea": "A"}
+
+
+def test_a_person_who_points_nowhere_is_asked_once(visitor, tmp_path):
+    visitor.enter()
+    state = visitor.call("answer_question", choice="B")
+    assert not state["over"] and state["turnsLeft"] == 39
+    assert "point at something" in state["entries"][0]["text"]
+    assert visitor.call("answer_question", choice="B")["over"]
+    (record,) = read_records(tmp_path / "records.jsonl")
+    assert record.answer == Answer("B", None)
 
 
 def test_what_was_begun_is_gone_on_with_after_a_restart(tmp_path):
@@ -119,7 +130,7 @@ def test_what_was_begun_is_gone_on_with_after_a_restart(tmp_path):
         assert again.get("/seat/state", name="Ada").status == 409
         assert again.enter() == before
         assert again.picture(3).body == shown
-        again.call("answer_question", choice="B")
+        again.call("answer_question", choice="B", point=[620, 480])
     (record,) = read_records(tmp_path / "records.jsonl")
     assert len(record.steps) == len(record.seconds.agent) == 4
 

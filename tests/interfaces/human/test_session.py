@@ -14,7 +14,7 @@ from probe.errors import BadData, NoGraphicsDriver, OutputFailed
 from probe.interfaces.human.names import file_of
 
 LOOK = Call.of("perceive_scene")
-ANSWER = Call.of("answer_question", {"choice": "B"})
+ANSWER = Call.of("answer_question", {"choice": "B", "point": [620, 480]})
 
 
 def settled(seat):

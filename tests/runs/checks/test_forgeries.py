@@ -19,7 +19,7 @@ from probe.episodes.participation import ModelReply, Participation
 from probe.episodes.record import Seconds, Step, TableState
 from probe.episodes.turns import Call, Question
 from probe.errors import BadData
-from probe.runs.checks.folder import read_checked
+from probe.runs.checks.folder import check_records, read_checked
 from probe.runs.variation import Variation, digest_of_tasks, write_variation
 from probe.scene.lighting import Lighting
 from probe.scene.viewpoint import Viewpoint
@@ -112,12 +112,14 @@ FORGERIES = {
         "its answer is none, and its last call says",
     ),
     "a second try": (
-        with_steps(HONEST, *HONEST.steps[:3], answer_of(OTHER), HONEST.steps[3]),
+        with_steps(HONEST, *HONEST.steps[:3], answer_of(OTHER, point=[1, 2]), HONEST.steps[3]),
         "calls follow its answer",
     ),
     "a first answer called malformed": (
         with_steps(
-            HONEST, replace(answer_of(OTHER), status="malformed", after=START), *HONEST.steps
+            HONEST,
+            replace(answer_of(OTHER, point=[1, 2]), status="malformed", after=START),
+            *HONEST.steps,
         ),
         r'step 1 \(answer_question\): it is "malformed", and such a call can only be done',
     ),
@@ -373,3 +375,38 @@ def test_a_forged_line_has_a_right_checksum(tmp_path):
     out = write_folder(tmp_path, FORGERIES["145 steps"][0])
     (line,) = (out / "records.jsonl").read_text().splitlines()
     assert len(json.loads(line)["steps"]) == 145
+
+
+ASKED = replace(answer_of(TASK.answer), status="malformed", text="Give a point.", after=AFTER)
+POINTLESS = replace(HONEST, answer=Answer(TASK.answer, None))
+
+
+def test_an_answer_may_lack_its_point_once_it_was_asked_for(tmp_path):
+    with_point = with_steps(HONEST, *HONEST.steps[:3], ASKED, HONEST.steps[3])
+    without = with_steps(POINTLESS, *HONEST.steps[:3], ASKED, answer_of(TASK.answer))
+    for number, record in enumerate((with_point, without)):
+        assert checked(write_folder(tmp_path / str(number), record)) == [record]
+
+
+def test_an_answer_without_its_point_was_asked_for_it(tmp_path):
+    record = with_steps(POINTLESS, *HONEST.steps[:3], answer_of(TASK.answer))
+    with pytest.raises(BadData, match='it is "done", and such a call can only be malformed'):
+        checked(write_folder(tmp_path / "now", record))
+    first = replace(record, tools=1)
+    assert checked(write_folder(tmp_path / "then", first)) == [first]
+
+
+def test_a_letter_that_is_not_offered_is_no_answer(tmp_path):
+    suite = packaged_suite("v1")
+    task = next(task for task in suite.tasks if task.question_type == "size")
+    made = honest(task)
+    last = replace(made.steps[-1], call=Call.of("answer_question", {"choice": "E"}))
+    record = with_steps(replace(made, answer=Answer("E", None)), *made.steps[:3], last)
+    with pytest.raises(BadData, match='it is "done", and such a call can only be malformed'):
+        check_records([record], suite, tmp_path)
+    check_records([replace(record, tools=1)], suite, tmp_path)
+
+
+def test_tools_are_those_of_the_folder(tmp_path):
+    with pytest.raises(BadData, match="line 2: .*the version of its tools isn't that of the first"):
+        checked(write_folder(tmp_path, HONEST, replace(HONEST, run=1, tools=1)))

@@ -6,24 +6,36 @@ from collections.abc import Iterator
 
 from probe.episodes.record import EpisodeRecord, Step, TableState
 from probe.scene.scene import Scene
+from probe.toolshed.answer_form import AnswerForm
 from probe.toolshed.parse import parse
-from probe.toolshed.refusals import Refusal
+from probe.toolshed.refusals import PointMissing, Refusal
 from probe.toolshed.result import Status
 from probe.toolshed.tools import AnswerQuestion, GraspAndRemove, Push, Request
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 
 
-def amiss_in_calls(record: EpisodeRecord) -> Iterator[str]:
-    """What can't be: more calls than there are turns, a status, a table that nothing moved."""
+def amiss_in_calls(record: EpisodeRecord, form: AnswerForm) -> Iterator[str]:
+    """What can't be: more calls than there are turns, a status, a table that nothing moved.
+
+    Args:
+        record: Whose calls they are.
+        form: What its tools took for a complete answer.
+    """
     if len(record.steps) > TURNS:
         yield f"it has {len(record.steps)} calls, and the rules allow {TURNS}"
     if record.manipulations > MANIPULATIONS:
         yield f"it has {record.manipulations} manipulations, and the rules allow {MANIPULATIONS}"
-    before, used = record.start, 0
+    before, used, asked = record.start, 0, False
     for number, step in enumerate(record.steps, start=1):
         request = request_of(step, record.viewpoint.camera.width_px)
         moves = isinstance(request, GraspAndRemove | Push)
-        for reason in (_of_status(step, request, used), _of_table(step, before, moves=moves)):
+        refusal = None
+        if isinstance(request, AnswerQuestion):
+            last = asked or number >= TURNS
+            refusal = form.refusal_of(request.choice, request.point, last=last)
+            asked = asked or isinstance(refusal, PointMissing)
+        possible = _possible(request if refusal is None else None, used)
+        for reason in (_of_status(step, possible), _of_table(step, before, moves=moves)):
             if reason:
                 yield f"step {number} ({step.call.name[:20]}): {reason}"
         used += moves and step.status in ("done", "failed")
@@ -43,15 +55,14 @@ def things_of(scene: Scene) -> list[tuple[int, str]]:
     return [(placed.instance, placed.object_id) for placed in scene.objects]
 
 
-def _of_status(step: Step, request: Request | None, used: int) -> str | None:
-    possible = _possible(request, used)
+def _of_status(step: Step, possible: tuple[Status, ...]) -> str | None:
     if step.status in possible:
         return None
     return f'it is "{step.status}", and such a call can only be {" or ".join(possible)}'
 
 
 def _possible(request: Request | None, used: int) -> tuple[Status, ...]:
-    """How a call may have gone after so many manipulations."""
+    """How a call may have gone after so many manipulations; None is one that was refused."""
     if request is None:
         return ("malformed",)
     if isinstance(request, AnswerQuestion):

@@ -50,10 +50,15 @@ def _has_tools(seat: Participation) -> bool:
 def _with_tools(record: EpisodeRecord) -> Iterator[str]:
     side_px = record.viewpoint.camera.width_px
     requests = [request_of(step, side_px) for step in record.steps]
-    if any(isinstance(request, AnswerQuestion) for request in requests[:-1]):
+    answers = [
+        Answer(request.choice, request.point)
+        if isinstance(request, AnswerQuestion) and step.status == "done"
+        else None
+        for request, step in zip(requests, record.steps, strict=True)
+    ]
+    if any(answers[:-1]):
         yield "calls follow its answer"
-    last = requests[-1] if requests else None
-    said = Answer(last.choice, last.point) if isinstance(last, AnswerQuestion) else None
+    said = answers[-1] if answers else None
     if record.answer != said:
         yield f"its answer is {_words(record.answer)}, and its last call says {_words(said)}"
     turns = len(record.steps)

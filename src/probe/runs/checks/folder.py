@@ -12,6 +12,7 @@ from pathlib import Path
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.grading import answer_form
 from probe.episodes.ordered import read_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
@@ -24,6 +25,8 @@ from probe.runs.vary import changes_scenes
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import check_name, packaged_suite, packaged_suites
 from probe.tasks.task import Task
+from probe.toolshed.answer_form import ANY_ANSWER, AnswerForm
+from probe.toolshed.version import ANSWERS_CHECKED
 
 _REMEDY = "Grade the folder as its run left it (docs/how-to/audit.md says what is checked)"
 
@@ -95,8 +98,14 @@ def _of_records(records: Sequence[EpisodeRecord], tasks: dict[str, Task]) -> _Fo
     for line, record in enumerate(records, start=1):
         yield from ((line, reason) for reason in amiss_beside_task(record, tasks[record.task]))
         yield from ((line, reason) for reason in amiss_as_stated(record))
-        yield from ((line, reason) for reason in amiss_in_calls(record))
+        form = _form_of(record, tasks[record.task])
+        yield from ((line, reason) for reason in amiss_in_calls(record, form))
         yield from ((line, reason) for reason in amiss_at_the_end(record))
+
+
+def _form_of(record: EpisodeRecord, task: Task) -> AnswerForm:
+    """What a record's tools took for a complete answer."""
+    return ANY_ANSWER if record.tools < ANSWERS_CHECKED else answer_form(task)
 
 
 def _of_folder(records: Sequence[EpisodeRecord], out: Path) -> _Found:
@@ -109,6 +118,8 @@ def _of_folder(records: Sequence[EpisodeRecord], out: Path) -> _Found:
             yield line, f"{runs} runs of each task were ordered, numbered from 0"
         if (record.noise, record.conditions) != (records[0].noise, records[0].conditions):
             yield line, "its noise or its conditions aren't those of the first record"
+        if record.tools != records[0].tools:
+            yield line, "the version of its tools isn't that of the first record"
         if reason := _beside(record.conditions, variation):
             yield line, reason
         key = record.task, record.agent, record.setting, record.run

@@ -24,6 +24,7 @@ class CollectionSettings(pydantic.BaseModel, extra="forbid", frozen=True):
         lighting: Of the pictures.
         shard: Which part of the tasks, such as "0/2".
         first: Number of the first episode of all shards.
+        tools: Version of the tools; 1 in files of before it was written down.
     """
 
     version: int = 2
@@ -35,6 +36,7 @@ class CollectionSettings(pydantic.BaseModel, extra="forbid", frozen=True):
     lighting: str
     shard: str
     first: int
+    tools: int = 1
 
 
 def claim(out: Path, settings: CollectionSettings) -> None:
