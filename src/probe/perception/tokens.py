@@ -24,7 +24,16 @@ SPATIAL = {
 }  # fmt: skip
 """Words that choose among things, by what they ask for."""
 
-_SAME = {"grey": "gray", "violet": "purple", "turquoise": "teal", "cyan": "teal"}
+_SAME = {
+    "grey": "gray", "violet": "purple", "lilac": "purple", "lavender": "purple", "mauve": "purple",
+    "turquoise": "teal", "cyan": "teal", "aqua": "teal", "navy": "blue", "azure": "blue",
+    "maroon": "red", "crimson": "red", "scarlet": "red", "burgundy": "red", "magenta": "pink",
+    "golden": "gold", "silvery": "silver", "chrome": "silver", "ivory": "white",
+    "khaki": "tan",
+    "reddish": "red", "orangish": "orange", "yellowish": "yellow", "greenish": "green",
+    "bluish": "blue", "purplish": "purple", "pinkish": "pink", "brownish": "brown",
+    "grayish": "gray", "greyish": "gray", "whitish": "white", "blackish": "black",
+}  # fmt: skip
 _NEAR = (
     {"gray", "silver"},
     {"gray", "black"},
@@ -36,6 +45,15 @@ _NEAR = (
     {"teal", "blue"},
     {"teal", "green"},
     {"pink", "purple"},
+    {"pink", "red"},
+    {"red", "orange"},
+    {"red", "brown"},
+    {"orange", "brown"},
+    {"orange", "yellow"},
+    {"orange", "tan"},
+    {"yellow", "tan"},
+    {"yellow", "beige"},
+    {"blue", "purple"},
 )
 _COLOURS = frozenset(
     (
