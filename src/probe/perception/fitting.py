@@ -18,6 +18,9 @@ _IDLE_WEIGHT = 0.5
 """Of a word that fits nothing at all and so can't tell one thing from another."""
 
 _DESCRIPTION_WORTH = 0.7
+_MENTION_WORTH = 0.3
+"""Of a noun that is only mentioned beside the thing: a "bowl" in the picture on a cereal box."""
+
 _PART_WORTH = 0.9
 """Of a noun that is in a thing's name but not what the thing is: a "pot" in a "pot lid"."""
 
@@ -79,7 +82,7 @@ def _fit(wanted: Wanted, weights: Sequence[float], worths: Sequence[float], word
     return Fit(
         gained / sum(weights) if weights else 0.0,
         all(by_word[colour] > 0 for colour in wanted.required),
-        wanted.noun is None or _own_worth(wanted.noun, wanted.noun, words) > 0,
+        wanted.noun is None or _own_worth(wanted.noun, wanted.noun, words) >= _DESCRIPTION_WORTH,
     )
 
 
@@ -109,7 +112,10 @@ def _own_worth(word: str, noun: str | None, words: Words) -> float:
     """What a word is worth for a thing because it is in the thing's own words."""
     if word in _names(words):
         return _PART_WORTH if word == noun and word not in _nouns(words) else 1.0
-    return _DESCRIPTION_WORTH if word in _described(words) else 0.0
+    if word not in _described(words):
+        return 0.0
+    aside = word == noun and word not in _main_phrase(words)
+    return _MENTION_WORTH if aside else _DESCRIPTION_WORTH
 
 
 def _best(meant: Mapping[str, float], words: Iterable[str]) -> float:
@@ -124,6 +130,11 @@ def _names(words: Words) -> frozenset[str]:
 @lru_cache(1024)
 def _described(words: Words) -> frozenset[str]:
     return frozenset(tokens(words.description))
+
+
+@lru_cache(1024)
+def _main_phrase(words: Words) -> frozenset[str]:
+    return frozenset(tokens(_AFTERTHOUGHT.split(words.description.lower())[0]))
 
 
 @lru_cache(1024)

@@ -49,7 +49,6 @@ _NEAR = (
     {"red", "orange"},
     {"red", "brown"},
     {"orange", "brown"},
-    {"orange", "yellow"},
     {"orange", "tan"},
     {"yellow", "tan"},
     {"yellow", "beige"},
