@@ -61,6 +61,7 @@ _COLOURS = frozenset(
     )
 )
 _NEARLY = 0.5
+_MEASURE = re.compile(r"\b(?:piece|pair|bit|kind|sort|part|slice) of\b")
 
 
 def tokens(text: str) -> list[str]:
@@ -74,7 +75,8 @@ def head(text: str) -> str | None:
 
     None if there is no such word.
     """
-    before = re.split(r"\b(?:with|on|in|of|at|near|by|under|from|beside|next)\b", text.lower())[0]
+    whole = _MEASURE.sub("", text.lower())
+    before = re.split(r"\b(?:with|on|in|of|at|near|by|under|from|beside|next)\b", whole)[0]
     nouns = [word for word in tokens(before) if word not in SPATIAL and word not in GENERIC]
     return nouns[-1] if nouns else None
 
