@@ -19,6 +19,8 @@ def pixels(*parts):
         (pixels((GRAY, 80), (GREEN, 20)), ("green",), ()),
         (pixels((RED, 100)), ("dark red",), ()),
         (pixels((RED, 100)), ("clear",), ()),
+        (pixels(((20, 20, 22), 100)), ("dark green",), ()),
+        (pixels(((20, 20, 22), 100)), ("green",), ("black",)),
         (pixels((RED, 50), (GREEN, 50)), ("blue",), ("red", "green")),
     ],
 )

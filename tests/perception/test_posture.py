@@ -79,3 +79,5 @@ def test_vessels_and_some_other_kinds_have_a_top():
 def test_an_article_fits_what_is_left():
     bowl = thing("bowl", (0.2, 0.2, 0.1), "An empty orange bowl.", hollow=True)
     assert described(bowl, "upside down") == "An orange bowl, upside down."
+    pot = thing("flower pot", (0.1, 0.1, 0.09), "A white empty flower pot.", hollow=True)
+    assert described(pot, "lying on its side") == "A white flower pot, lying on its side."

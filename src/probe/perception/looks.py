@@ -20,6 +20,8 @@ _SHADES = {
     "gold": ("brown", "orange", "beige"),
     "tan": ("gray",),
     "gray": ("white",),
+    "purple": ("brown",),
+    "dark": ("black",),
 }
 """How light and shade change colours beside what people mix up."""
 
@@ -46,8 +48,8 @@ def belies(pixels: Array, told: Sequence[str]) -> tuple[Colour, ...]:
         pixels: sRGB uint8, shape (n, 3).
         told: What the thing's colours are said to be.
     """
-    words = {word for colour in told for word in tokens(colour) if is_colour(word)}
-    if not words:
+    words = {word for colour in told for word in tokens(colour)}
+    if not any(map(is_colour, words)):
         return ()
     agreeing = [name for name in EXAMPLES if any(_may_look(word, name) for word in words)]
     found = nearest_colours(pixels[:: max(1, len(pixels) // _MOST_PIXELS)])

@@ -29,7 +29,8 @@ _UPRIGHT_ONLY = re.compile(
     r",? (?:open at the top|standing (?:upright|on its [a-z ]+)|lying upside up|lying brim down)"
 )
 _LYING = re.compile(r",? lying (?:down|flat|on its side)")
-_EMPTY = re.compile(r"\bAn? (?:empty|open) (?=[a-z])")
+_VACANT = re.compile(r"\b(?:empty|open) ")
+_ARTICLE = re.compile(r"^An? (?=(\w))")
 
 
 def posture(spec: ObjectSpec, pose: Pose) -> Posture:
@@ -62,10 +63,9 @@ def described(spec: ObjectSpec, how: Posture) -> str:
     """
     if how == "as told":
         return spec.description
-    text = _UPRIGHT_ONLY.sub("", spec.description)
+    text = _UPRIGHT_ONLY.sub("", spec.description).replace(" upright ", " ")
     if spec.hollow:
-        text = _EMPTY.sub(lambda found: "", text)
-        text = _with_article(text) if text != spec.description else text
+        text = _ARTICLE.sub(_article, _VACANT.sub("", text))
     if how != "rolled":
         text = _LYING.sub("", text)
     if how in ("rolled", "tilted"):
@@ -84,7 +84,5 @@ def _topped() -> frozenset[str]:
     return frozenset(yaml.safe_load(source.read_text("utf-8")))
 
 
-def _with_article(text: str) -> str:
-    if text[:1].isupper():
-        return text
-    return f"{'An' if text[:1] in 'aeiou' else 'A'} {text}"
+def _article(before: re.Match[str]) -> str:
+    return "An " if before[1] in "aeiou" else "A "
