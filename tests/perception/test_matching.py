@@ -105,7 +105,7 @@ AMONG = Oracle(dict(enumerate(PEOPLE, start=1)) | {9: spec("red sand timer")}).d
                     (40, 85, 170),
                     (60, 140, 65),
                     (205, 45, 45),
-                    (165,) * 3,
+                    (165, 165, 165),
                 ],
                 start=1,
             )

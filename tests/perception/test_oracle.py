@@ -42,7 +42,9 @@ def test_under_125_px_there_is_nothing():
 
 def test_tells_the_colour_that_shows_where_the_catalogues_does_not():
     can = spec("mackerel can", "green", description="A green can.")
-    (thing,) = Oracle({3: can}).detect(paint([Block(3, (100, 100, 199, 199), colour=(130,) * 3)]))
+    (thing,) = Oracle({3: can}).detect(
+        paint([Block(3, (100, 100, 199, 199), colour=(130, 130, 130))])
+    )
     assert thing.words.description == "A green can; what shows of it is gray."
     assert thing.words.colours == ("green", "gray")
 

@@ -147,9 +147,13 @@ def read_handles(text: str) -> dict[str, str]:
     if not isinstance(told, dict):
         return {}
     content = cast("dict[str, Any]", told)
-    others = content.get("objects") or content.get("others_that_fit_as_well") or []
-    items = [item for item in (content, *others) if isinstance(item, dict) and "object_id" in item]
-    return {item["object_id"]: str(item.get("name") or item.get("description")) for item in items}
+    others: Any = content.get("objects") or content.get("others_that_fit_as_well") or ()
+    items = (content, *cast("list[dict[str, Any]]", others))
+    return {
+        item["object_id"]: str(item.get("name") or item.get("description"))
+        for item in items
+        if "object_id" in item
+    }
 
 
 def grasp_outcome(text: str) -> Outcome:

@@ -15,7 +15,7 @@ from probe.perception.looks import belies, look_of
 from probe.perception.naming import PLAIN_SHARE, SEEN_SHARE, identifies
 from probe.perception.posture import Poses, Posture, described, posture
 from probe.perception.things import Thing, Words
-from probe.types import Array, Frame
+from probe.types import Array, Frame, Pose
 
 NOTICED_PX = 125
 """Visible pixels from which on something is noticed at all: a square of 6 mm, usually."""
@@ -71,7 +71,7 @@ class Oracle:
             NoLabels: It isn't a simulated frame, or it lacks colours where needs_rgb says so.
         """
         shares, labels = _shares(frame), _labels(frame)
-        poses = {} if self._poses is None else self._poses()
+        poses: Mapping[int, Pose] = {} if self._poses is None else self._poses()
         things: list[Thing] = []
         for instance in _noticed(frame):
             mask: Array = labels == instance

@@ -77,7 +77,7 @@ def test_refusals_are_told_in_the_tools_words_and_cost_a_turn(visitor):
     visitor.enter()
     state = visitor.call("grasp_and_remove", object_id="object_5")
     assert state["entries"][0]["status"] == "malformed"
-    assert "An object_id comes from find_object" in state["entries"][0]["text"]
+    assert "An object_id comes from perceive_scene or find_object" in state["entries"][0]["text"]
     assert (state["turnsLeft"], state["manipulationsLeft"]) == (39, 10)
     state = visitor.call("teleport", to="basket")
     assert "There is no tool called 'teleport'" in state["entries"][1]["text"]
