@@ -34,7 +34,7 @@ async def play(client: Client, out: Path) -> None:
 
     await call("perceive_scene")
     await call("find_object", description="green mug")
-    await call("grasp_and_remove", object_id="object_1")
+    await call("grasp_and_remove", object_id="object_10")
     await call("answer_question", choice="C")
 
 

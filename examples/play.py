@@ -35,8 +35,8 @@ def main(out: Path = Path("outputs/examples/play")) -> None:
         call("perceive_scene")
         # The cover can be named because it is visible; nothing can name what is under it.
         call("find_object", description=task.subject)
-        call("grasp_and_remove", object_id="object_1")
-        # Each look needs a new handle: object_1 is in the basket now.
+        call("grasp_and_remove", object_id="object_10")
+        # What lay under the mug shows now and has an id of its own.
         call("find_object", description="black tape")
         call("answer_question", choice="C")
         # The tools accept any letter; only the task knows which one is right.

@@ -43,7 +43,7 @@ def test_scene_draws_what_it_lists(example, tmp_path):
 @pytest.mark.slow
 def test_play_uncovers_the_answer(example, tmp_path):
     told = example("play.py", "--out", tmp_path / "play")
-    before, after = told.split("> grasp_and_remove(object_id='object_1')\n")
+    before, after = told.split("> grasp_and_remove(object_id='object_10')\n")
     assert after.startswith("Done:")
     assert 'name: "black tape"' not in before and 'name: "black tape"' in after
     assert told.endswith("The right answer is C; this one is right.\n")
@@ -77,7 +77,7 @@ def test_an_agent_is_scored_and_its_record_replays(example, tmp_path):
 def test_another_program_plays_over_mcp(example, tmp_path):
     out = tmp_path / "run"
     told = example("mcp_client.py", "--out", out)
-    assert "the green mug covered one object" in told and "Done: object_1 was lifted" in told
+    assert "the green mug covered one object" in told and "Done: object_10 was lifted" in told
     (record,) = read_records(out / "records.jsonl")
     assert record.end == "answered" and record.agent == "mcp" and len(record.steps) == 4
     with Image.open(out / "grasp_and_remove.jpg") as image:

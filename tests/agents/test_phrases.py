@@ -123,7 +123,7 @@ def glance(question_type, subject, form, options, blocks, text="?"):
     from probe.episodes.turns import Question
 
     frame = paint(blocks)
-    graph = read_graph(scene_text(Oracle(SPECS).detect(frame), frame))
+    graph = read_graph(scene_text(Oracle(SPECS).detect(frame), (), frame))
     question = Question(text, tuple(zip("ABCDE", options, strict=False)))
     asked = FirstLookQuestion(question, subject, form, graph)
     return plan_for(question_type).at_sight(asked, PhraseBook(rng()))

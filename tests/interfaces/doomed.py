@@ -19,7 +19,7 @@ async def main(state: str, server: list[str]) -> None:
     async with Client(start) as client:
         await client.call_tool("perceive_scene", {})
         await client.call_tool("find_object", {"description": "green mug"})
-        grasp = client.call_tool("grasp_and_remove", {"object_id": "object_1"})
+        grasp = client.call_tool("grasp_and_remove", {"object_id": "object_10"})
         pending = asyncio.create_task(grasp) if state == "busy" else grasp.close()
         await asyncio.sleep(0.3)
         print("ready", flush=True)

@@ -35,7 +35,7 @@ def test_question_and_first_picture_are_in_reach(tmp_path, mode):
         instructions = player.client.instructions
         look = player.call("perceive_scene")
         handle(player, "white ball")
-        player.call("grasp_and_remove", object_id="object_1")
+        player.call("grasp_and_remove", object_id="object_2")
         prompt = player.portal.call(player.client.get_prompt, "question")
         (question,) = read(player, "probe://question")
         (picture,) = read(player, "probe://first-picture")

@@ -93,10 +93,10 @@ def test_two_sessions_do_not_see_each_other(server, tmp_path):
         here, there = (
             stack.enter_context(playing(*server(tmp_path), env=dict(os.environ))) for _ in range(2)
         )
-        before = there.call("perceive_scene")
         here.call("find_object", description="green mug")
-        assert here.call("grasp_and_remove", object_id="object_1").text.startswith("Done")
         assert "no object_id" in there.call("grasp_and_remove", object_id="object_1").text
+        before = there.call("perceive_scene")
+        assert here.call("grasp_and_remove", object_id="object_1").text.startswith("Done")
         after = there.call("perceive_scene")
         assert after.text == before.text and (after.picture == before.picture).all()  # type: ignore[union-attr]
         assert here.call("perceive_scene").text != before.text

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from probe.perception.matching import match
+from probe.perception.matching import NEAREST, match, nearest
 from probe.perception.oracle import Oracle
 from tabletops import Block, paint, spec
 
@@ -84,3 +84,68 @@ def test_spatial_words_alone_choose_among_all():
 @given(st.text(max_size=300))
 def test_any_text_is_answered(words):
     match(words, THINGS)
+
+
+PEOPLE = [
+    spec("yellow plate", "yellow", description="A yellow glazed plate."),
+    spec("white speaker", "white", description="A small white loudspeaker with a round grille."),
+    spec("blue pot lid", "blue", "black", category="pot lid", description="A lid with a knob."),
+    spec("cereal box", "green", category="cereal box", description="A box with a bowl on it."),
+    spec("red apple", "red", category="apple"),
+    spec("cooking pot", "silver", category="cooking pot"),
+]
+AMONG = Oracle(dict(enumerate(PEOPLE, start=1)) | {9: spec("red sand timer")}).detect(
+    paint(
+        [
+            Block(n, (100 * n, 300, 100 * n + 80, 380), colour=colour)
+            for n, colour in enumerate(
+                [
+                    (245, 215, 60),
+                    (240, 240, 240),
+                    (40, 85, 170),
+                    (60, 140, 65),
+                    (205, 45, 45),
+                    (165, 165, 165),
+                ],
+                start=1,
+            )
+        ]
+        + [Block(9, (800, 700, 860, 760), share=0.2)]
+    )
+)
+
+
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        ("yellow bowl", "yellow plate"),
+        ("the small yellow dish", "yellow plate"),
+        ("white box", "white speaker"),
+        ("blue domed cover with black handle", "blue pot lid"),
+        ("carton", "cereal box"),
+        ("a piece of fruit", "red apple"),
+        ("round red fruit", "red apple"),
+        ("saucepan", "cooking pot"),
+        ("pot", "cooking pot"),
+        ("red box", None),  # the unnamed patch is flat and boxy
+    ],
+)
+def test_finds_what_people_mean(words, name):
+    found = match(words, AMONG)
+    assert found and found.thing.words.name == name
+
+
+def test_its_own_words_win_and_others_are_marked():
+    own, other = match("yellow plate", AMONG), match("yellow bowl", AMONG)
+    assert own and own.literal and other and not other.literal
+
+
+def test_a_noun_that_is_only_mentioned_is_not_the_thing():
+    found = match("green bowl", AMONG)
+    assert found is None
+
+
+def test_what_comes_nearest_is_ranked():
+    names = [thing.words.name for thing in nearest("purple plate", AMONG)]
+    assert names[0] == "yellow plate" and len(names) <= NEAREST
+    assert nearest("zeppelin", AMONG) == () and nearest("(10, 1000)", AMONG) == ()

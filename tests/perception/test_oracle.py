@@ -1,8 +1,10 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from probe.perception.oracle import NoLabels, Oracle
-from probe.types import Frame
+from probe.types import Frame, Pose
 from tabletops import Block, paint, spec
 
 MUG, BOOK, BALL = spec("red mug"), spec("blue book", "blue"), spec("white ball", "white")
@@ -10,7 +12,7 @@ WORDS = {3: MUG, 7: BOOK, 12: BALL}
 
 
 def test_names_only_what_counts_as_seen():
-    seen = Block(3, (100, 100, 119, 119), share=0.30)  # 400 px
+    seen = Block(3, (100, 100, 119, 119), share=0.50)  # 400 px
     partly = Block(7, (300, 100, 399, 199), colour=(30, 60, 150), share=0.29)
     things = Oracle(WORDS).detect(paint([seen, partly]))
     assert [thing.words.name for thing in things] == ["red mug", None]
@@ -22,11 +24,39 @@ def test_little_of_a_thing_is_told_coarsely_however_large_its_share():
     few = Block(3, (100, 100, 118, 119), share=1.0)  # 380 px
     (thing,) = Oracle(WORDS).detect(paint([few]))
     assert not thing.nameable
-    assert thing.words.description == "something mostly hidden: red, what shows is flat boxy"
+    assert thing.words.description == "something small: red, what shows is flat boxy"
 
 
-def test_under_200_px_there_is_nothing():
-    assert Oracle(WORDS).detect(paint([Block(3, (10, 10, 208, 10))])) == ()
+def test_says_how_much_of_an_unnamed_thing_is_hidden():
+    parts = [Block(3, (100, 100, 119, 199), share=0.2), Block(3, (100, 100, 109, 199), share=0.4)]
+    told = [Oracle(WORDS).detect(paint([part]))[0].words.description for part in parts]
+    assert told[0].startswith("part of something that is mostly hidden: red")
+    assert told[1].startswith("part of something that is half hidden: red")
+
+
+def test_under_125_px_there_is_nothing():
+    assert Oracle(WORDS).detect(paint([Block(3, (10, 10, 133, 10))])) == ()
+    (sliver,) = Oracle(WORDS).detect(paint([Block(3, (10, 10, 134, 10))]))
+    assert not sliver.nameable
+
+
+def test_tells_the_colour_that_shows_where_the_catalogues_does_not():
+    can = spec("mackerel can", "green", description="A green can.")
+    (thing,) = Oracle({3: can}).detect(
+        paint([Block(3, (100, 100, 199, 199), colour=(130, 130, 130))])
+    )
+    assert thing.words.description == "A green can; what shows of it is gray."
+    assert thing.words.colours == ("green", "gray")
+
+
+def test_says_how_a_named_thing_lies():
+    pot = replace(spec("clay pot", description="An empty clay pot."), hollow=True)
+    over = Pose(wxyz=(0.0, 1.0, 0.0, 0.0))
+    frame = paint([Block(3, (100, 100, 199, 199))])
+    (told,) = Oracle({3: pot}, lambda: {3: over}).detect(frame)
+    assert told.words.description == "A clay pot, upside down."
+    (untold,) = Oracle({3: pot}).detect(frame)
+    assert untold.words.description == "An empty clay pot."
 
 
 def test_sorts_by_pixel_and_points_lie_inside():
@@ -53,21 +83,20 @@ def test_instance_numbers_leave_no_trace():
         assert (a.mask == b.mask).all()
 
 
-def test_colours_are_needed_for_coarse_things_alone():
+def test_colours_are_needed_of_what_shows():
     oracle = Oracle(WORDS)
-    named = paint([Block(3, (100, 100, 299, 199))], rgb=False)
-    coarse = paint([Block(3, (100, 100, 299, 199), share=0.2)], rgb=False)
-    assert not oracle.needs_rgb(named) and oracle.needs_rgb(coarse)
-    assert len(oracle.detect(named)) == 1
+    bare, mug = paint([], rgb=False), paint([Block(3, (100, 100, 299, 199))], rgb=False)
+    assert not oracle.needs_rgb(bare) and oracle.needs_rgb(mug)
+    assert oracle.detect(bare) == ()
     with pytest.raises(NoLabels, match="colours"):
-        oracle.detect(coarse)
+        oracle.detect(mug)
 
 
 def test_a_patch_that_stays_is_told_alike_and_needs_no_second_look():
     oracle = Oracle(WORDS)
     patch = Block(3, (100, 100, 299, 199), share=0.2)
-    (first,) = oracle.detect(paint([patch]))
-    elsewhere = Block(7, (500, 500, 600, 600))
+    elsewhere = Block(7, (500, 500, 600, 600), colour=(30, 60, 150))
+    first, _ = oracle.detect(paint([patch, elsewhere]))
     later = paint([patch, elsewhere], rgb=False)
     assert not oracle.needs_rgb(later)
     assert oracle.detect(later)[0].words == first.words

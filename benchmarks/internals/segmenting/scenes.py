@@ -10,7 +10,7 @@ import numpy as np
 from probe.api.resources import assets_folder, cache_folder, library
 from probe.assets.tables import load_table, table_ids
 from probe.errors import Unsatisfiable
-from probe.perception.oracle import SEEN_PX, SEEN_SHARE
+from probe.perception.naming import SEEN_PX, SEEN_SHARE
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, cast
@@ -27,6 +28,9 @@ _GRASPED: Mapping[str, Outcome] = {
 }
 
 
+_NEAREST = re.compile(r"(object_\d+), (.*?), at \[")
+
+
 @dataclass(frozen=True)
 class Seen:
     """One entry of perceive_scene's list.
@@ -38,6 +42,7 @@ class Seen:
         point: A pixel (u, v) on it, or thousandths if the agent's texts have these.
         box: Left, top, right and bottom pixel, the last two included.
         area: Pixels of the box.
+        object_id: Its handle; None where the list gives none.
         place: Words by which find_object finds it.
     """
 
@@ -46,6 +51,7 @@ class Seen:
     description: str
     point: tuple[int, int]
     box: Box
+    object_id: str | None = None
 
     @property
     def area(self) -> int:
@@ -112,6 +118,7 @@ def read_graph(text: str) -> Graph:
             item["description"],
             _pair(item["point"]),
             _box(item["box"]),
+            item.get("object_id"),
         )
         for item in content["objects"]
     )
@@ -124,6 +131,29 @@ def read_handle(text: str) -> str | None:
     first, _, _ = text.partition("\n")
     key, _, value = first.partition(": ")
     return value if key == "object_id" else None
+
+
+def read_handles(text: str) -> dict[str, str]:
+    """All object_ids in a reply of perceive_scene or find_object, with a name or description.
+
+    Empty if the text is something else.
+    """
+    if " Nearest: " in text:
+        return dict(_NEAREST.findall(text.rpartition(" Nearest: ")[2]))
+    try:
+        told: object = yaml.safe_load(text)
+    except (yaml.YAMLError, ValueError, RecursionError):  # none that our tools wrote
+        return {}
+    if not isinstance(told, dict):
+        return {}
+    content = cast("dict[str, Any]", told)
+    others: Any = content.get("objects") or content.get("others_that_fit_as_well") or ()
+    items = (content, *cast("list[dict[str, Any]]", others))
+    return {
+        item["object_id"]: str(item.get("name") or item.get("description"))
+        for item in items
+        if "object_id" in item
+    }
 
 
 def grasp_outcome(text: str) -> Outcome:

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from probe.perception.oracle import SEEN_SHARE
+from probe.perception.naming import SEEN_SHARE
 from probe.render.photograph import labels_of
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from probe.perception.oracle import NOTICED_PX, SEEN_PX, SEEN_SHARE
+from probe.perception.naming import SEEN_PX, SEEN_SHARE
+from probe.perception.oracle import NOTICED_PX
 from probe.scene.visibility import Visibility
 
 HIDDEN_SHARE = 0.05
@@ -11,7 +12,10 @@ PARTLY = (0.05, 0.25)
 """Find's easier third: visible shares."""
 
 LITTLE = (0.03, 0.35)
-"""Visible share of a marked thing; it has to be noticed, too."""
+"""Visible share of a marked thing."""
+
+LITTLE_PX = 200
+"""Pixels that at least show of a marked thing, so that people notice it as well."""
 
 REVEALED_SHARE = 0.60
 """Visible share that the hidden object has once its cover is gone."""
@@ -37,7 +41,7 @@ def is_seen(seen: Visibility) -> bool:
 
 def is_little(seen: Visibility) -> bool:
     """As much as may show of a marked thing."""
-    return LITTLE[0] <= seen.fraction <= LITTLE[1] and seen.visible_px >= NOTICED_PX
+    return LITTLE[0] <= seen.fraction <= LITTLE[1] and seen.visible_px >= LITTLE_PX
 
 
 def is_partly_visible(seen: Visibility) -> bool:

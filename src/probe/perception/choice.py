@@ -6,10 +6,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from probe.assets.spec import ObjectSpec
-from probe.perception.dials import Dials, NoisyDetector, Poses
+from probe.perception.dials import Dials, NoisyDetector
 from probe.perception.oracle import Oracle, words_of
 from probe.perception.pointer import Finder, Pointer
 from probe.perception.points import Convention
+from probe.perception.posture import Poses
 from probe.perception.scene_describer import ModelSceneDescriber
 from probe.perception.scene_graph import SceneDescriber
 from probe.perception.segmenter import Masker, Segmenter
@@ -39,7 +40,7 @@ from where they are. Only an oracle may look at either."""
 
 def ideal(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
     """The oracle, without errors."""
-    return Perception(Oracle(words))
+    return Perception(Oracle(words, poses))
 
 
 def dialled(dials: Dials, seed: int, run: int = 0, rumours: Sequence[ObjectSpec] = ()) -> Perceiver:
@@ -55,7 +56,7 @@ def dialled(dials: Dials, seed: int, run: int = 0, rumours: Sequence[ObjectSpec]
     def perceiver(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
         present = {spec.name for spec in words.values()}
         absent = [words_of(spec) for spec in rumours if spec.name not in present]
-        return Perception(NoisyDetector(Oracle(words), dials, poses, seed, run, absent))
+        return Perception(NoisyDetector(Oracle(words, poses), dials, poses, seed, run, absent))
 
     return perceiver
 

@@ -8,7 +8,7 @@ millimetre doesn't change the draw.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -18,11 +18,9 @@ from annotated_types import Interval
 from probe.errors import BadData
 from probe.perception.mistakes import cut_in_two, invented, neighbour_of, united
 from probe.perception.oracle import NoLabels
+from probe.perception.posture import Poses
 from probe.perception.things import Detector, Thing, Words
 from probe.types import Array, Frame, Pose
-
-Poses = Callable[[], Mapping[int, Pose]]
-"""Where each object is right now, by instance."""
 
 Chance = Callable[[str], float]
 """An object's luck in its present state, for each kind of error: uniform in [0, 1)."""

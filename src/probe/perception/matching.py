@@ -8,17 +8,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from probe.perception.fitting import Wanted, fits
 from probe.perception.things import Thing
-from probe.perception.tokens import GENERIC, SPATIAL, colour_match, head, is_colour, tokens
+from probe.perception.tokens import SPATIAL, tokens
 
 NEAR_PX = 25
 """A place this close to a thing still means it."""
 
+NEAREST = 5
+"""Things that are listed at most if none fits."""
+
 _ENOUGH = 0.55
-_COLOUR_WEIGHT = 1.0
-_WORD_WEIGHT = 2.0
-_NOUN_WEIGHT = 3.0
-_DESCRIPTION_WORTH = 0.7
+_RESEMBLES = 0.2
 _AS_GOOD = 0.05
 
 _NUMBER = r"(\d{1,6}(?:\.\d{1,6})?)"
@@ -35,39 +36,61 @@ _EXTREMES: dict[str, Callable[[Thing], int]] = {
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """The thing that is meant, and others that the words fit as well."""
+    """The thing that is meant.
+
+    Attributes:
+        thing: It.
+        others: Those that the words fit as well.
+        literal: Whether its own words say what was asked for; else it is what comes nearest.
+    """
 
     thing: Thing
     others: tuple[Thing, ...] = ()
+    literal: bool = True
 
 
 def match(description: str, things: Sequence[Thing]) -> Match | None:
     """The thing that free words ("red mug") or a place ("the thing at (512, 300)") mean.
 
     Articles don't matter; a colour that is named has to be there; "left", "top", "largest" and
-    the like choose among things that fit equally well. A place decides alone.
+    the like choose among things that fit equally well. Other words for the same thing, or for one
+    that looks alike, fit less well than its own. A place decides alone.
 
     Returns:
         None if nothing that shows fits.
     """
     if place := place_in(description):
         return _at(*place, things)
-    said = tokens(description)
-    wanted = [word for word in said if word not in SPATIAL and word not in GENERIC]
-    noun = head(description)
-    if not wanted and any(word in SPATIAL for word in said):
-        fits = [(1.0, thing) for thing in things]
+    said, wanted = tokens(description), Wanted.of(description)
+    if not wanted.words and any(word in SPATIAL for word in said):
+        scored = [(1.0, True, thing) for thing in things]
     else:
-        scored = [(_score(wanted, noun, thing), thing) for thing in things]
-        fits = [(score, thing) for score, thing in scored if score >= _ENOUGH]
-    if not fits:
+        found = zip(fits(wanted, [thing.words for thing in things]), things, strict=True)
+        scored = [
+            (fit.score, fit.literal, thing)
+            for fit, thing in found
+            if fit.allowed and fit.score >= _ENOUGH
+        ]
+    if not scored:
         return None
-    best = max(score for score, _ in fits)
-    equal = [thing for score, thing in fits if score >= best - _AS_GOOD]
+    best = max(score for score, _, _ in scored)
+    equal = [(literal, thing) for score, literal, thing in scored if score >= best - _AS_GOOD]
     choices = [SPATIAL[word] for word in said if word in SPATIAL]
     for choice in choices:
-        equal.sort(key=_EXTREMES[choice])
-    return Match(equal[0], () if choices else tuple(equal[1:]))
+        equal.sort(key=lambda each: _EXTREMES[choice](each[1]))
+    literal, first = equal[0]
+    return Match(first, () if choices else tuple(thing for _, thing in equal[1:]), literal)
+
+
+def nearest(description: str, things: Sequence[Thing]) -> tuple[Thing, ...]:
+    """Things that resemble what words describe, the most alike first; none for a place."""
+    if place_in(description):
+        return ()
+    found = fits(Wanted.of(description), [thing.words for thing in things])
+    alike = [(fit.score, thing) for fit, thing in zip(found, things, strict=True)]
+    alike = [(score, thing) for score, thing in alike if score >= _RESEMBLES]
+    alike.sort(key=lambda each: -each[0])
+    return tuple(thing for _, thing in alike[:NEAREST])
 
 
 def place_in(description: str) -> tuple[float, float] | None:
@@ -84,23 +107,3 @@ def _at(u: float, v: float, things: Sequence[Thing]) -> Match | None:
         if apart < distance:
             nearest, distance = thing, apart
     return Match(nearest) if nearest and distance <= NEAR_PX else None
-
-
-def _score(wanted: Sequence[str], noun: str | None, thing: Thing) -> float:
-    """Weighted share of the wanted words that fit, 0 to 1; 0 if a wanted colour isn't there."""
-    words = thing.words
-    names = set(tokens(f"{words.name or ''} {words.category}"))
-    described = set(tokens(words.description))
-    colours = {token for colour in words.colours for token in tokens(colour)}
-    weights, gained = 0.0, 0.0
-    for word in wanted:
-        if is_colour(word):
-            worth = max((colour_match(word, c) for c in colours | names), default=0.0)
-            if worth == 0.0 and word not in described:
-                return 0.0
-            weight = _COLOUR_WEIGHT
-        else:
-            worth = 1.0 if word in names else _DESCRIPTION_WORTH if word in described else 0.0
-            weight = _NOUN_WEIGHT if word == noun else _WORD_WEIGHT
-        weights, gained = weights + weight, gained + weight * worth
-    return gained / weights if weights else 0.0

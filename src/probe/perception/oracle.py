@@ -4,23 +4,21 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
+from probe.assets.colour.names import Colour
 from probe.assets.spec import ObjectSpec
 from probe.errors import ProbeError
-from probe.perception.looks import look_of
+from probe.perception.looks import belies, look_of
+from probe.perception.naming import PLAIN_SHARE, SEEN_SHARE, identifies
+from probe.perception.posture import Poses, Posture, described, posture
 from probe.perception.things import Thing, Words
-from probe.types import Array, Frame
+from probe.types import Array, Frame, Pose
 
-SEEN_SHARE = 0.30
-"""Visible share from which on a thing can be named."""
-
-SEEN_PX = 400
-"""Visible pixels from which on a thing can be named."""
-
-NOTICED_PX = 200
-"""Visible pixels from which on something is noticed at all."""
+NOTICED_PX = 125
+"""Visible pixels from which on something is noticed at all: a square of 6 mm, usually."""
 
 
 class NoLabels(ProbeError):
@@ -33,26 +31,38 @@ class NoLabels(ProbeError):
         )
 
 
+@dataclass(frozen=True)
+class _Look:
+    """What the pixels of a patch look like: see look_of()."""
+
+    colours: tuple[Colour, ...]
+    phrase: str
+    belied: tuple[Colour, ...]
+
+
 class Oracle:
     """Detects without error what counts as seen, and says nothing of the rest.
 
-    A thing of which 30 % and 400 px show gets the catalogue's words; one of which at least
-    200 px show is told by the colours and the outline of these pixels; all else goes unnoticed.
+    A thing gets the catalogue's words if what shows of it identifies it (see `naming`). They are
+    put right where it lies otherwise than they suppose (see `posture`) or shows none of the colours
+    that they name. Of anything else that is noticed the colours and the outline are told.
     """
 
-    def __init__(self, words: Mapping[int, ObjectSpec]) -> None:
-        """Words: what the catalogue says of each object in the scene, by instance."""
+    def __init__(self, words: Mapping[int, ObjectSpec], poses: Poses | None = None) -> None:
+        """Set up.
+
+        Args:
+            words: What the catalogue says of each object in the scene, by instance.
+            poses: Where they are; None if postures are to go untold.
+        """
         self._words = dict(words)
-        self._told: dict[str, Words] = {}
+        self._poses = poses
+        self._looks: dict[str, _Look] = {}
 
     def needs_rgb(self, frame: Frame) -> bool:
-        """Whether something shows that only its colours can tell of, and that is new."""
-        shares, labels = _shares(frame), _labels(frame)
-        return any(
-            not _is_seen(shares[instance], count)
-            and _patch(labels == instance, frame) not in self._told
-            for instance, count in _noticed(frame).items()
-        )
+        """Whether something shows whose colours haven't been looked at."""
+        labels = _labels(frame)
+        return any(_patch(labels == n, frame) not in self._looks for n in _noticed(frame))
 
     def detect(self, frame: Frame) -> tuple[Thing, ...]:
         """Things that show, sorted by their point from top to bottom, then left to right.
@@ -61,27 +71,51 @@ class Oracle:
             NoLabels: It isn't a simulated frame, or it lacks colours where needs_rgb says so.
         """
         shares, labels = _shares(frame), _labels(frame)
+        poses: Mapping[int, Pose] = {} if self._poses is None else self._poses()
         things: list[Thing] = []
-        for instance, count in _noticed(frame).items():
+        for instance in _noticed(frame):
             mask: Array = labels == instance
-            seen = _is_seen(shares[instance], count)
-            words = words_of(self._words[instance]) if seen else self._coarse(mask, frame)
+            spec, share = self._words[instance], shares[instance]
+            look = self._look(instance, mask, frame)
+            if identifies(mask, share, spec.size):
+                how = posture(spec, poses[instance]) if poses else "as told"
+                words = _named(spec, how, look)
+            else:
+                words = _unnamed(share, look)
             things.append(Thing.of(mask, words))
         return tuple(sorted(things, key=lambda thing: thing.point_px[::-1]))
 
-    def _coarse(self, mask: Array, frame: Frame) -> Words:
-        """The same patch is always told alike, so that its colours are drawn only once."""
+    def _look(self, instance: int, mask: Array, frame: Frame) -> _Look:
+        """The same patch always looks alike, so that its colours are drawn only once."""
         patch = _patch(mask, frame)
-        if patch not in self._told:
+        if patch not in self._looks:
             if frame.rgb is None:
                 raise NoLabels("colours")
-            self._told[patch] = _look(mask, frame)
-        return self._told[patch]
+            belied = belies(frame.rgb[mask], self._words[instance].colours)
+            self._looks[patch] = _Look(*look_of(mask, frame), belied)
+        return self._looks[patch]
 
 
 def words_of(spec: ObjectSpec) -> Words:
     """What the catalogue says of an object."""
     return Words(spec.name, spec.category, spec.colours, spec.description)
+
+
+def _named(spec: ObjectSpec, how: Posture, look: _Look) -> Words:
+    text = described(spec, how)
+    if look.belied:
+        text = f"{text.removesuffix('.')}; what shows of it is {' and '.join(look.belied)}."
+    return Words(spec.name, spec.category, spec.colours + look.belied, text)
+
+
+def _unnamed(share: float, look: _Look) -> Words:
+    if share < SEEN_SHARE:
+        what = "part of something that is mostly hidden"
+    elif share < PLAIN_SHARE:
+        what = "part of something that is half hidden"
+    else:
+        what = "something small"
+    return Words(None, "", look.colours, f"{what}: {look.phrase}")
 
 
 def _patch(mask: Array, frame: Frame) -> str:
@@ -91,19 +125,10 @@ def _patch(mask: Array, frame: Frame) -> str:
     return content.hexdigest()
 
 
-def _look(mask: Array, frame: Frame) -> Words:
-    colours, look = look_of(mask, frame)
-    return Words(None, "", colours, f"something mostly hidden: {look}")
-
-
-def _is_seen(share: float, pixels: int) -> bool:
-    return share >= SEEN_SHARE and pixels >= SEEN_PX
-
-
-def _noticed(frame: Frame) -> dict[int, int]:
-    """Visible pixels by instance, of all that can be noticed."""
+def _noticed(frame: Frame) -> list[int]:
+    """Instances of all that can be noticed."""
     counts = np.bincount(_labels(frame).ravel())
-    return {n: int(counts[n]) for n in range(1, len(counts)) if counts[n] >= NOTICED_PX}
+    return [n for n in range(1, len(counts)) if counts[n] >= NOTICED_PX]
 
 
 def _labels(frame: Frame) -> Array:

@@ -24,7 +24,16 @@ SPATIAL = {
 }  # fmt: skip
 """Words that choose among things, by what they ask for."""
 
-_SAME = {"grey": "gray", "violet": "purple", "turquoise": "teal", "cyan": "teal"}
+_SAME = {
+    "grey": "gray", "violet": "purple", "lilac": "purple", "lavender": "purple", "mauve": "purple",
+    "turquoise": "teal", "cyan": "teal", "aqua": "teal", "navy": "blue", "azure": "blue",
+    "maroon": "red", "crimson": "red", "scarlet": "red", "burgundy": "red", "magenta": "pink",
+    "golden": "gold", "silvery": "silver", "chrome": "silver", "ivory": "white",
+    "khaki": "tan",
+    "reddish": "red", "orangish": "orange", "yellowish": "yellow", "greenish": "green",
+    "bluish": "blue", "purplish": "purple", "pinkish": "pink", "brownish": "brown",
+    "grayish": "gray", "greyish": "gray", "whitish": "white", "blackish": "black",
+}  # fmt: skip
 _NEAR = (
     {"gray", "silver"},
     {"gray", "black"},
@@ -36,6 +45,14 @@ _NEAR = (
     {"teal", "blue"},
     {"teal", "green"},
     {"pink", "purple"},
+    {"pink", "red"},
+    {"red", "orange"},
+    {"red", "brown"},
+    {"orange", "brown"},
+    {"orange", "tan"},
+    {"yellow", "tan"},
+    {"yellow", "beige"},
+    {"blue", "purple"},
 )
 _COLOURS = frozenset(
     (
@@ -44,6 +61,7 @@ _COLOURS = frozenset(
     )
 )
 _NEARLY = 0.5
+_MEASURE = re.compile(r"\b(?:piece|pair|bit|kind|sort|part|slice) of\b")
 
 
 def tokens(text: str) -> list[str]:
@@ -57,7 +75,8 @@ def head(text: str) -> str | None:
 
     None if there is no such word.
     """
-    before = re.split(r"\b(?:with|on|in|of|at|near|by|under|from|beside|next)\b", text.lower())[0]
+    whole = _MEASURE.sub("", text.lower())
+    before = re.split(r"\b(?:with|on|in|of|at|near|by|under|from|beside|next)\b", whole)[0]
     nouns = [word for word in tokens(before) if word not in SPATIAL and word not in GENERIC]
     return nouns[-1] if nouns else None
 

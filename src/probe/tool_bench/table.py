@@ -8,7 +8,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
-from probe.perception.oracle import SEEN_PX, SEEN_SHARE
+from probe.perception.naming import SEEN_PX, SEEN_SHARE
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject, Scene

@@ -13,7 +13,13 @@ from probe.types import Frame
 
 _INTRODUCTION = """\
 # What shows in the picture, from top to bottom. Points and boxes are in pixels: [u, v] and
-# [left, top, right, bottom]. Numbers belong to this list alone; find_object gives object_ids."""
+# [left, top, right, bottom]. """
+
+_IDS = """Numbers belong to this list alone; grasp_and_remove and push take
+# an object_id."""
+
+_NO_IDS = """Numbers belong to this list alone. It comes from a model that
+# looked at the picture, and holds no object_ids; find_object gives them."""
 
 _RELATIONS = f"""\
 # Between neighbours (boxes at most {NEAR_PX} px apart): left_of, right_of, above, below as seen in
@@ -33,8 +39,8 @@ _TOLD_REGIONS = """\
 # Ninths of the picture that seem at least half covered, and empty."""
 
 
-def scene_text(things: Sequence[Thing], frame: Frame) -> str:
-    """Objects, relations and regions as YAML, the thresholds as its comments."""
+def scene_text(things: Sequence[Thing], handles: Sequence[str], frame: Frame) -> str:
+    """Objects, each with its handle, relations and regions as YAML; thresholds as its comments."""
     parts = regions(things, (frame.depth.shape[0], frame.depth.shape[1]))
     graph = SceneGraph(
         tuple(GraphEntry(thing.words, thing.point_px, thing.box_px) for thing in things),
@@ -42,12 +48,12 @@ def scene_text(things: Sequence[Thing], frame: Frame) -> str:
         tuple(parts.cluttered),
         tuple(parts.clear),
     )
-    return _graph_text(graph, _RELATIONS, _REGIONS)
+    return _graph_text(graph, handles, _RELATIONS, _REGIONS)
 
 
 def told_text(graph: SceneGraph) -> str:
-    """A graph that a model made of the picture, in the same form."""
-    return _graph_text(graph, _TOLD_RELATIONS, _TOLD_REGIONS)
+    """A graph that a model made of the picture, in the same form, without handles."""
+    return _graph_text(graph, (), _TOLD_RELATIONS, _TOLD_REGIONS)
 
 
 def thing_lines(thing: Thing | GraphEntry) -> list[str]:
@@ -61,10 +67,15 @@ def thing_lines(thing: Thing | GraphEntry) -> list[str]:
     ]
 
 
-def _graph_text(graph: SceneGraph, on_relations: str, on_regions: str) -> str:
-    lines = [_INTRODUCTION, "objects:" if graph.entries else "objects: []"]
-    for number, entry in enumerate(graph.entries, start=1):
-        lines += [f"- number: {number}", *(f"  {line}" for line in thing_lines(entry))]
+def _graph_text(
+    graph: SceneGraph, handles: Sequence[str], on_relations: str, on_regions: str
+) -> str:
+    introduction = _INTRODUCTION + (_IDS if handles or not graph.entries else _NO_IDS)
+    lines = [introduction, "objects:" if graph.entries else "objects: []"]
+    for place, entry in enumerate(graph.entries):
+        known = [f"object_id: {handles[place]}"] if handles else []
+        told = [*known, *thing_lines(entry)]
+        lines += [f"- number: {place + 1}", *(f"  {line}" for line in told)]
     lines += [on_relations, "relations:" if graph.relations else "relations: []"]
     lines += [f"- {first + 1} {kind} {second + 1}" for first, kind, second in graph.relations]
     lines += [

@@ -1,8 +1,7 @@
-"""The ids that find_object gives out: a look at some pixels, good while these stay as they were."""
+"""The ids that the tools give out: a look at some pixels, good while these stay as they were."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,14 +20,35 @@ CHANGED_SHARE = 0.03
 
 @dataclass(frozen=True, eq=False)
 class _Look:
-    """A thing as it was when its handle was given out, and the depth of its pixels, shape (n,)."""
+    """A thing as it was when its handle was last given out.
+
+    Attributes:
+        thing: It.
+        pixels: Its pixels, counted row by row, shape (n,).
+        depth: Of these pixels, shape (n,).
+    """
 
     thing: Thing
+    pixels: Array
     depth: Array
+
+    @staticmethod
+    def at(thing: Thing, frame: Frame) -> _Look:
+        pixels = np.flatnonzero(thing.mask)
+        return _Look(thing, pixels, frame.depth.ravel()[pixels])
+
+    def lies_in(self, mask: Array) -> bool:
+        """Whether nearly all of its pixels belong to a mask."""
+        return bool(mask.ravel()[self.pixels].mean() >= 1 - CHANGED_SHARE)
+
+    def has_moved(self, frame: Frame) -> bool:
+        """Whether more than a few of its pixels have another depth now."""
+        still = np.abs(frame.depth.ravel()[self.pixels] - self.depth) <= MOVED
+        return float(still.mean()) < 1 - CHANGED_SHARE
 
 
 class Handles:
-    """All handles of an episode; they number requests, so the same thing may have several."""
+    """All handles of an episode; a thing that hasn't changed keeps the one that it has."""
 
     def __init__(self, *, detected: bool = True) -> None:
         """Detected: whether a handle's thing has to be among those that are detected now.
@@ -39,10 +59,19 @@ class Handles:
         self._looks: dict[str, _Look] = {}
 
     def issue(self, thing: Thing, frame: Frame) -> str:
-        """A new handle for a thing in a frame."""
-        name = f"object_{len(self._looks) + 1}"
-        self._looks[name] = _Look(thing, frame.depth[thing.mask])
+        """The handle of a thing in a frame: the first that means it already, or else a new one."""
+        name = self._known(thing, frame) or f"object_{len(self._looks) + 1}"
+        self._looks[name] = _Look.at(thing, frame)
         return name
+
+    def _known(self, thing: Thing, frame: Frame) -> str | None:
+        now = _Look.at(thing, frame)
+        for name, look in self._looks.items():
+            # Without a detector a mask is whatever was pointed at: a part isn't its whole.
+            whole = self._detected or now.lies_in(look.thing.mask)
+            if whole and look.lies_in(thing.mask) and not look.has_moved(frame):
+                return name
+        return None
 
     def resolve(self, name: str, view: CurrentView) -> Thing:
         """The thing that a handle means, as it shows now.
@@ -55,22 +84,12 @@ class Handles:
             raise UnknownHandle(name, list(self._looks))
         look = self._looks[name]
         # A changed depth settles it without detecting anything.
-        if _has_moved(look, view.frame):
+        if look.has_moved(view.frame):
             raise StaleHandle(name)
         if not self._detected:
             return look.thing
-        thing = _owner(look.thing.mask, view.things)
+        # Thin things may move without much depth.
+        thing = next((thing for thing in view.things if look.lies_in(thing.mask)), None)
         if thing is None:
             raise StaleHandle(name)
         return thing
-
-
-def _has_moved(look: _Look, frame: Frame) -> bool:
-    still = np.abs(frame.depth[look.thing.mask] - look.depth) <= MOVED
-    return float(still.mean()) < 1 - CHANGED_SHARE
-
-
-def _owner(mask: Array, things: Sequence[Thing]) -> Thing | None:
-    """The thing that takes up nearly all of a mask; thin things may move without much depth."""
-    needed = (1 - CHANGED_SHARE) * np.count_nonzero(mask)
-    return next((t for t in things if np.count_nonzero(t.mask & mask) >= needed), None)

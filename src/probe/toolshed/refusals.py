@@ -32,12 +32,13 @@ class BadArguments(Refusal):
 
 
 class UnknownHandle(Refusal):
-    """find_object never gave out this id."""
+    """No tool gave out this id."""
 
     def __init__(self, name: str, known: Sequence[str]) -> None:
-        so_far = f"So far it has given out {', '.join(known)}" if known else "It has given out none"
+        so_far = f"There are {known[0]} to {known[-1]}" if known else "So far there are none"
         super().__init__(
-            f"There is no object_id {quoted(name)}. An object_id comes from find_object. {so_far}."
+            f"There is no object_id {quoted(name)}. An object_id comes from perceive_scene or "
+            f"find_object. {so_far}."
         )
 
 
@@ -46,8 +47,8 @@ class StaleHandle(Refusal):
 
     def __init__(self, name: str) -> None:
         super().__init__(
-            f"{name} is out of date: that place in the picture has changed since find_object "
-            "gave it out. Look again and call find_object for a new object_id."
+            f"{name} is out of date: that place in the picture has changed since it was "
+            "given out. Call perceive_scene or find_object for a new object_id."
         )
 
 

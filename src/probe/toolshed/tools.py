@@ -14,7 +14,8 @@ from probe.types import USUAL_SCALE, PictureScale
 ObjectId = Annotated[
     str,
     pydantic.Field(
-        max_length=40, description='What find_object called the object, such as "object_1".'
+        max_length=40,
+        description='Id of the object from perceive_scene or find_object, such as "object_1".',
     ),
 ]
 
@@ -52,22 +53,24 @@ class _Arguments(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
 class PerceiveScene(_Arguments):
     """List what the camera sees right now, and get the current picture.
 
-    The list is YAML: every object that shows, with its name where enough of it shows to tell,
-    a description, a point on it and its box; relations between neighbours (left_of, right_of,
-    above, below as seen in the picture; on, covering, touching); which parts of the picture are
-    cluttered and which are clear. Points are (u, v) in pixels from the picture's top left corner.
-    It tells only what shows. Something that lies behind or under other objects is in no list
-    until they have been moved away.
+    The list is YAML: every object that shows, with its object_id, its name where enough of it shows
+    to tell, a description, a point on it and its box; relations between neighbours (left_of,
+    right_of, above, below as seen in the picture; on, covering, touching); which parts of the
+    picture are cluttered and which are clear. Points are (u, v) in pixels from the picture's top
+    left corner. An object keeps its object_id until it moves or something covers it. The list tells
+    only what shows. Something that lies behind or under other objects is in no list until they have
+    been moved away.
     """
 
 
 class FindObject(_Arguments):
-    """Locate one object in the current picture and get an object_id for it.
+    """Locate one object in the current picture and get its object_id.
 
     Say what it looks like ("red mug") or where it is ("the thing at (512, 300)"). The reply gives
-    its object_id, a point on it, its box, and the picture with the object outlined. Moving
-    an object takes an object_id, and this is the only place to get one. It stays good until the
-    object moves or something covers it; then call find_object again.
+    its object_id, a point on it, its box, and the picture with the object outlined. Where nothing
+    fits the words, it lists what comes nearest, each with an object_id. Moving an object takes an
+    object_id. It stays good until the object moves or something covers it; then look again for a
+    new one.
     """
 
     description: Annotated[

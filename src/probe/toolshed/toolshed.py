@@ -9,7 +9,7 @@ from typing import assert_never
 from probe.asking import UnusableReply
 from probe.changes.compare import Change, compare
 from probe.changes.sighting import including
-from probe.perception.matching import Match, match
+from probe.perception.matching import Match, match, nearest
 from probe.perception.pointer import Finder
 from probe.perception.scene_graph import SceneDescriber
 from probe.perception.things import Detector, Thing
@@ -17,7 +17,8 @@ from probe.scene.setup import Setup
 from probe.station.station import Station
 from probe.toolshed.answer_form import ANY_ANSWER, AnswerForm
 from probe.toolshed.bystanders import bystander_words
-from probe.toolshed.graph import scene_text, thing_lines, told_text
+from probe.toolshed.findings import MOST_OTHERS, Named, found_text, nearest_text
+from probe.toolshed.graph import scene_text, told_text
 from probe.toolshed.handles import Handles
 from probe.toolshed.outcomes import OutcomeText, grasp_words, nothing_moved, push_words
 from probe.toolshed.parse import parse
@@ -42,10 +43,6 @@ TURNS = 40
 MANIPULATIONS = 10
 """Grasps and pushes in an episode, failed ones included."""
 
-_NOT_FOUND = (
-    "Nothing that shows in the picture fits this description. It may be hidden by other objects "
-    "or not be there at all. Other words, or a place like (512, 300), may help."
-)
 _UNREADABLE = (
     "The perception model's reply could not be used: {reason}. Nothing changed on the table. Call "
     "{tool} again, or go by the picture."
@@ -142,7 +139,8 @@ class Toolshed:
 
     def _perceive(self) -> ToolResult:
         if self._teller is None:
-            text = scene_text(self._view.things, self._view.frame)
+            things = self._view.things
+            text = scene_text(things, [name for name, _ in self._issued(things)], self._view.frame)
         else:
             text = told_text(self._teller.tell(self._view.coloured))
         return ToolResult(text, self._picture())
@@ -150,14 +148,20 @@ class Toolshed:
     def _find(self, description: str) -> ToolResult:
         found = self._meant(description)
         if found is None:
-            return ToolResult(_NOT_FOUND, self._picture(), status="failed")
-        handle = self._handles.issue(found.thing, self._view.frame)
-        lines = [f"object_id: {handle}", *thing_lines(found.thing)]
-        if found.others:
-            places = ", ".join(str(list(other.point_px)) for other in found.others)
-            lines.append(f"others_that_fit_as_well: [{places}]")
+            near = self._issued(self._resembling(description))
+            return ToolResult(nearest_text(description, near), self._picture(), status="failed")
+        first, *others = self._issued((found.thing, *found.others[:MOST_OTHERS]))
+        text = found_text(first, others, literal=found.literal)
         picture = outlined(self._view.rgb, found.thing) if self._pictures else None
-        return ToolResult("\n".join(lines), picture, point_px=found.thing.point_px)
+        return ToolResult(text, picture, point_px=found.thing.point_px)
+
+    def _issued(self, things: Sequence[Thing]) -> list[Named]:
+        """Things with their handles."""
+        return [(self._handles.issue(thing, self._view.frame), thing) for thing in things]
+
+    def _resembling(self, description: str) -> tuple[Thing, ...]:
+        """What comes near to a description that nothing fits; a model that points says nothing."""
+        return nearest(description, self._view.things) if self._finder is None else ()
 
     def _meant(self, description: str) -> Match | None:
         if self._finder is None:
@@ -213,7 +217,7 @@ class Toolshed:
 
         Raises:
             BudgetSpent: No manipulation is left.
-            UnknownHandle: find_object never gave out this id.
+            UnknownHandle: No tool gave out this id.
             StaleHandle: Its pixels have changed.
         """
         if self.manipulations >= MANIPULATIONS:

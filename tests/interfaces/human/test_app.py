@@ -27,7 +27,7 @@ def pixels(reply):
 def play_to_the_end(visitor):
     visitor.call("perceive_scene")
     visitor.call("find_object", description="white ball")
-    visitor.call("grasp_and_remove", object_id="object_1")
+    visitor.call("grasp_and_remove", object_id="object_2")
     return visitor.call("answer_question", choice="B", point=[620, 480])
 
 
@@ -40,8 +40,11 @@ def test_an_episode_is_the_agents_episode(visitor, tmp_path):
     assert (pixels(visitor.picture(0)) == paint(BLOCKS).rgb).all()
     visitor.call("perceive_scene")
     state = visitor.call("find_object", description="white ball")
-    assert state["objects"] == [{"id": "object_1", "asked": "white ball"}]
-    state = visitor.call("grasp_and_remove", object_id="object_1")
+    assert state["objects"] == [
+        {"id": "object_1", "called": "red mug"},
+        {"id": "object_2", "called": "white ball"},
+    ]
+    state = visitor.call("grasp_and_remove", object_id="object_2")
     assert (state["turnsLeft"], state["manipulationsLeft"]) == (37, 9)
     left = [block for block in BLOCKS if block.instance != 702]
     assert (pixels(visitor.picture(state["entries"][-1]["picture"])) == paint(left).rgb).all()
@@ -49,7 +52,7 @@ def test_an_episode_is_the_agents_episode(visitor, tmp_path):
     (record,) = read_records(tmp_path / "records.jsonl")
     assert (record.task, record.agent, record.run, record.end) == (FIND.id, "Ada", 0, "answered")
     assert record.answer and record.answer.choice == "B" and record.answer.point_px == (620, 480)
-    assert record.steps[2].call == Call.of("grasp_and_remove", {"object_id": "object_1"})
+    assert record.steps[2].call == Call.of("grasp_and_remove", {"object_id": "object_2"})
     told = [entry["text"] for entry in visitor.state()["entries"]]
     assert told == [step.text for step in record.steps]
     assert not list((tmp_path / "unfinished").iterdir())
@@ -75,7 +78,7 @@ def test_refusals_are_told_in_the_tools_words_and_cost_a_turn(visitor):
     visitor.enter()
     state = visitor.call("grasp_and_remove", object_id="object_5")
     assert state["entries"][0]["status"] == "malformed"
-    assert "An object_id comes from find_object" in state["entries"][0]["text"]
+    assert "An object_id comes from perceive_scene or find_object" in state["entries"][0]["text"]
     assert (state["turnsLeft"], state["manipulationsLeft"]) == (39, 10)
     state = visitor.call("teleport", to="basket")
     assert "There is no tool called 'teleport'" in state["entries"][1]["text"]
@@ -122,7 +125,7 @@ def test_what_was_begun_is_gone_on_with_after_a_restart(tmp_path):
         visitor.enter()
         visitor.call("perceive_scene")
         visitor.call("find_object", description="white ball")
-        before = visitor.call("grasp_and_remove", object_id="object_1")
+        before = visitor.call("grasp_and_remove", object_id="object_2")
         shown = visitor.picture(3).body
     assert not (tmp_path / "records.jsonl").exists()
     with serving(hall_in(tmp_path, Room())) as port:

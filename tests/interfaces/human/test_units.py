@@ -50,19 +50,19 @@ def test_a_failure_of_ours_is_made_good_twice_in_the_same_run():
     assert progress.next() == (1, COUNT)
 
 
-def test_handles_come_with_the_words_they_were_asked_for_by():
-    entries = (
-        CallEntry(Call.of("find_object", {"description": "lime"}), "done", FOUND, 1, True),
-        CallEntry(
-            Call.of("find_object", {"description": "egg"}), "failed", "Nothing fits.", 2, True
-        ),
-        CallEntry(Call.of("perceive_scene"), "done", FOUND, 3, True),
-        CallEntry(Call("find_object", "[1"), "done", "object_id: object_2", 3, True),
-    )
+def test_handles_come_with_what_the_tools_called_the_things_the_latest_last():
+    looked = "objects:\n- number: 1\n  object_id: object_2\n  description: something small"
+    near = "Nothing that shows is called 'egg'. Nearest: object_3, red box, at [5, 5]. Look again."
+    told = (("find_object", FOUND), ("perceive_scene", looked), ("find_object", near))
+    again = (("find_object", FOUND), ("push", "object_id: object_9"), ("find_object", "Nothing."))
+    entries = tuple(CallEntry(Call(tool, "{}"), "done", text, 1, True) for tool, text in told)
     assert handles_of(entries) == [
-        {"id": "object_1", "asked": "lime"},
-        {"id": "object_2", "asked": ""},
+        {"id": "object_1", "called": "lime"},
+        {"id": "object_2", "called": "something small"},
+        {"id": "object_3", "called": "red box"},
     ]
+    entries += tuple(CallEntry(Call(tool, "{}"), "done", text, 1, True) for tool, text in again)
+    assert [each["id"] for each in handles_of(entries)] == ["object_2", "object_3", "object_1"]
 
 
 def test_the_page_is_told_what_is_left():

@@ -6,6 +6,7 @@ import json
 from dataclasses import dataclass, replace
 from typing import Any
 
+from probe.agents.reading import read_handles
 from probe.episodes.remarks import Remark
 from probe.episodes.turns import Call, Turn
 from probe.interfaces.human.progress import HumanProgress
@@ -13,8 +14,6 @@ from probe.tasks.task import Task
 from probe.tasks.type_rules import rules_of
 from probe.toolshed.result import Status
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
-
-_HANDLE = "object_id: "
 
 
 @dataclass(frozen=True)
@@ -126,17 +125,14 @@ def as_json(state: State) -> dict[str, Any]:
 
 
 def handles_of(entries: tuple[CallEntry, ...]) -> list[dict[str, str]]:
-    """The object_ids that find_object gave out, with the words that they were asked for by."""
-    return [
-        {"id": entry.text.splitlines()[0].removeprefix(_HANDLE), "asked": _asked(entry.call)}
-        for entry in entries
-        if entry.call.name == "find_object" and entry.text.startswith(_HANDLE)
-    ]
-
-
-def _asked(call: Call) -> str:
-    values = call.values
-    return str(values.get("description", "")) if isinstance(values, dict) else ""
+    """The object_ids that the tools gave out, the latest last, with what they called the things."""
+    called: dict[str, str] = {}
+    for entry in entries:
+        if entry.call.name in ("perceive_scene", "find_object"):
+            for handle, thing in read_handles(entry.text).items():
+                called.pop(handle, None)
+                called[handle] = thing
+    return [{"id": handle, "called": thing} for handle, thing in called.items()]
 
 
 def _entry_json(entry: CallEntry) -> dict[str, Any]:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from statistics import median_low
-from typing import Any, Literal, cast
+from typing import Literal
 
-import yaml
-
+from probe.agents.reading import read_handles
 from probe.episodes.record import EpisodeRecord, Step
 
 Waste = Literal[
@@ -16,6 +15,7 @@ Waste = Literal[
 ]
 
 MOVES = ("grasp_and_remove", "push")
+_LOOKS = ("perceive_scene", "find_object")
 SLACK = 1
 """Manipulations more than the median of a type's successes that are let pass."""
 
@@ -57,26 +57,15 @@ def reminded(record: EpisodeRecord) -> bool:
 
 
 def failures(record: EpisodeRecord) -> Counter[str]:
-    """How often a manipulation failed, by what find_object said the thing was."""
+    """How often a manipulation failed, by what the tools said the thing was."""
     called: dict[str, str] = {}
     failed = Counter[str]()
     for step in record.steps:
-        if step.call.name == "find_object" and step.status == "done":
-            handle, thing = _found(step)
-            called[handle] = thing
+        if step.call.name in _LOOKS:
+            called |= read_handles(step.text)
         elif step.call.name in MOVES and step.status == "failed":
             failed[called.get(_handle(step), "")] += 1
     return failed
-
-
-def _found(step: Step) -> tuple[str, str]:
-    """The id that find_object gave out, and what the thing is: its name if it has one."""
-    try:
-        told: Any = yaml.safe_load(step.text)
-    except (yaml.YAMLError, ValueError, RecursionError):  # none that our tools wrote
-        told = None
-    lines = cast("dict[str, Any]", told if isinstance(told, dict) else {})
-    return str(lines.get("object_id", "")), str(lines.get("name") or lines.get("description", ""))
 
 
 def _handle(step: Step) -> str:

@@ -38,7 +38,7 @@ function listOptions() {
 function listObjects() {
   const newest = [...state.objects].reverse();
   part("object").replaceChildren(...newest.map((each) =>
-    make("option", { value: each.id }, `${each.id}: ${each.asked}`)));
+    make("option", { value: each.id }, `${each.id}: ${each.called}`)));
 }
 
 function letter() {

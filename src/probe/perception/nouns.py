@@ -1,0 +1,75 @@
+"""Which words people use for which things, from a file of general English. Knows no catalogue."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from importlib.resources import files
+
+import pydantic
+import yaml
+
+from probe.errors import BadData
+from probe.files import fault
+
+SAME, KIND, LOOKS, ALIKE = 0.8, 0.7, 0.7, 0.5
+"""What a word is worth for a thing that goes by another one: another word for the same, a word
+for many such things, a word for its shape or material, a word for something that looks alike."""
+
+
+class _Nouns(pydantic.BaseModel, frozen=True, extra="forbid"):
+    """The file: groups of words, and words with what they cover."""
+
+    same: list[list[str]]
+    alike: list[list[str]]
+    kinds: dict[str, list[str]]
+    shapes: dict[str, list[str]]
+    materials: dict[str, list[str]]
+    outlines: dict[str, list[str]]
+
+
+@lru_cache(256)
+def names_meant(noun: str) -> Mapping[str, float]:
+    """Nouns of the things that a person may mean by another noun, and what it is worth for each."""
+    known = _nouns()
+    found: dict[str, float] = {}
+    groups = [(SAME, group) for group in known.same if noun in group]
+    groups += [(KIND, group) for group in _members(noun, known.kinds)]
+    groups += [(ALIKE, group) for group in known.alike if noun in group]
+    for worth, group in groups:
+        for word in group:
+            found[word] = max(worth, found.get(word, 0.0))
+    found.pop(noun, None)
+    return found
+
+
+@lru_cache(256)
+def looks_meant(word: str) -> Mapping[str, float]:
+    """Words of things that a word for a shape or a material fits, and what it is worth for each."""
+    known = _nouns()
+    fitting = known.shapes.get(word, []) + known.materials.get(word, [])
+    return dict.fromkeys(fitting, LOOKS)
+
+
+@lru_cache(256)
+def outlines_meant(noun: str) -> Mapping[str, float]:
+    """Words for the outlines (see `shape_word`) that a part of such a thing may have."""
+    return {word: ALIKE for word, nouns in _nouns().outlines.items() if noun in nouns}
+
+
+def _members(noun: str, kinds: Mapping[str, list[str]]) -> list[list[str]]:
+    """What a kind covers, and what the kinds cover that it covers."""
+    if noun not in kinds:
+        return []
+    members = kinds[noun]
+    return [members, *(kinds[member] for member in members if member in kinds)]
+
+
+@lru_cache(1)
+def _nouns() -> _Nouns:
+    source = files("probe.perception") / "data/nouns.yaml"
+    try:
+        return _Nouns.model_validate(yaml.safe_load(source.read_text("utf-8")))
+    except (yaml.YAMLError, pydantic.ValidationError) as error:
+        reason = fault(error, "it") if isinstance(error, pydantic.ValidationError) else str(error)
+        raise BadData(str(source), reason, "Correct it") from error

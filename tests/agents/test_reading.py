@@ -1,0 +1,32 @@
+from probe.agents.reading import read_graph, read_handle, read_handles
+from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
+from probe.toolshed.toolshed import Toolshed
+from tabletops import Block, Obedient, PaintedStation, spec
+
+SPECS = {1: spec("red mug"), 2: spec("red mug"), 3: spec("blue book", "blue")}
+BLOCKS = [
+    Block(1, (100, 100, 219, 219)),
+    Block(2, (400, 100, 519, 219)),
+    Block(3, (100, 500, 299, 699), colour=(40, 85, 170)),
+]
+
+
+def reply(tool, **arguments):
+    shed = Toolshed(PaintedStation(BLOCKS), Oracle(SPECS), Obedient(), UR5_TABLE)
+    return shed.call(tool, arguments).text
+
+
+def test_every_kind_of_reply_tells_its_ids():
+    mugs = {"object_1": "red mug", "object_2": "red mug"}
+    assert read_handles(reply("perceive_scene")) == mugs | {"object_3": "blue book"}
+    assert read_handles(reply("find_object", description="mug")) == mugs
+    assert read_handles(reply("find_object", description="green mug")) == mugs
+    assert read_handles(reply("find_object", description="zeppelin")) == {}
+    assert read_handles("Done: object_1 was lifted.") == read_handles(": [") == {}
+
+
+def test_a_list_holds_the_ids_and_a_failed_search_no_single_one():
+    graph = read_graph(reply("perceive_scene"))
+    assert [seen.object_id for seen in graph.objects] == ["object_1", "object_2", "object_3"]
+    assert read_handle(reply("find_object", description="green mug")) is None
