@@ -30,7 +30,7 @@ LOOK = ("perceive_scene", "{}")
 
 
 def answer(letter: str) -> tuple[str, str]:
-    return "answer_question", json.dumps({"choice": letter})
+    return "answer_question", json.dumps({"choice": letter, "point": [640, 490]})
 
 
 def replies_so_far(body: dict[str, Any]) -> int:
