@@ -6,15 +6,14 @@ import json
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import fsspec
 import pytest
 
 from engines.ray_nodes import Nodes, nodes_and_store
-from probe.episodes.files import line_of, read_records
 from probe.tasks.suite import selection
 from probe.tasks.suite_file import demo_suite, write_suite
+from untimed import lines
 
 pytestmark = pytest.mark.slow
 
@@ -35,11 +34,6 @@ def probe(nodes: Nodes, *arguments: object, **more: str) -> str:
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
-
-
-def lines(folder: Path) -> list[bytes]:
-    records = read_records(folder / "records.jsonl")
-    return sorted(line_of(record, timed=False) for record in records)
 
 
 def test_records_and_verdicts_are_the_same_as_here(nodes: Nodes, tmp_path, monkeypatch):

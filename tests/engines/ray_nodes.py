@@ -20,13 +20,17 @@ from pathlib import Path
 import psutil
 import pytest
 
+import probe
+
 TESTS = Path(__file__).resolve().parents[1]
+MODULES = f"{Path(probe.__file__).parents[1]}{os.pathsep}{TESTS}"
+"""PYTHONPATH with the program that runs here, and the tests' jobs."""
 RAY = Path(sys.executable).with_name("ray")
 
 
 @dataclass
 class Nodes:
-    """Two nodes with a core each; the second can be killed and started again.
+    """Two nodes with a core each; both can be killed and started again.
 
     Attributes:
         address: Of the head.
@@ -41,6 +45,7 @@ class Nodes:
     folder: Path
     objects: str
     cache: Path | None = None
+    first: list[psutil.Process] = field(default_factory=list)
     second: list[psutil.Process] = field(default_factory=list)
 
     @property
@@ -61,7 +66,7 @@ class Nodes:
         before = set(psutil.pids())
         subprocess.run(
             [RAY, "start", *role, "--num-cpus", "1", "--disable-usage-stats"],
-            env={**os.environ, **self.environment, "PYTHONPATH": str(TESTS), **more},
+            env={**os.environ, **self.environment, "PYTHONPATH": MODULES, **more},
             check=True,
             capture_output=True,
         )
@@ -69,16 +74,23 @@ class Nodes:
         new = [it for it in psutil.process_iter() if it.pid not in before]
         return [process for process in new if _tells(process, port)]
 
-    def start_first(self) -> list[psutil.Process]:
-        """Start the head; its processes."""
+    def start_first(self) -> None:
+        """Start the head."""
         head = ("--head", "--include-dashboard=false", "--temp-dir", str(self.folder))
         cache = str(self.cache or self.folder / "cache-1")
-        return self.start(*head, "--port", self.address.rpartition(":")[2], XDG_CACHE_HOME=cache)
+        port = self.address.rpartition(":")[2]
+        self.first = self.start(*head, "--port", port, XDG_CACHE_HOME=cache)
 
     def add_second(self, cache: str = "cache-2") -> None:
         """Start the second node; a new cache is in a folder of its own."""
         there = str(self.cache or self.folder / cache)
         self.second = self.start("--address", self.address, XDG_CACHE_HOME=there)
+
+    def kill_first(self) -> None:
+        """End all of the head's processes at once, its workers too."""
+        for process in self.first:
+            _kill(process)
+        self.first = []
 
     def kill_second(self) -> None:
         """End all of the second node's processes at once, its workers too."""
@@ -100,15 +112,13 @@ def two_nodes(objects: str = "", cache: Path | None = None) -> Generator[Nodes]:
         port = free.getsockname()[1]
     folder = Path(tempfile.mkdtemp(prefix="ray-"))
     nodes = Nodes(f"127.0.0.1:{port}", secrets.token_hex(32), folder, objects, cache)
-    head: list[psutil.Process] = []
     try:
-        head = nodes.start_first()
+        nodes.start_first()
         nodes.add_second()
         yield nodes
     finally:
         nodes.kill_second()
-        for process in head:
-            _kill(process)
+        nodes.kill_first()
         shutil.rmtree(folder, ignore_errors=True)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -16,10 +17,10 @@ import fsspec
 import pytest
 
 from crew_jobs import AssetReader, Bench
-from engines.ray_nodes import TESTS, Nodes, nodes_and_store
+from engines.ray_nodes import MODULES, Nodes, nodes_and_store
 from probe.engines.plan import LostUnit, WorkPlan
-from probe.engines.ray_cluster import ClusterRefused
 from probe.engines.ray_engine import RayEngine
+from probe.engines.ray_errors import ClusterRefused
 from probe.errors import BadData, WorkerDied
 from probe.processes.serving import WorkerUnfit
 
@@ -54,7 +55,9 @@ def _let_in(nodes: Nodes, monkeypatch):
 def carry_out(notes: Path, units: list[str], *, store: str | None = None, **bench: bool):
     plan = WorkPlan("w", Bench(notes, **bench), units, str)
     told: list[str] = []
-    return dict(RayEngine(notes / "run", store, tell=told.append).carry_out(plan)), told
+    results = dict(RayEngine(notes / "run", store, tell=told.append).carry_out(plan))
+    assert told.pop(0).startswith("Connecting to the Ray cluster at 127.0.0.1:")
+    return results, told
 
 
 def begun(notes: Path, unit: str) -> int:
@@ -77,8 +80,11 @@ def test_each_unit_is_done_once_by_both_nodes_and_nothing_is_left(tmp_path):
     assert not told and not list((tmp_path / "run").glob("*"))
 
 
-def test_the_death_of_a_worker_costs_a_try_and_three_deaths_the_unit(tmp_path):
-    results, _ = carry_out(tmp_path, ["unlucky", "deadly", "a", "b"])
+def test_the_death_of_a_worker_costs_a_try_and_three_deaths_the_unit(tmp_path, capfd):
+    results, told = carry_out(tmp_path, ["unlucky", "deadly", "a", "b"])
+    assert told == [f"{socket.gethostname()}: A worker died. Another one does its work."]
+    time.sleep(2)  # Ray tells of deaths from a thread
+    assert capfd.readouterr() == ("", "")
     lost = results.pop("deadly")
     assert isinstance(lost, LostUnit) and "3 times" in lost.reason
     assert results == {unit: f"{unit} done".encode() for unit in ("unlucky", "a", "b")}
@@ -101,10 +107,41 @@ def test_the_death_of_a_node_costs_no_unit(nodes: Nodes, tmp_path):
     assert not list((tmp_path / "run").glob("*"))
 
 
+def test_the_death_of_the_first_machine_is_told_and_what_was_finished_is_kept(
+    nodes: Nodes, tmp_path
+):
+    units = [f"second-{number}" for number in range(80)]
+    arguments = [sys.executable, "-c", DRIVER, str(tmp_path), *units]
+    driver = subprocess.Popen(
+        arguments,
+        env={**os.environ, "PYTHONPATH": MODULES},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    wait_for(lambda: begun(tmp_path, "second-4"))
+    nodes.kill_first()
+    killed = time.monotonic()
+    said, refused = driver.communicate(timeout=90)
+    took = time.monotonic() - killed
+    nodes.kill_second()
+    nodes.start_first()
+    nodes.add_second()
+    assert took < 50, "Ray itself ends the process after 60 s"
+    assert driver.returncode == 1
+    assert f"{nodes.address} (from RAY_ADDRESS) doesn't answer" in said
+    assert f"kept in {tmp_path / 'run'} and " in refused and "the same command" in refused
+    assert "rpc_client" not in refused and "raylet" not in said
+    done = (tmp_path / "kept").read_text().split()
+    left = [unit for unit in units if unit not in done][:4]
+    results, _ = carry_out(tmp_path, left)
+    assert results == {unit: f"{unit} done".encode() for unit in left}
+
+
 def test_a_driver_that_is_killed_finds_what_was_done(tmp_path):
     units = ["a", "b", "second-1", "long"]
     arguments = [sys.executable, "-c", DRIVER, str(tmp_path), *units]
-    driver = subprocess.Popen(arguments, env={**os.environ, "PYTHONPATH": str(TESTS)})
+    driver = subprocess.Popen(arguments, env={**os.environ, "PYTHONPATH": MODULES})
     kept = tmp_path / "kept"
     wait_for(lambda: kept.exists() and begun(tmp_path, "long"))
     driver.send_signal(signal.SIGKILL)
@@ -128,7 +165,9 @@ def read_assets(tmp_path: Path, store: str | None, units: int = 4):
     told: list[str] = []
     plan = WorkPlan("look", AssetReader(), [str(number) for number in range(units)], str)
     engine = RayEngine(tmp_path, store, tell=told.append)
-    return [json.loads(cast(bytes, result)) for _, result in engine.carry_out(plan)], told
+    found = [json.loads(cast(bytes, result)) for _, result in engine.carry_out(plan)]
+    assert told.pop(0).startswith("Connecting")
+    return found, told
 
 
 def test_assets_and_results_go_by_way_of_an_object_store(
@@ -199,9 +238,13 @@ def test_without_a_token_nothing_is_sent(tmp_path, monkeypatch):
         carry_out(tmp_path, ["a"])
 
 
-def test_a_wrong_token_is_refused_with_the_remedy(tmp_path):
-    wrong = {**os.environ, "PYTHONPATH": str(TESTS), "RAY_AUTH_TOKEN": "f" * 64}
+def test_a_wrong_token_is_refused_at_once_with_the_remedy(nodes: Nodes, tmp_path):
+    wrong = {**os.environ, "PYTHONPATH": MODULES, "RAY_AUTH_TOKEN": "f" * 64}
     arguments = [sys.executable, "-c", DRIVER, str(tmp_path), "a"]
+    began = time.monotonic()
     driver = subprocess.run(arguments, env=wrong, capture_output=True, text=True, check=False)
+    assert time.monotonic() - began < 15, "Ray itself takes 34 s"
+    assert driver.stdout.startswith(f"Connecting to the Ray cluster at {nodes.address}")
     assert "ClusterRefused" in driver.stderr and "has another token" in driver.stderr
     assert "gcs_client.cc" not in driver.stderr and not begun(tmp_path, "a")
+    assert not list((tmp_path / "run").glob("*"))

@@ -31,6 +31,16 @@ def test_a_sweep_leaves_what_is_kept_and_no_half_written_file(tmp_path):
     assert not (tmp_path / "units").exists()
 
 
+def test_a_file_address_is_a_folder(tmp_path):
+    store = ResultStore(f"file://{tmp_path}/shared").under("units-w")
+    store.write("find-1.0", b"a record")
+    assert (tmp_path / "shared" / "units-w" / "find-1.0").read_bytes() == b"a record"
+    assert store.names() == {"find-1.0"}
+    assert store.read_all(["find-1.0"]) == {"find-1.0": b"a record"}
+    store.sweep()
+    assert not (tmp_path / "shared" / "units-w").exists()
+
+
 def test_an_address_that_nobody_knows_is_named():
     with pytest.raises(BadData, match="nowhere://x"):
         ResultStore("nowhere://x").names()

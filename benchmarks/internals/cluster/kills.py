@@ -24,10 +24,11 @@ from typing import Literal
 import fsspec
 import psutil
 import tyro
-from measured_runs import lines, start, write_tasks
+from measured_runs import start, write_tasks
 
 from engines.ray_nodes import Nodes, nodes_and_store
 from probe.assets.folders import cache_folder
+from untimed import lines
 
 Victim = Literal["worker", "node", "driver"]
 TYPES = ("beneath", "compare", "count", "find", "reduce", "size")

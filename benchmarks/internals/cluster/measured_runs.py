@@ -8,7 +8,6 @@ import sys
 from collections.abc import Mapping
 from pathlib import Path
 
-from probe.episodes.files import line_of, read_records
 from probe.tasks.suite import selection, spaced
 from probe.tasks.suite_file import packaged_suite, write_suite
 
@@ -29,12 +28,3 @@ def start(arguments: tuple[object, ...], variables: Mapping[str, str]) -> subpro
         stderr=subprocess.STDOUT,
         text=True,
     )
-
-
-def lines(folder: Path) -> list[bytes]:
-    """A run's records without their times, in an order of their own.
-
-    Failures of ours are left out: each stands beside its repetition.
-    """
-    records = [it for it in read_records(folder / "records.jsonl") if it.end != "fault"]
-    return sorted(line_of(record, timed=False) for record in records)

@@ -17,10 +17,11 @@ from pathlib import Path
 
 import psutil
 import tyro
-from measured_runs import lines, start, write_tasks
+from measured_runs import start, write_tasks
 
 from engines.ray_nodes import Nodes, two_nodes
 from probe.assets.folders import cache_folder
+from untimed import lines
 
 HERE, THERE = ("--workers", "2"), ("--on", "ray")
 MEGABYTE = 1e6

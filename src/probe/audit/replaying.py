@@ -12,6 +12,7 @@ from probe.audit.audit_file import ReplayVerdict
 from probe.episodes.play import replay_afresh
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import differences
+from probe.errors import OutputFailed
 from probe.render.renderer import Renderer
 from probe.runs.vary import vary
 from probe.tasks.suite import Suite, check_objects, part
@@ -64,6 +65,8 @@ class Replayer:
             check_objects(part(self.suite, claim.task), things)
             reason = _difference(claim, things, renderer)
             verdict = ReplayVerdict(outcome="differs" if reason else "equal", reason=reason)
+        except OutputFailed:
+            raise  # this machine's disk is full, which says nothing about the record
         except Exception as error:
             # Whatever a record does to the tools is told of this record alone.
             reason = f"{type(error).__name__}: {error}"

@@ -21,7 +21,7 @@ class ResultStore:
     """A folder that all nodes see, or a prefix in an object store.
 
     Attributes:
-        url: A path, or an address that fsspec knows ("s3://bucket/run").
+        url: A path ("file://" may stand before it), or an address that fsspec knows ("s3://bucket/run").
     """
 
     url: str
@@ -29,7 +29,8 @@ class ResultStore:
     @property
     def folder(self) -> Path | None:
         """The folder; None for an object store."""
-        return None if "://" in self.url else Path(self.url)
+        path = self.url.removeprefix("file://")
+        return None if "://" in path else Path(path)
 
     def under(self, name: str) -> ResultStore:
         """A store within this one."""
