@@ -17,7 +17,6 @@ from probe.generation.making import TaskMaker
 from probe.runs.plan import Job
 from probe.runs.work import WorkerSetup
 
-
 SLOW = {"long": 60, "slow": 20}
 """Jobs that take so many seconds."""
 
