@@ -17,6 +17,9 @@ from probe.generation.making import TaskMaker
 from probe.runs.plan import Job
 from probe.runs.work import WorkerSetup
 
+SLOW = {"long": 60, "slow": 20}
+"""Jobs that take so many seconds."""
+
 
 @dataclass(frozen=True)
 class Bench:
@@ -26,17 +29,19 @@ class Bench:
         notes: Folder in which each begun job leaves a file with its process's id.
         unfit: It can't be set up.
         stillborn: It dies while it is set up.
+        frail: It dies while it is set up, but on the first of a cluster's nodes.
     """
 
     notes: Path
     unfit: bool = False
     stillborn: bool = False
+    frail: bool = False
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[str], bytes]]:
         if self.unfit:
             raise ProbeError("no tools here")
-        if self.stillborn:
+        if self.stillborn or (self.frail and not _on_the_first_node()):
             os.kill(os.getpid(), signal.SIGKILL)
         yield self.do
         (self.notes / f"closed-{os.getpid()}").touch()
@@ -50,13 +55,17 @@ class Bench:
             os.kill(os.getpid(), signal.SIGKILL)
         if job == "leaving":
             os._exit(3)
-        if job.startswith("roomy") and "cache-1" not in os.environ.get("XDG_CACHE_HOME", ""):
+        if job.startswith("roomy") and not _on_the_first_node():
             raise OutputFailed("/cache/x.npz", "No space left on device")
         if job.startswith(("second", "roomy")):
             time.sleep(1)
-        if job == "long":
-            time.sleep(60)
+        if job in SLOW:
+            time.sleep(SLOW[job])
         return f"{job} done".encode()
+
+
+def _on_the_first_node() -> bool:
+    return "cache-1" in os.environ.get("XDG_CACHE_HOME", "")
 
 
 @dataclass(frozen=True)

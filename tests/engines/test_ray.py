@@ -212,6 +212,12 @@ def test_a_disk_that_fills_up_during_the_work_costs_no_unit(tmp_path):
     assert len(told) == 1 and "No space left on device" in told[0]
 
 
+def test_workers_that_die_while_set_up_on_one_node_do_not_end_the_work_of_another(tmp_path):
+    units = ["slow", "a"]
+    results, _ = carry_out(tmp_path, units, frail=True)
+    assert results == {unit: f"{unit} done".encode() for unit in units}
+
+
 def test_a_node_that_cannot_work_is_named(tmp_path):
     with pytest.raises(WorkerUnfit, match="no tools here"):
         carry_out(tmp_path, ["a"], unfit=True)

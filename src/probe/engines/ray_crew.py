@@ -64,12 +64,17 @@ class Crew(Generic[Unit]):
     def results(self, waiting: deque[tuple[Unit, int]]) -> Generator[tuple[Unit, bytes | LostUnit]]:
         """Do what waits; a unit's result is removed from the store once it is kept."""
         try:
-            while waiting or any(member.unit is not None for member in self.members.values()):
+            while waiting or self._working:
                 self._hire(len(waiting))
                 heard = [self._hear(said, waiting) for said in self._news()]
                 yield from self._kept([event for event in heard if event is not None])
         finally:
             self._disband()
+
+    @property
+    def _working(self) -> bool:
+        """Whether a worker is at a unit."""
+        return any(member.unit is not None for member in self.members.values())
 
     def _disband(self) -> None:
         """End all workers; those of a lost cluster end by themselves, and Ray would wait for it."""
@@ -78,7 +83,12 @@ class Crew(Generic[Unit]):
                 self.ray.kill(member.actor)
 
     def _hire(self, waiting: int) -> None:
-        """Start workers for what waits, as many as there may be."""
+        """Start workers for what waits, as many as there may be.
+
+        Once several have died in a row before they were ready, none until another ends a unit.
+        """
+        if self.stillborn >= TRIES and self._working:
+            return
         opening = sum(member.unit is None for member in self.members.values())
         for _ in range(min(self.count - len(self.members), waiting - opening)):
             actor = self.workers.remote(self.plan.opening, self.node)
@@ -144,11 +154,11 @@ class Crew(Generic[Unit]):
         """Have a dead worker's unit begun again; lost if it was begun TRIES times.
 
         Raises:
-            WorkerDied: Workers die before they begin.
+            WorkerDied: Workers die before they begin, and none is at work.
         """
         if member.unit is None:
             self.stillborn += 1
-            if self.stillborn >= TRIES:
+            if self.stillborn >= TRIES and not self._working:
                 raise WorkerDied("setting up on a node")
             return None
         self._tell_once(NodeReport(member.node, "A worker died."), "Another one does its work.")
