@@ -1,0 +1,119 @@
+"""Where the edge of a flat thing stands out over something lower. Knows no gripper.
+
+A camera above sees no undersides: that there is room under an edge is guessed from how far the
+height falls beside it. A solid block looks the same, so a finger that goes there may be stopped.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+from scipy.spatial import KDTree
+
+from probe.manipulation.target import Target
+from probe.manipulation.terrain import Terrain
+from probe.types import Array
+
+LEAST_ROOM = 0.012
+"""Metres under an edge below which no finger fits there."""
+
+THICKNESS = 0.004, 0.025
+"""Least and greatest thickness that is guessed, metres."""
+
+_BLUR = 3.0
+_BESIDE = np.array([0.006, 0.010, 0.015, 0.020, 0.028])
+_ASIDE = np.array([-0.010, 0.0, 0.010])
+_APART = 0.012
+_PATCH, _ROUGHNESS = 0.022, 0.002
+_FEWEST = 30
+
+
+@dataclass(frozen=True, eq=False)
+class Overhangs:
+    """Places on the edges of a thing with room below.
+
+    Attributes:
+        places: On the edge at the height of the surface, metres, shape (n, 3).
+        outward: Unit directions out of the thing along its surface, shape (n, 3).
+        normals: Unit normals of the surface there, upwards, shape (n, 3).
+        floors: Highest that stands just beside the edge, metres, shape (n,).
+        thickness: Guess of the thing's, metres.
+    """
+
+    places: Array
+    outward: Array
+    normals: Array
+    floors: Array
+    thickness: float
+
+    def __getitem__(self, chosen: Array) -> Overhangs:
+        return Overhangs(
+            self.places[chosen],
+            self.outward[chosen],
+            self.normals[chosen],
+            self.floors[chosen],
+            self.thickness,
+        )
+
+
+def overhangs(target: Target, terrain: Terrain) -> Overhangs:
+    """Edges of what shows of a thing with enough room below, evenly spread."""
+    places, level = _border(target, terrain)
+    floors, drops = _beside(target, terrain, places, level)
+    thickness = float(np.clip(np.percentile(drops, 2) if len(drops) else 0.0, *THICKNESS))
+    good = np.flatnonzero(places[:, 2] - floors > LEAST_ROOM + thickness)
+    good = good[_spread(places[good])]
+    normals, smooth = _planes(target.top, places[good])
+    good, normals = good[smooth], normals[smooth]
+    outward = level[good] - (level[good] * normals).sum(axis=1, keepdims=True) * normals
+    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+    return Overhangs(places[good], outward, normals, floors[good], thickness)
+
+
+def _border(target: Target, terrain: Terrain) -> tuple[Array, Array]:
+    """Cells at the edge of what shows: their points and level outward unit directions, (n, 3)."""
+    rows, columns = np.nonzero(target.cells & ~ndimage.binary_erosion(target.cells))
+    blurred = ndimage.gaussian_filter(target.cells.astype(float), _BLUR)
+    ways = -np.stack([np.gradient(blurred, axis=0), np.gradient(blurred, axis=1)], axis=-1)
+    level = ways[rows, columns]
+    length = np.linalg.norm(level, axis=1)
+    kept = length > 0
+    level = level[kept] / length[kept, None]
+    rows, columns = rows[kept], columns[kept]
+    places = np.column_stack([terrain.centres(rows, columns), target.heights[rows, columns]])
+    return places, np.column_stack([level, np.zeros(len(level))])
+
+
+def _beside(target: Target, terrain: Terrain, places: Array, level: Array) -> tuple[Array, Array]:
+    """The highest beside each place, shape (n,), and how far things fall where they fall."""
+    aside = np.column_stack([-level[:, 1], level[:, 0], level[:, 2]])
+    near = places + _BESIDE[:, None, None] * level
+    points = near + _ASIDE[:, None, None, None] * aside
+    own = target.cells[terrain.cells(points[..., :2])]
+    heights = np.where(own, 0.0, terrain.below(points))
+    drops = places[:, 2] - terrain.below(near[0])
+    return heights.max(axis=(0, 1)), drops[drops > THICKNESS[0] / 2]
+
+
+def _spread(places: Array) -> Array:
+    """Indices of the first place of each small square."""
+    bins = np.floor(places[:, :2] / _APART)
+    return np.sort(np.unique(bins, axis=0, return_index=True)[1])
+
+
+def _planes(points: Array, places: Array) -> tuple[Array, Array]:
+    """Upward normals of the surface by each place, (n, 3), and whether it is a plane, (n,)."""
+    normals, smooth = np.tile([0.0, 0.0, 1.0], (len(places), 1)), np.zeros(len(places), bool)
+    if len(places) == 0:
+        return normals, smooth
+    tree = KDTree(points)
+    for k, place in enumerate(places):
+        patch = points[tree.query_ball_point(place, _PATCH)]
+        if len(patch) < _FEWEST:
+            continue
+        _, spread, axes = np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)
+        normals[k] = axes[2] * (1.0 if axes[2, 2] > 0 else -1.0)
+        smooth[k] = spread[2] / np.sqrt(len(patch)) < _ROUGHNESS
+    return normals, smooth
