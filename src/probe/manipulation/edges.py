@@ -5,6 +5,8 @@ The hand comes from the side, along the surface or somewhat steeper.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from probe.manipulation.candidates import Grasp
@@ -17,8 +19,14 @@ from probe.station.station import Hand
 from probe.types import Array, Pose, quaternion_of
 
 _STEEPER = np.radians([0.0, 12.0, 24.0, 36.0])
-_DEPTHS = np.array([0.018, 0.006, -0.008])
-_OPENINGS = (0.028, 0.040, 0.056, 0.072)
+_DEPTHS = np.array([0.016, 0.0])
+_THICK = (0.036, 0.024, 0.014, 0.006)
+_LOW = 0.012
+"""Metres below the surface at which the hand's middle comes in at most: then the lower finger of a
+thick thing touches first and lifts it, where the upper one would press it down."""
+
+_ABOVE, _BELOW = 0.010, 0.008
+_WIDER = (0.0, 0.010, 0.020)
 _BACK = np.array([0.0, 0.02, 0.04, 0.07, BACK_OFF])
 _SIDE = 0.002
 _SPARE = 0.002
@@ -27,55 +35,89 @@ _WANTED = 32
 
 
 def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
-    """Grasps by an edge, best first, whose straight way in touches nothing seen."""
+    """Grasps by an edge, best first, whose straight way in touches nothing seen.
+
+    How thick the thing is can't be seen: it is supposed as thick as there is room for.
+    """
     edges = overhangs(target, terrain)
     if len(edges.places) == 0:
         return []
     shape, others = HandShape(hand), terrain.without(target.cells).widened(_SIDE)
-    rotations, centres, merits, number = _hands(edges, target)
+    options = _options(edges, target)
     found: list[Grasp] = []
-    for k in np.argsort(-merits, kind="stable"):
-        edge, rotation, centre = int(number[k]), rotations[k], centres[k]
-        for opening in _OPENINGS:
-            width = edges.thickness
-            origin = centre - hand.pad_reach(width) * rotation[:, 2]
+    taken: set[tuple[int, int]] = set()
+    for k in np.argsort(-options.merits, kind="stable"):
+        edge, thick, rotation = int(options.edges[k]), float(options.thick[k]), options.rotations[k]
+        same = edge, round(100 * float(options.steeper[k]))
+        if same in taken:
+            continue
+        origin = options.centres[k] - hand.pad_reach(thick) * rotation[:, 2]
+        for opening in _openings(thick, hand):
             points = shape.whole(opening)[::_EVERY] @ rotation.T + origin
-            if _comes_in(points, rotation[:, 2], edges, edge, target, others):
-                tilt = float(np.arccos(np.clip(-rotation[2, 2], -1.0, 1.0)))
-                x, y, z = (float(v) for v in centre)
-                pose = Pose.of(origin, quaternion_of(rotation))
-                found.append(Grasp(pose, (x, y, z), opening, width, tilt, float(merits[k])))
+            if _comes_in(points, rotation[:, 2], edges, edge, thick, target, others):
+                found.append(_grasp(options, int(k), origin, opening))
+                taken.add(same)
                 break
         if len(found) >= _WANTED:
             break
     return found
 
 
-def _hands(edges: Overhangs, target: Target) -> tuple[Array, Array, Array, Array]:
-    """Rotations, middles between the pads, merits, and which edge each one holds."""
-    count = len(edges.places)
-    edge, steep, depth = (
-        one.ravel()
-        for one in np.meshgrid(
-            np.arange(count), np.arange(len(_STEEPER)), np.arange(len(_DEPTHS)), indexing="ij"
-        )
-    )
-    out, up = edges.outward[edge], edges.normals[edge]
-    lean = _STEEPER[steep][:, None]
+@dataclass(frozen=True, eq=False)
+class _Options:
+    """Ways to pinch an edge, not yet checked; each array has a row for one.
+
+    Attributes:
+        edges: Index of the edge.
+        steeper: Angle of the approach to the surface, radians.
+        thick: Supposed thickness, metres.
+        rotations: world_from_hand.
+        centres: Middle between the pads, metres.
+        merits: Higher is better.
+    """
+
+    edges: Array
+    steeper: Array
+    thick: Array
+    rotations: Array
+    centres: Array
+    merits: Array
+
+
+def _options(edges: Overhangs, target: Target) -> _Options:
+    supposed = np.array([edges.thickness, *(t for t in _THICK if t < edges.thickness)])
+    count = np.arange(len(edges.places))
+    grids = np.meshgrid(count, _STEEPER, _DEPTHS, supposed, indexing="ij")
+    edge, steeper, depth, thick = (one.ravel() for one in grids)
+    edge = edge.astype(int)
+    out, up, lean = edges.outward[edge], edges.normals[edge], steeper[:, None]
     approach = -np.cos(lean) * out - np.sin(lean) * up
     closing = np.cos(lean) * up - np.sin(lean) * out
     rotations = np.stack([np.cross(closing, approach), closing, approach], axis=2)
-    held = edges.places[edge] - edges.thickness / 2 * up
-    centres = held + _DEPTHS[depth][:, None] * approach
+    held = edges.places[edge] - np.minimum(thick / 2, _LOW)[:, None] * up
+    centres = held + depth[:, None] * approach
     away = target.centre - edges.places[edge]
     beside = np.abs((away * np.cross(up, out)).sum(axis=1))
     room = np.minimum(edges.places[:, 2] - edges.floors, 0.06)[edge]
-    merits = 5.0 * room - 10.0 * beside - 0.6 * lean[:, 0] + 5.0 * _DEPTHS[depth]
-    return rotations, centres, merits, edge
+    merits = 5.0 * room - 10.0 * beside - 0.6 * steeper + 5.0 * depth + 8.0 * thick
+    return _Options(edge, steeper, thick, rotations, centres, merits)
+
+
+def _openings(thick: float, hand: Hand) -> list[float]:
+    """How far apart the pads may come in, metres, smallest first."""
+    middle = min(thick / 2, _LOW)
+    least = 2 * max(middle + _ABOVE, thick - middle + _BELOW)
+    return [least + wider for wider in _WIDER if least + wider < hand.max_opening]
 
 
 def _comes_in(
-    points: Array, approach: Array, edges: Overhangs, edge: int, target: Target, others: Terrain
+    points: Array,
+    approach: Array,
+    edges: Overhangs,
+    edge: int,
+    thick: float,
+    target: Target,
+    others: Terrain,
 ) -> bool:
     """Whether points of the hand, in the world, get there straight, above and below the thing."""
     ways = points - _BACK[:, None, None] * approach
@@ -87,5 +129,13 @@ def _comes_in(
         return False
     top = np.where(own, target.heights[cells], -np.inf)
     slope = max(float(edges.normals[edge, 2]), 0.5)
-    above, below = z > top + _SPARE, z < top - edges.thickness / slope - _SPARE
+    above, below = z > top + _SPARE, z < top - thick / slope - _SPARE
     return bool((above | below).all())
+
+
+def _grasp(options: _Options, index: int, origin: Array, opening: float) -> Grasp:
+    rotation = options.rotations[index]
+    tilt = float(np.arccos(np.clip(-rotation[2, 2], -1.0, 1.0)))
+    x, y, z = (float(v) for v in options.centres[index])
+    width, merit = float(options.thick[index]), float(options.merits[index])
+    return Grasp(Pose.of(origin, quaternion_of(rotation)), (x, y, z), opening, width, tilt, merit)

@@ -19,9 +19,10 @@ from probe.types import Array
 LEAST_ROOM = 0.012
 """Metres under an edge below which no finger fits there."""
 
-THICKNESS = 0.004, 0.025
+THICKNESS = 0.004, 0.050
 """Least and greatest thickness that is guessed, metres."""
 
+_THIN = 0.012
 _BLUR = 3.0
 _BESIDE = np.array([0.006, 0.010, 0.015, 0.020, 0.028])
 _ASIDE = np.array([-0.010, 0.0, 0.010])
@@ -39,7 +40,7 @@ class Overhangs:
         outward: Unit directions out of the thing along its surface, shape (n, 3).
         normals: Unit normals of the surface there, upwards, shape (n, 3).
         floors: Highest that stands just beside the edge, metres, shape (n,).
-        thickness: Guess of the thing's, metres.
+        thickness: What it is at most by the lowest step down from it, metres.
     """
 
     places: Array
@@ -63,7 +64,8 @@ def overhangs(target: Target, terrain: Terrain) -> Overhangs:
     places, level = _border(target, terrain)
     floors, drops = _beside(target, terrain, places, level)
     thickness = float(np.clip(np.percentile(drops, 2) if len(drops) else 0.0, *THICKNESS))
-    good = np.flatnonzero(places[:, 2] - floors > LEAST_ROOM + thickness)
+    least = LEAST_ROOM + min(thickness, _THIN)
+    good = np.flatnonzero(places[:, 2] - floors > least)
     good = good[_spread(places[good])]
     normals, smooth = _planes(target.top, places[good])
     good, normals = good[smooth], normals[smooth]
