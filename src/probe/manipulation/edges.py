@@ -18,20 +18,22 @@ from probe.manipulation.terrain import Terrain
 from probe.station.station import Hand
 from probe.types import Array, Pose, quaternion_of
 
-_STEEPER = np.radians([0.0, 12.0, 24.0, 36.0])
-_DEPTHS = np.array([0.016, 0.0])
+_STEEPER = np.radians([0.0, 14.0, 28.0, 40.0])
+_DEPTHS = np.array([0.016, 0.0, -0.012, -0.020])
 _THICK = (0.036, 0.024, 0.014, 0.006)
 _LOW = 0.012
 """Metres below the surface at which the hand's middle comes in at most: then the lower finger of a
 thick thing touches first and lifts it, where the upper one would press it down."""
 
-_ABOVE, _BELOW = 0.010, 0.008
-_WIDER = (0.0, 0.010, 0.020)
+_GAP = 0.006
+"""Metres between each pad and the thing before they close."""
+
 _BACK = np.array([0.0, 0.02, 0.04, 0.07, BACK_OFF])
 _SIDE = 0.002
 _SPARE = 0.002
 _EVERY = 2
 _WANTED = 32
+_OPENING_STEP = 0.004
 
 
 def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
@@ -43,7 +45,7 @@ def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     if len(edges.places) == 0:
         return []
     shape, others = HandShape(hand), terrain.without(target.cells).widened(_SIDE)
-    options = _options(edges, target)
+    options = _options(edges, target, hand)
     found: list[Grasp] = []
     taken: set[tuple[int, int]] = set()
     for k in np.argsort(-options.merits, kind="stable"):
@@ -52,12 +54,10 @@ def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
         if same in taken:
             continue
         origin = options.centres[k] - hand.pad_reach(thick) * rotation[:, 2]
-        for opening in _openings(thick, hand):
-            points = shape.whole(opening)[::_EVERY] @ rotation.T + origin
-            if _comes_in(points, rotation[:, 2], edges, edge, thick, target, others):
-                found.append(_grasp(options, int(k), origin, opening))
-                taken.add(same)
-                break
+        points = shape.whole(float(options.openings[k]))[::_EVERY] @ rotation.T + origin
+        if _comes_in(points, rotation[:, 2], edges, edge, thick, target, others):
+            found.append(_grasp(options, int(k), origin))
+            taken.add(same)
         if len(found) >= _WANTED:
             break
     return found
@@ -73,6 +73,7 @@ class _Options:
         thick: Supposed thickness, metres.
         rotations: world_from_hand.
         centres: Middle between the pads, metres.
+        openings: How far apart the pads come in, metres.
         merits: Higher is better.
     """
 
@@ -81,10 +82,11 @@ class _Options:
     thick: Array
     rotations: Array
     centres: Array
+    openings: Array
     merits: Array
 
 
-def _options(edges: Overhangs, target: Target) -> _Options:
+def _options(edges: Overhangs, target: Target, hand: Hand) -> _Options:
     supposed = np.array([edges.thickness, *(t for t in _THICK if t < edges.thickness)])
     count = np.arange(len(edges.places))
     grids = np.meshgrid(count, _STEEPER, _DEPTHS, supposed, indexing="ij")
@@ -94,20 +96,21 @@ def _options(edges: Overhangs, target: Target) -> _Options:
     approach = -np.cos(lean) * out - np.sin(lean) * up
     closing = np.cos(lean) * up - np.sin(lean) * out
     rotations = np.stack([np.cross(closing, approach), closing, approach], axis=2)
-    held = edges.places[edge] - np.minimum(thick / 2, _LOW)[:, None] * up
+    # Where the pads' faces pass the edge's upper corner, along the closing direction: the upper
+    # one's tip dives towards the surface, the lower one passes the lower corner.
+    upper = (_GAP + (depth + hand.pad_half[2]) * np.sin(steeper)) / np.cos(steeper)
+    lower = thick * np.cos(steeper) + _GAP
+    upper = np.maximum(upper, lower - 2 * _LOW)
+    held = edges.places[edge] + ((upper - lower) / 2)[:, None] * closing
     centres = held + depth[:, None] * approach
+    openings = np.ceil((upper + lower) / _OPENING_STEP) * _OPENING_STEP
     away = target.centre - edges.places[edge]
     beside = np.abs((away * np.cross(up, out)).sum(axis=1))
     room = np.minimum(edges.places[:, 2] - edges.floors, 0.06)[edge]
     merits = 5.0 * room - 10.0 * beside - 0.6 * steeper + 5.0 * depth + 8.0 * thick
-    return _Options(edge, steeper, thick, rotations, centres, merits)
-
-
-def _openings(thick: float, hand: Hand) -> list[float]:
-    """How far apart the pads may come in, metres, smallest first."""
-    middle = min(thick / 2, _LOW)
-    least = 2 * max(middle + _ABOVE, thick - middle + _BELOW)
-    return [least + wider for wider in _WIDER if least + wider < hand.max_opening]
+    some = np.flatnonzero(openings < hand.max_opening)
+    parts = (edge, steeper, thick, rotations, centres, openings, merits)
+    return _Options(*(part[some] for part in parts))
 
 
 def _comes_in(
@@ -133,9 +136,10 @@ def _comes_in(
     return bool((above | below).all())
 
 
-def _grasp(options: _Options, index: int, origin: Array, opening: float) -> Grasp:
+def _grasp(options: _Options, index: int, origin: Array) -> Grasp:
     rotation = options.rotations[index]
     tilt = float(np.arccos(np.clip(-rotation[2, 2], -1.0, 1.0)))
     x, y, z = (float(v) for v in options.centres[index])
     width, merit = float(options.thick[index]), float(options.merits[index])
-    return Grasp(Pose.of(origin, quaternion_of(rotation)), (x, y, z), opening, width, tilt, merit)
+    pose, opening = Pose.of(origin, quaternion_of(rotation)), float(options.openings[index])
+    return Grasp(pose, (x, y, z), opening, width, tilt, merit)

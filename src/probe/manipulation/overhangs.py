@@ -29,6 +29,7 @@ _ASIDE = np.array([-0.010, 0.0, 0.010])
 _APART = 0.012
 _PATCH, _ROUGHNESS = 0.022, 0.002
 _FEWEST = 30
+_STEEPEST = np.cos(np.radians(50.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,29 +50,23 @@ class Overhangs:
     floors: Array
     thickness: float
 
-    def __getitem__(self, chosen: Array) -> Overhangs:
-        return Overhangs(
-            self.places[chosen],
-            self.outward[chosen],
-            self.normals[chosen],
-            self.floors[chosen],
-            self.thickness,
-        )
-
 
 def overhangs(target: Target, terrain: Terrain) -> Overhangs:
     """Edges of what shows of a thing with enough room below, evenly spread."""
     places, level = _border(target, terrain)
-    floors, drops = _beside(target, terrain, places, level)
-    thickness = float(np.clip(np.percentile(drops, 2) if len(drops) else 0.0, *THICKNESS))
-    least = LEAST_ROOM + min(thickness, _THIN)
-    good = np.flatnonzero(places[:, 2] - floors > least)
-    good = good[_spread(places[good])]
-    normals, smooth = _planes(target.top, places[good])
-    good, normals = good[smooth], normals[smooth]
-    outward = level[good] - (level[good] * normals).sum(axis=1, keepdims=True) * normals
+    some = _spread(places)
+    normals, smooth = _planes(target.top, places[some])
+    some, normals = some[smooth], normals[smooth]
+    places, level = places[some], level[some]
+    if len(places) == 0:
+        return Overhangs(places, level, normals, np.zeros(0), THICKNESS[0])
+    # Nothing reaches below the table, so where it is lowest tells how thick it may be.
+    thickness = float(np.clip(np.percentile(places[:, 2], 2), *THICKNESS))
+    floors = _floors(target, terrain, places, level)
+    good = places[:, 2] - floors > LEAST_ROOM + min(thickness, _THIN)
+    outward = level - (level * normals).sum(axis=1, keepdims=True) * normals
     outward /= np.linalg.norm(outward, axis=1, keepdims=True)
-    return Overhangs(places[good], outward, normals, floors[good], thickness)
+    return Overhangs(places[good], outward[good], normals[good], floors[good], thickness)
 
 
 def _border(target: Target, terrain: Terrain) -> tuple[Array, Array]:
@@ -88,15 +83,13 @@ def _border(target: Target, terrain: Terrain) -> tuple[Array, Array]:
     return places, np.column_stack([level, np.zeros(len(level))])
 
 
-def _beside(target: Target, terrain: Terrain, places: Array, level: Array) -> tuple[Array, Array]:
-    """The highest beside each place, shape (n,), and how far things fall where they fall."""
+def _floors(target: Target, terrain: Terrain, places: Array, level: Array) -> Array:
+    """The highest that stands just beside each place, metres, shape (n,)."""
     aside = np.column_stack([-level[:, 1], level[:, 0], level[:, 2]])
     near = places + _BESIDE[:, None, None] * level
     points = near + _ASIDE[:, None, None, None] * aside
     own = target.cells[terrain.cells(points[..., :2])]
-    heights = np.where(own, 0.0, terrain.below(points))
-    drops = places[:, 2] - terrain.below(near[0])
-    return heights.max(axis=(0, 1)), drops[drops > THICKNESS[0] / 2]
+    return np.where(own, 0.0, terrain.below(points)).max(axis=(0, 1))
 
 
 def _spread(places: Array) -> Array:
@@ -106,7 +99,7 @@ def _spread(places: Array) -> Array:
 
 
 def _planes(points: Array, places: Array) -> tuple[Array, Array]:
-    """Upward normals of the surface by each place, (n, 3), and whether it is a plane, (n,)."""
+    """Upward normals of the surface by each place, (n, 3), and whether it can be pinched, (n,)."""
     normals, smooth = np.tile([0.0, 0.0, 1.0], (len(places), 1)), np.zeros(len(places), bool)
     if len(places) == 0:
         return normals, smooth
@@ -117,5 +110,5 @@ def _planes(points: Array, places: Array) -> tuple[Array, Array]:
             continue
         _, spread, axes = np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)
         normals[k] = axes[2] * (1.0 if axes[2, 2] > 0 else -1.0)
-        smooth[k] = spread[2] / np.sqrt(len(patch)) < _ROUGHNESS
+        smooth[k] = spread[2] / np.sqrt(len(patch)) < _ROUGHNESS and normals[k, 2] > _STEEPEST
     return normals, smooth
