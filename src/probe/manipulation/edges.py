@@ -18,13 +18,18 @@ from probe.manipulation.terrain import Terrain
 from probe.station.station import Hand
 from probe.types import Array, Pose, quaternion_of
 
-_STEEPER = np.radians([0.0, 14.0, 28.0, 40.0])
-_DEPTHS = np.array([0.016, 0.0, -0.012, -0.020])
+_STEEPER = np.radians([0.0, 14.0, 28.0, 40.0, 52.0])
+_DEPTHS = np.array([0.016, 0.0, -0.012, -0.022])
 _THICK = (0.036, 0.024, 0.014, 0.006)
 _LOW = 0.012
 """Metres below the surface at which the hand's middle comes in at most: then the lower finger of a
 thick thing touches first and lifts it, where the upper one would press it down."""
 
+_KNOWN = 0.030
+"""Metres: what is thinner at its lowest edge lies there on the table, and is that thick."""
+
+_WIDE = 0.085
+_LEVEL = np.cos(np.radians(5.0))
 _GAP = 0.006
 """Metres between each pad and the thing before they close."""
 
@@ -36,14 +41,33 @@ _WANTED = 32
 _OPENING_STEP = 0.004
 
 
+def leaning(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
+    """The same of a wide thing that leans on another, which no block does; else none."""
+    if smallest_width(target.top[:, :2]) < _WIDE:
+        return []
+    edges = overhangs(target, terrain)
+    if len(edges.places) == 0 or np.median(edges.normals[:, 2]) > _LEVEL:
+        return []
+    return _pinches(edges, target, terrain, hand)
+
+
 def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     """Grasps by an edge, best first, whose straight way in touches nothing seen.
 
     How thick the thing is can't be seen: it is supposed as thick as there is room for.
     """
     edges = overhangs(target, terrain)
-    if len(edges.places) == 0:
-        return []
+    return _pinches(edges, target, terrain, hand) if len(edges.places) else []
+
+
+def smallest_width(points: Array) -> float:
+    """Least extent of points, shape (n, 2), along any of some directions, metres; 0 without any."""
+    angles = np.radians(np.arange(0, 180, 10))
+    along = points @ np.stack([np.cos(angles), np.sin(angles)])
+    return float(np.ptp(along, axis=0).min()) if len(points) else 0.0
+
+
+def _pinches(edges: Overhangs, target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     shape, others = HandShape(hand), terrain.without(target.cells).widened(_SIDE)
     options = _options(edges, target, hand)
     found: list[Grasp] = []
@@ -107,7 +131,8 @@ def _options(edges: Overhangs, target: Target, hand: Hand) -> _Options:
     away = target.centre - edges.places[edge]
     beside = np.abs((away * np.cross(up, out)).sum(axis=1))
     room = np.minimum(edges.places[:, 2] - edges.floors, 0.06)[edge]
-    merits = 5.0 * room - 10.0 * beside - 0.6 * steeper + 5.0 * depth + 8.0 * thick
+    merits = 5.0 * room - 10.0 * beside - 0.6 * steeper + 5.0 * depth
+    merits += np.where(edges.thickness < _KNOWN, 30.0, 8.0) * (thick - edges.thickness)
     some = np.flatnonzero(openings < hand.max_opening)
     parts = (edge, steeper, thick, rotations, centres, openings, merits)
     return _Options(*(part[some] for part in parts))

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from probe.manipulation.candidates import Grasp, Planner, propose
-from probe.manipulation.edges import pinches
+from probe.manipulation.edges import leaning, pinches
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.looking import still_there, tracked
 from probe.manipulation.removal import Removal, plan_removal, remove
@@ -36,7 +36,7 @@ moved: It isn't where it was, nor in the basket.
 TRIES = 3
 """Grasps that one attempt may execute."""
 
-PLANNERS: tuple[Planner, ...] = (propose, pinches)
+PLANNERS: tuple[Planner, ...] = (leaning, propose, pinches)
 """Whose grasps are tried, the next one's where none of those before has a free route."""
 
 _STAYED = 0.5
