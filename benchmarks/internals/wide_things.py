@@ -3,8 +3,8 @@
 Measures internals, not the public API.
 
 What is tried: things of a suite's scenes that need over 10 cm for any level grasp across them and
-are flat, or hollow with their mouth down, without a knob or a handle. Each is tried twice from the same
-table: by the planner of ordinary grasps alone, and by all planners.
+are flat, or hollow with their mouth down, without a knob or a handle. Each is tried twice from the
+same table: by the planner of ordinary grasps alone, and by all planners.
 """
 
 from __future__ import annotations

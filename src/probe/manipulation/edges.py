@@ -19,6 +19,9 @@ from probe.station.station import Hand
 from probe.types import Array, Pose, quaternion_of
 
 _STEEPER = np.radians([0.0, 14.0, 28.0, 40.0, 52.0])
+_SLIPPERY = np.radians(45.0)
+"""Rubber holds up to here; a rounded rim is held steeper still."""
+
 _DEPTHS = np.array([0.016, 0.0, -0.012, -0.022])
 _THICK = (0.036, 0.024, 0.014, 0.006)
 _LOW = 0.012
@@ -131,8 +134,9 @@ def _options(edges: Overhangs, target: Target, hand: Hand) -> _Options:
     away = target.centre - edges.places[edge]
     beside = np.abs((away * np.cross(up, out)).sum(axis=1))
     room = np.minimum(edges.places[:, 2] - edges.floors, 0.06)[edge]
-    merits = 5.0 * room - 10.0 * beside - 0.6 * steeper + 5.0 * depth
-    merits += np.where(edges.thickness < _KNOWN, 30.0, 8.0) * (thick - edges.thickness)
+    merits = 5.0 * room - 10.0 * beside + 8.0 * depth
+    merits -= 1.0 * steeper + np.where(steeper > _SLIPPERY, 5.0, 0.0)
+    merits += np.where(edges.thickness < _KNOWN, 30.0, 4.0) * (thick - edges.thickness)
     some = np.flatnonzero(openings < hand.max_opening)
     parts = (edge, steeper, thick, rotations, centres, openings, merits)
     return _Options(*(part[some] for part in parts))

@@ -75,6 +75,23 @@ def remove(
 def _carry_out(
     station: Station, removal: Removal
 ) -> Literal["removed", "blocked", "slipped", "dropped"]:
+    failure = _taken(station, removal)
+    if failure is not None:
+        return failure
+    leave = removal.leave
+    arrived = station.follow(leave.carry)
+    if station.grip(0.0) < EMPTY:
+        return "dropped"
+    if not arrived:
+        return "blocked"
+    if len(leave.lower):
+        station.follow(leave.lower)
+    station.grip(min(removal.grasp.width + _RELEASE, station.hand.max_opening))
+    return "removed"
+
+
+def _taken(station: Station, removal: Removal) -> Literal["blocked", "slipped"] | None:
+    """Close and lift; what stopped it, or None."""
     enter, leave = removal.enter, removal.leave
     station.grip(removal.grasp.opening)
     if not station.follow(enter.transit):
@@ -85,17 +102,7 @@ def _carry_out(
         return _withdrawn(station, removal, "slipped")
     if not station.follow(leave.lift):
         return "blocked"
-    if station.grip(0.0) < EMPTY:
-        return "slipped"
-    arrived = station.follow(leave.carry)
-    if station.grip(0.0) < EMPTY:
-        return "dropped"
-    if not arrived:
-        return "blocked"
-    if len(leave.lower):
-        station.follow(leave.lower)
-    station.grip(min(removal.grasp.width + _RELEASE, station.hand.max_opening))
-    return "removed"
+    return "slipped" if station.grip(0.0) < EMPTY else None
 
 
 def _withdrawn(
