@@ -19,12 +19,13 @@ from typing import Literal
 import numpy as np
 import tyro
 from pydantic import BaseModel, ConfigDict
-from scipy.spatial import ConvexHull, Delaunay
+from scipy.spatial import Delaunay
 from scipy.stats import binomtest
 
 from probe.api.resources import everything
 from probe.assets.library import Library
 from probe.manipulation.candidates import Planner, propose
+from probe.manipulation.edges import smallest_width
 from probe.manipulation.grasp import PLANNERS, grasp_and_remove
 from probe.perception.oracle import SEEN_PX, SEEN_SHARE
 from probe.render.photograph import load_scene
@@ -135,7 +136,9 @@ def attempts(
     scene = task.scene
     shuffled = generator(task.seed, "wide things").permutation(len(scene.objects))
     ordered = [scene.objects[int(k)] for k in shuffled]
-    wide = {placed: kind for placed in ordered if (kind := kind_of(placed, things))}
+    wide: dict[PlacedObject, Kind] = {
+        placed: kind for placed in ordered if (kind := kind_of(placed, things))
+    }
     done = {(row.instance, row.hands) for row in known}
     tried = {row.instance for row in known}
     if not wide or (len(tried) >= each and all((i, h) in done for i in tried for h in hands)):
@@ -195,7 +198,7 @@ def shows(placed: PlacedObject, frame: Frame) -> bool:
     """Whether enough of it shows for the tools to name it."""
     assert frame.labels is not None and frame.shares is not None
     enough = frame.shares.get(placed.instance, 0.0) >= SEEN_SHARE
-    return enough and np.count_nonzero(frame.labels == placed.instance) >= SEEN_PX
+    return enough and bool(np.count_nonzero(frame.labels == placed.instance) >= SEEN_PX)
 
 
 def kind_of(placed: PlacedObject, things: Library) -> Kind | None:
@@ -211,19 +214,10 @@ def kind_of(placed: PlacedObject, things: Library) -> Kind | None:
     return "cover" if turned_over else "slab"
 
 
-def smallest_width(points: Array) -> float:
-    """Least distance of two parallel lines that enclose points, shape (n, 2)."""
-    hull = points[ConvexHull(points).vertices]
-    sides = np.roll(hull, -1, axis=0) - hull
-    across = np.column_stack([-sides[:, 1], sides[:, 0]])
-    across /= np.linalg.norm(across, axis=1, keepdims=True)
-    return float(np.ptp(hull @ across.T, axis=0).min())
-
-
 def lying_beneath(scene: Scene, placed: PlacedObject, things: Library) -> list[PlacedObject]:
     """What has a fifth of its corners within a thing's outline, lower than its middle."""
     own = _corners(placed, things)
-    outline = Delaunay(own[:, :2][ConvexHull(own[:, :2]).vertices])
+    outline = Delaunay(own[:, :2])
     found: list[PlacedObject] = []
     for other in scene.objects:
         corners = _corners(other, things)

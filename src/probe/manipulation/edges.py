@@ -64,8 +64,8 @@ def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
 
 
 def smallest_width(points: Array) -> float:
-    """Least extent of points, shape (n, 2), along any of some directions, metres; 0 without any."""
-    angles = np.radians(np.arange(0, 180, 10))
+    """Least extent of points, shape (n, 2), in steps of two degrees, metres; 0 without any."""
+    angles = np.radians(np.arange(0, 180, 2))
     along = points @ np.stack([np.cos(angles), np.sin(angles)])
     return float(np.ptp(along, axis=0).min()) if len(points) else 0.0
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
-from scipy.spatial import KDTree
 
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
@@ -101,11 +100,8 @@ def _spread(places: Array) -> Array:
 def _planes(points: Array, places: Array) -> tuple[Array, Array]:
     """Upward normals of the surface by each place, (n, 3), and whether it can be pinched, (n,)."""
     normals, smooth = np.tile([0.0, 0.0, 1.0], (len(places), 1)), np.zeros(len(places), bool)
-    if len(places) == 0:
-        return normals, smooth
-    tree = KDTree(points)
     for k, place in enumerate(places):
-        patch = points[tree.query_ball_point(place, _PATCH)]
+        patch = points[np.linalg.norm(points - place, axis=1) < _PATCH]
         if len(patch) < _FEWEST:
             continue
         _, spread, axes = np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)
