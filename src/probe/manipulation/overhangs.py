@@ -28,6 +28,7 @@ _ASIDE = np.array([-0.010, 0.0, 0.010])
 _APART = 0.012
 _PATCH, _ROUGHNESS = 0.022, 0.002
 _FEWEST = 30
+_LEVEL = np.cos(np.radians(5.0))
 _STEEPEST = np.cos(np.radians(50.0))
 
 
@@ -48,6 +49,11 @@ class Overhangs:
     normals: Array
     floors: Array
     thickness: float
+
+    @property
+    def leans(self) -> bool:
+        """Whether the thing leans on another, as no block does that stands on the table."""
+        return len(self.normals) > 0 and bool(np.median(self.normals[:, 2]) < _LEVEL)
 
 
 def overhangs(target: Target, terrain: Terrain) -> Overhangs:
