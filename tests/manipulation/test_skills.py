@@ -125,6 +125,16 @@ def test_a_book_over_a_smaller_box_is_taken_by_its_edge(renderer: Renderer) -> N
     assert position(station, 2) == pytest.approx([0.0, 0.05, 0.0], abs=0.03)
 
 
+@pytest.mark.slow
+def test_after_a_vain_pinch_the_arm_withdraws_and_is_parked(renderer: Renderer) -> None:
+    anvil = box_item(1, "red anvil", (0.14, 0.19, 0.02), mass=60.0)
+    block = box_item(2, "green block", (0.05, 0.06, 0.05), mass=20.0)
+    station = stand(renderer, [anvil, block], [at(0.0, 0.05, 0.05), at(0.0, 0.05)])
+    result = grasp_first(station)
+    assert result.status in ("blocked", "slipped", "moved") and result.tries > 0
+    assert is_parked(station)
+
+
 class Lame(Ur5):
     """An arm that reaches nothing."""
 
