@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -22,7 +24,7 @@ def found(*blocks: Block) -> Overhangs:
 @pytest.mark.parametrize("size", [(0.14, 0.18), (0.20, 0.10)])
 @pytest.mark.parametrize("place", [(0.0, 0.0), (0.02, -0.03)])
 def test_all_around_a_slab_its_edges_stand_out(size, place) -> None:
-    slab = Block(*place, (*size, 0.015), z=0.05)
+    slab = Block(place[0], place[1], (*size, 0.015), z=0.05)
     edges = found(slab, STONE)
     offset = edges.places[:, :2] - place
     beyond = np.abs(offset) - np.array(size) / 2
@@ -58,3 +60,21 @@ def test_it_is_supposed_no_thicker_than_it_is_high_or_than_any_slab() -> None:
         0.04, abs=0.001
     )
     assert found(Block(0.0, 0.0, (0.16, 0.20, 0.01), z=0.09)).thickness == 0.05
+
+
+def test_a_leaning_slab_is_as_thick_as_its_low_end_shows() -> None:
+    """A plane that rises 30 degrees from the table: its low end's upper corner shows."""
+    thick, slope = 0.02, np.radians(30.0)
+    frame, masks = view((Block(0.0, 0.0, (0.15, 0.12, 0.05)),))
+    flat = survey(frame, UR5_TABLE)
+    target = target_of(frame, masks[0], flat)
+    rise = (target.top[:, 0] - target.top[:, 0].min()) * np.tan(slope) + thick * np.cos(slope)
+    top = np.column_stack([target.top[:, :2], rise])
+    rows, columns = flat.cells(top[:, :2])
+    own, heights = target.heights.copy(), flat.heights.copy()
+    own[rows, columns] = heights[rows, columns] = rise
+    leaning = replace(target, heights=own, top=top)
+    edges = overhangs(leaning, replace(flat, heights=heights))
+    assert edges.leans
+    assert edges.thickness == pytest.approx(thick, abs=0.0015)
+    assert edges.outward[:, 0].max() == pytest.approx(np.cos(slope), abs=0.03)

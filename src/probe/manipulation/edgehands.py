@@ -12,7 +12,7 @@ from probe.station.station import Hand
 from probe.types import Array
 
 _STEEPER = np.radians([0.0, 14.0, 28.0, 40.0, 52.0])
-_SLIPPERY = np.radians(45.0)
+SLIPPERY = np.radians(45.0)
 """Rubber holds up to here; a rounded rim is held steeper still."""
 
 _DEPTHS = np.array([0.016, 0.0, -0.012, -0.022])
@@ -72,7 +72,7 @@ def edge_hands(overhangs: Overhangs, target: Target, hand: Hand) -> EdgeHands:
     centres = held + depth[:, None] * approach
     openings = np.ceil((upper + lower) / _OPENING_STEP) * _OPENING_STEP
     merits = _merits(overhangs, target, edge) + 8.0 * depth - 1.0 * steeper
-    merits -= np.where(steeper > _SLIPPERY, 5.0, 0.0)
+    merits -= np.where(steeper > SLIPPERY, 5.0, 0.0)
     merits -= (30.0 if overhangs.leans else 4.0) * (thickest - thick)
     some = np.flatnonzero(openings < hand.max_opening)
     parts = (edge, steeper, thick, rotations, centres, openings, merits)

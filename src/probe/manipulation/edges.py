@@ -9,7 +9,7 @@ import numpy as np
 
 from probe.manipulation.candidates import Grasp
 from probe.manipulation.clearance import BACK_OFF, TIP_CLEARANCE
-from probe.manipulation.edgehands import EdgeHands, edge_hands
+from probe.manipulation.edgehands import SLIPPERY, EdgeHands, edge_hands
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.overhangs import Overhangs, overhangs
 from probe.manipulation.target import Target
@@ -33,10 +33,7 @@ def leaning(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     if smallest_width(target.top[:, :2]) < _WIDE:
         return []
     edges = overhangs(target, terrain)
-    if not edges.leans:
-        return []
-    found = _pinches(edges, target, terrain, hand)
-    return [grasp for grasp in found if grasp.width >= edges.thickness]
+    return _pinches(edges, target, terrain, hand, sure=True) if edges.leans else []
 
 
 def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
@@ -45,7 +42,7 @@ def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     How thick the thing is can't be seen: it is supposed as thick as there is room for.
     """
     edges = overhangs(target, terrain)
-    return _pinches(edges, target, terrain, hand) if len(edges.places) else []
+    return _pinches(edges, target, terrain, hand, sure=False) if len(edges.places) else []
 
 
 def smallest_width(points: Array) -> float:
@@ -55,8 +52,13 @@ def smallest_width(points: Array) -> float:
     return float(np.ptp(along, axis=0).min()) if len(points) else 0.0
 
 
-def _pinches(edges: Overhangs, target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
-    """The best hand that gets there for each edge and steepness."""
+def _pinches(
+    edges: Overhangs, target: Target, terrain: Terrain, hand: Hand, *, sure: bool
+) -> list[Grasp]:
+    """The best hand that gets there for each edge and steepness.
+
+    Only those are sure that rubber holds and that get around the thing at its thickest.
+    """
     shape, others = HandShape(hand), terrain.without(target.cells).widened(_SIDE)
     hands = edge_hands(edges, target, hand)
     found: list[Grasp] = []
@@ -64,7 +66,8 @@ def _pinches(edges: Overhangs, target: Target, terrain: Terrain, hand: Hand) -> 
     for k in np.argsort(-hands.merits, kind="stable"):
         edge, thick, rotation = int(hands.edges[k]), float(hands.thick[k]), hands.rotations[k]
         same = edge, float(hands.steeper[k])
-        if same in taken:
+        risky = thick < edges.thickness or same[1] > SLIPPERY
+        if same in taken or (sure and risky):
             continue
         origin = hands.centres[k] - hand.pad_reach(thick) * rotation[:, 2]
         points = shape.whole(float(hands.openings[k]))[::_EVERY] @ rotation.T + origin

@@ -66,7 +66,7 @@ def overhangs(target: Target, terrain: Terrain) -> Overhangs:
     if len(places) == 0:
         return Overhangs(places, level, normals, np.zeros(0), THICKNESS[0])
     # Nothing reaches below the table, so where it is lowest tells how thick it may be.
-    thickness = float(np.clip(np.percentile(places[:, 2], 2), *THICKNESS))
+    thickness = float(np.clip(np.percentile(places[:, 2] / normals[:, 2], 2), *THICKNESS))
     floors = _floors(target, terrain, places, level)
     good = places[:, 2] - floors > LEAST_ROOM + min(thickness, _THIN)
     outward = level - (level * normals).sum(axis=1, keepdims=True) * normals
