@@ -108,11 +108,31 @@ def test_a_mug_ends_in_the_basket(renderer: Renderer) -> None:
 
 
 def test_what_is_too_wide_is_left_alone(renderer: Renderer) -> None:
-    slab = box_item(1, "red slab", (0.2, 0.2, 0.04))
+    slab = box_item(1, "red slab", (0.2, 0.2, 0.02))
     station = stand(renderer, [slab], [at(0.0, 0.0)])
     result = grasp_first(station)
     assert (result.status, result.tries, result.candidates) == ("no_candidate", 0, 0)
     assert position(station) == pytest.approx([0.0, 0.0, 0.0], abs=1e-6)
+
+
+@pytest.mark.slow
+def test_a_book_over_a_smaller_box_is_taken_by_its_edge(renderer: Renderer) -> None:
+    book = box_item(1, "red book", (0.14, 0.19, 0.02), mass=0.3)
+    box = box_item(2, "green box", (0.05, 0.06, 0.05))
+    station = stand(renderer, [book, box], [at(0.0, 0.05, 0.05), at(0.0, 0.05)])
+    assert grasp_first(station).status == "removed"
+    assert is_in_basket(position(station)) and is_parked(station)
+    assert position(station, 2) == pytest.approx([0.0, 0.05, 0.0], abs=0.03)
+
+
+@pytest.mark.slow
+def test_after_a_vain_pinch_the_arm_withdraws_and_is_parked(renderer: Renderer) -> None:
+    anvil = box_item(1, "red anvil", (0.14, 0.19, 0.02), mass=60.0)
+    block = box_item(2, "green block", (0.05, 0.06, 0.05), mass=20.0)
+    station = stand(renderer, [anvil, block], [at(0.0, 0.05, 0.05), at(0.0, 0.05)])
+    result = grasp_first(station)
+    assert result.status in ("blocked", "slipped", "moved") and result.tries > 0
+    assert is_parked(station)
 
 
 class Lame(Ur5):

@@ -51,7 +51,7 @@ def engine_costs(engine: RayEngine) -> dict[str, float]:
 def waiting_costs() -> dict[int, float]:
     """Seconds of a `ray.wait` over so many calls, all but one of which go on."""
     found: dict[int, float] = {}
-    with connected() as ray:
+    with connected(print) as (ray, _):
         sleeper: Any = ray.remote(num_cpus=0)(Sleeper).remote()
         for count in PENDING:
             calls = [sleeper.sleep.remote(60.0) for _ in range(count)]

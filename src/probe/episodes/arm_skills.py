@@ -1,13 +1,14 @@
-"""The arm's skills in an episode: with noise, another planner, or grasps that always work."""
+"""The arm's skills in an episode: with noise, other planners, or grasps that always work."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Protocol
 
 from probe.episodes.noise import NO_NOISE, HandErrors, Noise
 from probe.episodes.touched import touched
-from probe.manipulation.candidates import Planner, propose
-from probe.manipulation.grasp import GraspResult, grasp_and_remove
+from probe.manipulation.candidates import Planner
+from probe.manipulation.grasp import PLANNERS, GraspResult, grasp_and_remove
 from probe.manipulation.push import PushResult, push
 from probe.scene.setup import Setup
 from probe.station.offset_station import OffsetStation
@@ -31,7 +32,7 @@ class ArmSkills:
         noise: How far the hand errs; any noise needs frames with labels.
         seed: Of the episode, for the noise.
         run: Of the episode's runs, for the noise.
-        planner: Proposes the grasps.
+        planners: Propose the grasps; see probe.manipulation.grasp.
         removal: A simulated table that takes away what is to be grasped, so that grasping never
             fails and physics does the rest: this tells errors of the hand from errors of the plan.
             None for real grasps.
@@ -42,11 +43,11 @@ class ArmSkills:
         noise: Noise = NO_NOISE,
         seed: int = 0,
         run: int = 0,
-        planner: Planner = propose,
+        planners: Sequence[Planner] = PLANNERS,
         removal: InstantRemoval | None = None,
     ) -> None:
         self._errors = HandErrors(noise, seed, run)
-        self._planner = planner
+        self._planners = planners
         self._removal = removal
 
     def grasp_and_remove(
@@ -56,7 +57,7 @@ class ArmSkills:
         if self._removal is not None:
             return _take_away(self._removal, station, frame, mask)
         erring = _missing_by(self._errors.draw("grasp", frame, mask), station)
-        return grasp_and_remove(erring, frame, mask, setup, self._planner)
+        return grasp_and_remove(erring, frame, mask, setup, self._planners)
 
     def push(
         self,

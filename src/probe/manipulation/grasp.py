@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from probe.manipulation.candidates import Grasp, Planner, propose
+from probe.manipulation.edges import leaning, pinches
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.looking import still_there, tracked
 from probe.manipulation.removal import Removal, plan_removal, remove
@@ -34,6 +35,9 @@ moved: It isn't where it was, nor in the basket.
 
 TRIES = 3
 """Grasps that one attempt may execute."""
+
+PLANNERS: tuple[Planner, ...] = (leaning, propose, pinches)
+"""Whose grasps are tried, the next one's where none of those before has a free route."""
 
 _STAYED = 0.5
 _ROUTES = 16
@@ -69,7 +73,7 @@ def grasp_and_remove(
     frame: Frame,
     mask: Array,
     setup: Setup,
-    planner: Planner = propose,
+    planners: Sequence[Planner] = PLANNERS,
 ) -> GraspResult:
     """Grasp what a mask shows, lift it and let it go over the basket.
 
@@ -81,13 +85,13 @@ def grasp_and_remove(
         frame: The table as it is now.
         mask: Which pixels show the thing, bool, shape (h, w).
         setup: The table's; its basket is where the thing goes.
-        planner: Proposes the grasps.
+        planners: Propose the grasps; each is asked where those before have none with a free route.
     """
     result = GraspResult("no_candidate", frame, 0, 0, 0.0, 0.0, 0.0)
     failed: list[Grasp] = []
     shape = HandShape(station.hand)
     for number in range(TRIES):
-        status, removal, count = _plan(station, frame, mask, setup, shape, failed, planner)
+        status, removal, count = _plan(station, frame, mask, setup, shape, failed, planners)
         if number == 0:
             result = replace(result, status=status, candidates=count)
         if removal is None:
@@ -119,17 +123,24 @@ def _plan(
     setup: Setup,
     shape: HandShape,
     failed: Sequence[Grasp],
-    planner: Planner,
+    planners: Sequence[Planner],
 ) -> tuple[GraspStatus, Removal | None, int]:
     """The best grasp unlike those that failed, with its paths; else why there is none."""
     terrain = survey(frame, setup, station.look_into_basket(rgb=False))
     target = target_of(frame, mask, terrain)
-    grasps = planner(target, terrain, station.hand)
-    fresh = [g for g in grasps if not any(_alike(g, other) for other in failed)]
-    if not fresh:
-        return "no_candidate", None, len(grasps)
-    removal = plan_removal(station, terrain, target, fresh[:_ROUTES], shape, setup.basket)
-    return "unreachable", removal, len(grasps)
+    status: GraspStatus = "no_candidate"
+    count = 0
+    for planner in planners:
+        grasps = planner(target, terrain, station.hand)
+        count += len(grasps)
+        fresh = [g for g in grasps if not any(_alike(g, other) for other in failed)]
+        if not fresh:
+            continue
+        status = "unreachable"
+        removal = plan_removal(station, terrain, target, fresh[:_ROUTES], shape, setup.basket)
+        if removal is not None:
+            return status, removal, count
+    return status, None, count
 
 
 def _judged(done: GraspStatus, stayed: float) -> GraspStatus:

@@ -66,24 +66,19 @@ def remove(
 ) -> Literal["removed", "blocked", "slipped", "dropped"]:
     """Close, lift, carry and let go; the arm is parked again whatever happens."""
     status = _carry_out(station, removal)
-    station.grip(station.hand.max_opening)
-    park(station, removal.obstacles, shape.whole(station.hand.max_opening)[::3])
+    # Fingers opened wider than on the way in may meet the forearm on the way home.
+    station.grip(removal.grasp.opening)
+    park(station, removal.obstacles, shape.whole(removal.grasp.opening)[::3])
     return status
 
 
 def _carry_out(
     station: Station, removal: Removal
 ) -> Literal["removed", "blocked", "slipped", "dropped"]:
-    enter, leave = removal.enter, removal.leave
-    station.grip(removal.grasp.opening)
-    if not station.follow(enter.transit) or not station.follow(enter.approach):
-        return "blocked"
-    if station.grip(0.0) < EMPTY:
-        return "slipped"
-    if not station.follow(leave.lift):
-        return "blocked"
-    if station.grip(0.0) < EMPTY:
-        return "slipped"
+    failure = _taken(station, removal)
+    if failure is not None:
+        return failure
+    leave = removal.leave
     arrived = station.follow(leave.carry)
     if station.grip(0.0) < EMPTY:
         return "dropped"
@@ -93,3 +88,27 @@ def _carry_out(
         station.follow(leave.lower)
     station.grip(min(removal.grasp.width + _RELEASE, station.hand.max_opening))
     return "removed"
+
+
+def _taken(station: Station, removal: Removal) -> Literal["blocked", "slipped"] | None:
+    """Close and lift; what stopped it, or None."""
+    enter, leave = removal.enter, removal.leave
+    station.grip(removal.grasp.opening)
+    if not station.follow(enter.transit):
+        return "blocked"
+    if not station.follow(enter.approach):
+        return _withdrawn(station, removal, "blocked")
+    if station.grip(0.0) < EMPTY:
+        return _withdrawn(station, removal, "slipped")
+    if not station.follow(leave.lift):
+        return "blocked"
+    return "slipped" if station.grip(0.0) < EMPTY else None
+
+
+def _withdrawn(
+    station: Station, removal: Removal, status: Literal["blocked", "slipped"]
+) -> Literal["blocked", "slipped"]:
+    """Back to where the approach began; a finger below something must not open or rise there."""
+    station.grip(removal.grasp.opening)
+    station.follow(removal.enter.transit[-1:])
+    return status

@@ -5,14 +5,15 @@ from __future__ import annotations
 import contextlib
 import math
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 
 import numpy as np
 
 from probe.assets.library import Library
 from probe.episodes.arm_skills import ArmSkills
 from probe.episodes.noise import Noise
-from probe.manipulation.candidates import Planner, propose
+from probe.manipulation.candidates import Planner
+from probe.manipulation.grasp import PLANNERS
 from probe.manipulation.push import ALONG, LONGEST, SHORTEST
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject
@@ -36,12 +37,12 @@ def attempt(
     things: Library,
     renderer: Renderer,
     noise: Noise,
-    planner: Planner = propose,
+    planners: Sequence[Planner] = PLANNERS,
 ) -> ToolTrial:
     """Restore the table, try the tool, measure."""
     laid.world.restore(laid.start)
     station = _Timed(SimulatedStation(laid.world, renderer))
-    skills = ArmSkills(noise, laid.scene.seed, 0, planner)
+    skills = ArmSkills(noise, laid.scene.seed, 0, planners)
     trying = _grasp if tool == "grasp" else _push
     start = time.process_time()
     found = trying(skills, station, laid, target)

@@ -19,7 +19,8 @@ from probe.engines.plan import WorkPlan
 from probe.episodes.noise import Noise
 from probe.errors import Unsatisfiable
 from probe.files import encode
-from probe.manipulation.candidates import Planner, propose
+from probe.manipulation.candidates import Planner
+from probe.manipulation.grasp import PLANNERS
 from probe.manipulation.graspgen import GraspGen
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject
@@ -56,13 +57,13 @@ class ToolBenchSettings(BaseModel):
     push_noise: float
     first_seed: int
     graspgen: str | None = None
-    """Address of a GraspGen server; None for the built-in planner."""
+    """Address of a GraspGen server; None for the built-in planners."""
     tools: int = 1
 
     @property
-    def planner(self) -> Planner:
+    def planners(self) -> Sequence[Planner]:
         """What proposes the grasps."""
-        return GraspGen(self.graspgen) if self.graspgen else propose
+        return (GraspGen(self.graspgen),) if self.graspgen else PLANNERS
 
     @property
     def noise(self) -> Noise:
@@ -103,7 +104,7 @@ class TrialMaker:
         settings = self.settings
         for target in laid.targets:
             trial = attempt(
-                scene.tool, laid, target, things, renderer, settings.noise, settings.planner
+                scene.tool, laid, target, things, renderer, settings.noise, settings.planners
             )
             made.append(trial)
             if not trial.good:
