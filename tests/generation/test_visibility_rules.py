@@ -10,10 +10,10 @@ from probe.scene.visibility import Visibility
     ("visible", "alone", "hidden", "partly", "seen", "clear"),
     [
         (0, 3000, True, False, False, False),
-        (150, 3000, True, False, False, False),  # exactly 5 %
-        (151, 3000, False, True, False, False),
-        (199, 5000, True, False, False, False),
-        (200, 5000, False, False, False, False),  # little, but noticeable
+        (100, 2000, True, False, False, False),  # exactly 5 %
+        (101, 2000, False, True, False, False),
+        (124, 5000, True, False, False, False),
+        (125, 5000, False, False, False, False),  # little, but noticeable
         (750, 3000, False, True, False, False),  # exactly 25 %
         (751, 3000, False, False, False, False),
         (900, 3000, False, False, True, False),  # exactly 30 %

@@ -65,7 +65,7 @@ def test_malformed_calls_are_answered_and_change_nothing(shed, station, skills, 
         ("find_object", {"description": "x" * 1_000_000}, "at most 300 characters"),
         ("perceive_scene", {"zoom": 2}, "perceive_scene did nothing: it takes no 'zoom'"),
         ("grasp_and_remove", {"object_id": "object_7"}, "no object_id 'object_7'"),
-        ("grasp_and_remove", {"object_id": "red mug"}, "So far there are none"),
+        ("grasp_and_remove", {"object_id": "red mug"}, "There are none yet"),
         (
             "push",
             {"object_id": "object_1", "direction": "north", "distance_cm": 50},

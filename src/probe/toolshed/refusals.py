@@ -35,7 +35,9 @@ class UnknownHandle(Refusal):
     """No tool gave out this id."""
 
     def __init__(self, name: str, known: Sequence[str]) -> None:
-        so_far = f"There are {known[0]} to {known[-1]}" if known else "So far there are none"
+        so_far = (
+            f"So far there are {len(known)}, up to {known[-1]}" if known else "There are none yet"
+        )
         super().__init__(
             f"There is no object_id {quoted(name)}. An object_id comes from perceive_scene or "
             f"find_object. {so_far}."
