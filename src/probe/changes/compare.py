@@ -10,9 +10,9 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from probe.changes.likeness import likeness
-from probe.changes.places import covered, still_there, unmoved
+from probe.changes.places import covered, unmoved
 from probe.changes.sighting import Look, Sighting
-from probe.manipulation.looking import tracked
+from probe.manipulation.looking import still_there, tracked
 from probe.types import Array
 
 Fate = Literal["stayed", "moved", "basket", "covered", "lost"]
@@ -29,6 +29,7 @@ MOVED = 0.02
 """Metres from which on a thing counts as moved. Less than 3 cm, from where on it matters: when a
 thing rolls or tips, the middle of what shows goes less far than the thing."""
 
+_STILL = 0.5
 _ALIKE = 0.55
 _HELD_BONUS = 0.15
 _FAR, _FAR_COST = 0.3, 0.1
@@ -144,7 +145,7 @@ def _stayed(one: Sighting, other: Sighting | None) -> Change:
 
 def _unseen(before: Look, after: Look, one: Sighting) -> Change:
     mask = one.thing.mask
-    if still_there(before.table, after.table, mask):
+    if still_there(before.table, after.table, mask) > _STILL:
         return _stayed(one, None)
     fate: Fate = "covered" if covered(before.table, after.table, mask) else "lost"
     return Change(one, fate, None, np.zeros(3))

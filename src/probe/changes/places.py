@@ -7,15 +7,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from probe.changes.sighting import Sighting
+from probe.manipulation.looking import SAME
 from probe.types import Array, Frame
-
-SAME = 0.003
-"""Metres by which a pixel's depth may differ and still show the same."""
 
 _NEARER = 0.001
 _CONTRADICTED = 0.05
 _COVERED = 0.6
-_STILL = 0.5
 
 
 def unmoved(
@@ -41,11 +38,6 @@ def unmoved(
         if other not in pairs.values() and _contradicted(before, after, mask, now) < _CONTRADICTED:
             pairs[number] = other
     return pairs
-
-
-def still_there(before: Frame, after: Frame, mask: Array) -> bool:
-    """Whether most of a mask's pixels have the depth that they had."""
-    return float(np.mean(np.abs(after.depth[mask] - before.depth[mask]) < SAME)) > _STILL
 
 
 def covered(before: Frame, after: Frame, mask: Array) -> bool:
