@@ -59,12 +59,15 @@ def lesson(
         steps.append(Step(find, "done", found, (10, 10), table))
         grasp = Call.of("grasp_and_remove", {"object_id": f"object_{number}"}, "I take it.")
         steps.append(Step(grasp, status, "Done: so it is.", (10, 10), table))
-    steps.append(Step(Call.of("answer_question", {"choice": letter}), "done", "Ok.", None, table))
+    point = (10.0, 10.0) if task.question_type == "find" and setting != "direct" else None
+    said = {"choice": letter} if point is None else {"choice": letter, "point": point}
+    steps.append(Step(Call.of("answer_question", said), "done", "Ok.", None, table))
     replies = tuple(ModelReply(1) for _ in steps)
     if setting == "direct":
         steps, replies = [], (ModelReply(0, f"I see it.\nANSWER: {letter}"),)
     record = EpisodeRecord(
-        task.id, "teacher", run, question_of(task), table, tuple(steps), Answer(letter), "answered",
+        task.id, "teacher", run, question_of(task), table, tuple(steps), Answer(letter, point),
+        "answered",
         participation=Participation(setting, replies=replies, cost=0.25),
     )  # fmt: skip
     return EpisodeCandidate(task, record, right)

@@ -136,8 +136,8 @@ def test_out_of_turns_spends_the_turns():
 @pytest.mark.parametrize(
     ("seen", "stratum"),
     [
-        (Visibility(199, 10_000), "hidden"),
-        (Visibility(200, 10_000), "partly"),
+        (Visibility(124, 10_000), "hidden"),
+        (Visibility(125, 10_000), "partly"),
         (Visibility(50, 1000), "hidden"),
         (Visibility(51, 1000), "partly"),
     ],
