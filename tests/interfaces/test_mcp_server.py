@@ -34,8 +34,7 @@ def test_question_and_first_picture_are_in_reach(tmp_path, mode):
     with playing(SERVER, tmp_path, mode=mode) as player:
         instructions = player.client.instructions
         look = player.call("perceive_scene")
-        handle(player, "white ball")
-        player.call("grasp_and_remove", object_id="object_2")
+        player.call("grasp_and_remove", object_id=handle(player, "white ball"))
         prompt = player.portal.call(player.client.get_prompt, "question")
         (question,) = read(player, "probe://question")
         (picture,) = read(player, "probe://first-picture")
@@ -84,7 +83,7 @@ def test_budgets_are_the_benchmarks_own(tmp_path):
 
 def test_the_protocol_answers_while_the_arm_moves_and_calls_keep_their_order(tmp_path):
     with playing(SERVER, tmp_path) as player:
-        handle(player, "white ball")
+        assert handle(player, "white ball") == "object_1"
         began = time.perf_counter()
         grasp, look = player.portal.call(hurried, player)
         assert time.perf_counter() - began >= painted.SLOW
@@ -155,8 +154,10 @@ def texts(message: object) -> list[str]:
     return [t for each in message for t in texts(each)] if isinstance(message, list) else []
 
 
-def handle(player: Player, words: str) -> None:
-    assert "object_id: object_1" in player.call("find_object", description=words).text
+def handle(player: Player, words: str) -> str:
+    """The id that is found for some words."""
+    first, _, _ = player.call("find_object", description=words).text.partition("\n")
+    return first.removeprefix("object_id: ")
 
 
 def read(player: Player, uri: str):
