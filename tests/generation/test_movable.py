@@ -15,6 +15,8 @@ from probe.render.renderer import Renderer
 from probe.tasks.suite_file import packaged_suite
 from probe.tasks.task import Task
 
+pytestmark = pytest.mark.slow
+
 LIBRARY = box_library(
     red_block=(0.06, 0.05, 0.06, 190, 40, 40),
     blue_lid=(0.10, 0.09, 0.03, 40, 80, 180),

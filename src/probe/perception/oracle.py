@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -31,15 +30,6 @@ class NoLabels(ProbeError):
         )
 
 
-@dataclass(frozen=True)
-class _Look:
-    """What the pixels of a patch look like: see look_of()."""
-
-    colours: tuple[Colour, ...]
-    phrase: str
-    belied: tuple[Colour, ...]
-
-
 class Oracle:
     """Detects without error what counts as seen, and says nothing of the rest.
 
@@ -57,12 +47,15 @@ class Oracle:
         """
         self._words = dict(words)
         self._poses = poses
-        self._looks: dict[str, _Look] = {}
+        # The same patch is always told alike, so that its colours are drawn only once.
+        self._belied: dict[str, tuple[Colour, ...]] = {}
+        self._looks: dict[str, tuple[tuple[Colour, ...], str]] = {}
 
     def needs_rgb(self, frame: Frame) -> bool:
         """Whether something shows whose colours haven't been looked at."""
         labels = _labels(frame)
-        return any(_patch(labels == n, frame) not in self._looks for n in _noticed(frame))
+        known = self._belied.keys() | self._looks.keys()
+        return any(_patch(labels == n, frame) not in known for n in _noticed(frame))
 
     def detect(self, frame: Frame) -> tuple[Thing, ...]:
         """Things that show, sorted by their point from top to bottom, then left to right.
@@ -76,23 +69,25 @@ class Oracle:
         for instance in _noticed(frame):
             mask: Array = labels == instance
             spec, share = self._words[instance], shares[instance]
-            look = self._look(instance, mask, frame)
             if identifies(mask, share, spec.size):
                 how = posture(spec, poses[instance]) if poses else "as told"
-                words = _named(spec, how, look)
+                words = _named(spec, how, self._belies(spec, mask, frame))
             else:
-                words = _unnamed(share, look)
+                words = _unnamed(share, *self._look(mask, frame))
             things.append(Thing.of(mask, words))
         return tuple(sorted(things, key=lambda thing: thing.point_px[::-1]))
 
-    def _look(self, instance: int, mask: Array, frame: Frame) -> _Look:
-        """The same patch always looks alike, so that its colours are drawn only once."""
+    def _belies(self, spec: ObjectSpec, mask: Array, frame: Frame) -> tuple[Colour, ...]:
+        patch = _patch(mask, frame)
+        if patch not in self._belied:
+            self._belied[patch] = belies(_rgb(frame)[mask], spec.colours)
+        return self._belied[patch]
+
+    def _look(self, mask: Array, frame: Frame) -> tuple[tuple[Colour, ...], str]:
         patch = _patch(mask, frame)
         if patch not in self._looks:
-            if frame.rgb is None:
-                raise NoLabels("colours")
-            belied = belies(frame.rgb[mask], self._words[instance].colours)
-            self._looks[patch] = _Look(*look_of(mask, frame), belied)
+            _rgb(frame)
+            self._looks[patch] = look_of(mask, frame)
         return self._looks[patch]
 
 
@@ -101,21 +96,21 @@ def words_of(spec: ObjectSpec) -> Words:
     return Words(spec.name, spec.category, spec.colours, spec.description)
 
 
-def _named(spec: ObjectSpec, how: Posture, look: _Look) -> Words:
+def _named(spec: ObjectSpec, how: Posture, belied: tuple[Colour, ...]) -> Words:
     text = described(spec, how)
-    if look.belied:
-        text = f"{text.removesuffix('.')}; what shows of it is {' and '.join(look.belied)}."
-    return Words(spec.name, spec.category, spec.colours + look.belied, text)
+    if belied:
+        text = f"{text.removesuffix('.')}; what shows of it is {' and '.join(belied)}."
+    return Words(spec.name, spec.category, spec.colours + belied, text)
 
 
-def _unnamed(share: float, look: _Look) -> Words:
+def _unnamed(share: float, colours: tuple[Colour, ...], phrase: str) -> Words:
     if share < SEEN_SHARE:
         what = "part of something that is mostly hidden"
     elif share < PLAIN_SHARE:
         what = "part of something that is half hidden"
     else:
         what = "something small"
-    return Words(None, "", look.colours, f"{what}: {look.phrase}")
+    return Words(None, "", colours, f"{what}: {phrase}")
 
 
 def _patch(mask: Array, frame: Frame) -> str:
@@ -141,3 +136,9 @@ def _shares(frame: Frame) -> Mapping[int, float]:
     if frame.shares is None:
         raise NoLabels("visible shares")
     return frame.shares
+
+
+def _rgb(frame: Frame) -> Array:
+    if frame.rgb is None:
+        raise NoLabels("colours")
+    return frame.rgb
