@@ -70,6 +70,23 @@ def test_a_thing_that_is_gone_is_not_said_to_be_in_the_basket():
     assert "object_1 shows neither on the table nor in the basket." in result.text
 
 
+def test_of_a_sliver_that_is_gone_it_is_not_said_that_nothing_shows_it():
+    sliver = Block(43, (310, 400, 349, 419), height=0.03, colour=(240, 240, 240), share=0.1)
+    shed = Toolshed(
+        PaintedStation([MUG, BOOK, sliver]), Oracle(SPECS), Skills("moved", [MUG, BOOK]), UR5_TABLE
+    )
+    found = yaml.safe_load(shed.call("find_object", {"description": "at (330, 410)"}).text)
+    gone = shed.call("grasp_and_remove", {"object_id": found["object_id"]}).text
+    assert "object_1, of which only a part showed, was not found again." in gone
+    shed = Toolshed(
+        PaintedStation([MUG, BOOK, sliver]), Oracle(SPECS), Skills("removed", [BOOK], [MUG]),
+        UR5_TABLE,
+    )  # fmt: skip
+    found = yaml.safe_load(shed.call("find_object", {"description": "red mug"}).text)
+    also = shed.call("grasp_and_remove", {"object_id": found["object_id"]}).text
+    assert "Not found again: part of something" in also and "[319, 409]" in also
+
+
 def test_what_the_hand_lost_into_the_basket_is_done():
     result = told("red mug", Skills("dropped", [BOOK, BALL], [MUG]))
     assert result.text.startswith("Done: object_1 ended up in the basket.")

@@ -18,6 +18,7 @@ _MOVED = re.compile(r"by about \d+ cm, to \[(\d+), (\d+)\]")
 _LEFT = re.compile(r"that was at \[(\d+), (\d+)\]")
 _BASKET = re.compile(r"Also in the basket now: (.*?)\.(?: [A-Z]|$)")
 _FAR = 0.03
+_UNFOUND = re.compile(r"Not found again: .*")
 _UNSEEN = ("shows neither", "shows no longer")
 
 
@@ -91,7 +92,8 @@ def judge(
     now = [new.at(*place) for place in _MOVED.findall(text)]
     left = [old.at(*place) for place in _LEFT.findall(text)]
     silent = [old.names[n] for n in changed if n not in now and n not in left]
-    unseen = left + ([target] if any(words in text for words in _UNSEEN) else [])
+    claimed = [old.at(*place) for place in _LEFT.findall(_UNFOUND.sub("", text))]
+    unseen = claimed + ([target] if any(words in text for words in _UNSEEN) else [])
     wrong = [old.names[n] for n in unseen if new.shows(n) or new.in_basket.get(n, 0) >= NOTICED_PX]
     places = _NOW.findall(text)
     mixed = [old.names[target] for place in places if new.at(*place) != target]

@@ -21,6 +21,7 @@ since the thing wasn't found."""
 # Words of the tool's replies to a grasp, and what they mean.
 _GRASPED: Mapping[str, Outcome] = {
     "shows neither on the table": "gone",
+    "was not found again": "gone",
     "still on the table": "lost",
     "lost it while lifting": "lost",
     "no place to grip": "no grip",

@@ -12,14 +12,17 @@ from probe.perception.things import Thing
 
 def bystander_words(changes: Sequence[Change]) -> str:
     """A sentence for each way in which others have moved or gone; empty if none has."""
+    lost = _of(changes, "lost")
     sentences = [
         _sentence("Also in the basket now", [_named(c) for c in _of(changes, "basket")]),
         _sentence("Also moved", [_moved(c) for c in _of(changes, "moved")]),
         _sentence("Covered now", [_left(c) for c in _of(changes, "covered")]),
         _sentence(
             "No longer to be seen on the table or in the basket",
-            [_left(c) for c in _of(changes, "lost")],
+            [_left(c) for c in lost if c.before.thing.nameable],
         ),
+        # Whoever hasn't seen what it is can't rule out that it is one of those that show now.
+        _sentence("Not found again", [_left(c) for c in lost if not c.before.thing.nameable]),
     ]
     return " ".join(sentence for sentence in sentences if sentence)
 

@@ -117,7 +117,9 @@ def _whereabouts(status: str, object_id: str, change: Change) -> str:
         return f"{object_id} lies in the basket."
     if change.fate == "covered":
         return f"{object_id} shows no longer; something has come over the place where it was."
-    return f"{object_id} shows neither on the table nor in the basket."
+    if change.before.thing.nameable:
+        return f"{object_id} shows neither on the table nor in the basket."
+    return f"{object_id}, of which only a part showed, was not found again."
 
 
 def _place(change: Change) -> str:
