@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from probe.changes.sighting import Sighting
+from probe.manipulation.palette import agreement
 
 COLOUR_WEIGHT, NAME_WEIGHT, SIZE_WEIGHT = 0.5, 0.35, 0.15
 """What each part of a likeness counts; perception may err in a name, and a thing that has turned
@@ -17,8 +16,8 @@ _UNKNOWN, _OTHER_NAME = 0.5, -0.3
 
 
 def likeness(one: Sighting, other: Sighting) -> float:
-    """Up to 1. Colours by the Bhattacharyya coefficient, as in probe.manipulation.palette."""
-    colours = float(np.sqrt(one.colours * other.colours).sum())
+    """Up to 1."""
+    colours = agreement(one.colours, other.colours)
     apart = abs(math.log(one.area / other.area)) / math.log(_OTHER_SIZE)
     size = 1 - min(1.0, apart)
     return COLOUR_WEIGHT * colours + NAME_WEIGHT * _names(one, other) + SIZE_WEIGHT * size

@@ -16,7 +16,7 @@ from probe.episodes.arm_skills import ArmSkills
 from probe.episodes.noise import NOISES
 from probe.generation.visibility_rules import LITTLE
 from probe.perception.oracle import NOTICED_PX
-from probe.render.photograph import load_scene
+from probe.render.photograph import labels_of, load_scene
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.station.simulated import SimulatedStation
@@ -62,8 +62,7 @@ def necessary(task: Task, renderer: Renderer) -> tuple[int, ...]:
     doesn't show. The renderer must have the task's objects loaded.
     """
     scene, camera = task.scene, task.viewpoint.camera
-    labels = renderer.draw(scene.objects, camera, rgb=False).labels
-    assert labels is not None
+    labels = labels_of(renderer, scene, camera)
     found = {*task.named, *([task.cover] if task.cover is not None else [])}
     alone = renderer.outlines([scene[target] for target in task.targets], camera)
     for target, mask in alone.items():

@@ -44,7 +44,12 @@ class Palette:
 
     def alike(self, rgb: Array, mask: Array) -> float:
         """How much the colours under a mask are the thing's, 0 to 1."""
-        return float(np.sqrt(self.thing * histogram(rgb, mask)).sum())
+        return agreement(self.thing, histogram(rgb, mask))
+
+
+def agreement(one: Array, other: Array) -> float:
+    """Bhattacharyya coefficient of two histograms, 0 to 1."""
+    return float(np.sqrt(one * other).sum())
 
 
 def histogram(rgb: Array, mask: Array) -> Array:

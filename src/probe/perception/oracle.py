@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -100,7 +101,7 @@ def _named(spec: ObjectSpec, how: Posture, belied: tuple[Colour, ...]) -> Words:
     text = described(spec, how)
     if belied:
         text = f"{text.removesuffix('.')}; what shows of it is {' and '.join(belied)}."
-    return Words(spec.name, spec.category, spec.colours + belied, text)
+    return replace(words_of(spec), colours=spec.colours + belied, description=text)
 
 
 def _unnamed(share: float, colours: tuple[Colour, ...], phrase: str) -> Words:

@@ -28,6 +28,11 @@ class Words:
     colours: tuple[str, ...]
     description: str
 
+    @property
+    def called(self) -> str:
+        """The name, or else the description."""
+        return self.name or self.description
+
 
 @dataclass(frozen=True, eq=False)
 class Thing:

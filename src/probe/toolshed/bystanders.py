@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.changes.compare import Change
-from probe.perception.things import Thing
 
 
 def bystander_words(changes: Sequence[Change]) -> str:
@@ -48,8 +47,7 @@ def _left(change: Change) -> str:
 
 def _named(change: Change) -> str:
     """What a thing is called: by its name as soon as one of its sightings tells it."""
-    seen: list[Thing] = [change.before.thing]
-    if change.after is not None:
-        seen.append(change.after.thing)
-    names = [thing.words.name for thing in seen if thing.words.name is not None]
-    return names[0] if names else seen[0].words.description
+    before, after = change.before.thing, change.after
+    if before.nameable or after is None:
+        return before.words.called
+    return after.thing.words.name or before.words.description

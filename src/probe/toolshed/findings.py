@@ -50,18 +50,15 @@ def nearest_text(asked: str, near: Sequence[Named]) -> str:
     """Things that resemble what was asked for, most alike first, or that there are none."""
     if not near:
         return NOTHING_ALIKE
-    listed = "; ".join(f"{handle}, {_called(thing)}, at {_place(thing)}" for handle, thing in near)
+    listed = "; ".join(
+        f"{handle}, {thing.words.called}, at {_place(thing)}" for handle, thing in near
+    )
     return _NEAREST.format(asked=quoted(asked), listed=listed)
 
 
 def _short(handle: str, thing: Thing) -> list[str]:
-    described = json.dumps(_called(thing), ensure_ascii=False)
+    described = json.dumps(thing.words.called, ensure_ascii=False)
     return [f"object_id: {handle}", f"description: {described}", f"point: {_place(thing)}"]
-
-
-def _called(thing: Thing) -> str:
-    """Its name, or else its description."""
-    return thing.words.name or thing.words.description
 
 
 def _place(thing: Thing) -> str:
