@@ -13,7 +13,8 @@ pytestmark = pytest.mark.slow  # PyTorch takes seconds to import.
 def test_the_break_before_a_call_is_not_the_one_in_it(tmp_path):
     model = small_model(tmp_path / "model", small_dataset(tmp_path / "data"))
     tokenizer = load(str(model))[1].tokenizer
-    cut = tokenizer.encode('I lift it.\n<tool_call>\n{"n": 12}\n</tool_call>')
+    said = '{"name": "push", "arguments": {"push_length_cm": 12}}'
+    cut = tokenizer.encode(f"I push it.\n<tool_call>\n{said}\n</tool_call>")
     pieces = [tokenizer.decode([token]) for token in cut]
     call = pieces.index("<tool_call>")
     assert pieces[call - 1] == ".\n" and pieces[call + 1] == "\n"
