@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -16,6 +18,7 @@ BOX = Block(0.02, 0.05, (0.09, 0.05, 0.06))
 NEIGHBOURS = (Block(0.02, 0.12, (0.10, 0.04, 0.09)), Block(-0.07, 0.04, (0.03, 0.08, 0.12)))
 
 
+@cache
 def grasps_of(*blocks: Block) -> list[Grasp]:
     """Grasps of the first block among the others."""
     frame, masks = view(blocks)
@@ -45,7 +48,7 @@ def test_a_free_box_is_held_across_its_shorter_side() -> None:
 def test_no_grasp_meets_what_is_seen_on_its_way_in(back: float) -> None:
     blocks = (BOX, *NEIGHBOURS)
     frame, _ = view(blocks)
-    points = lifted(frame, np.ones(frame.depth.shape, bool))
+    points = lifted(frame, np.ones(frame.depth.shape, bool))[::5]  # A few millimetres apart.
     near = points[np.linalg.norm(points[:, :2] - [BOX.x, BOX.y], axis=1) < 0.25]
     found = grasps_of(*blocks)
     assert found
