@@ -1,4 +1,4 @@
-"""Jobs for worker processes, which have to be able to import them."""
+"""Jobs for worker processes, which have to be able to import them, and do so quickly."""
 
 from __future__ import annotations
 
@@ -10,12 +10,8 @@ from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NoReturn
 
 from probe.errors import OutputFailed, ProbeError
-from probe.generation.making import TaskMaker
-from probe.runs.plan import Job
-from probe.runs.work import WorkerSetup
 
 SLOW = {"long": 60, "slow": 20}
 """Jobs that take so many seconds."""
@@ -83,25 +79,3 @@ class AssetReader:
         files = sorted(path for path in folder.rglob("*") if path.is_file())
         found = {path.relative_to(folder).as_posix(): path.read_text() for path in files}
         return json.dumps({"folder": str(folder), "files": found}).encode()
-
-
-@dataclass(frozen=True)
-class Deadly(WorkerSetup):
-    """A workplace where every episode kills the worker."""
-
-    @contextmanager
-    def __call__(self) -> Generator[Callable[[Job], bytes]]:
-        yield lambda job: os.kill(os.getpid(), signal.SIGKILL) or b""
-
-
-class DeadlyMaker(TaskMaker):
-    """A workplace where every place of a suite kills the worker."""
-
-    @contextmanager
-    def __call__(self) -> Generator[Callable[[object], bytes]]:
-        yield lambda place: os.kill(os.getpid(), signal.SIGKILL) or b""
-
-
-def aborts(name: str, task: object, run: int, library: object, renderer: object) -> NoReturn:
-    """An agent that takes its process along, as a library does that finds no memory."""
-    os.abort()

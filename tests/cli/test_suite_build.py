@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from crew_jobs import DeadlyMaker
+from deadly_work import DeadlyMaker
 from probe.cli import suite
 from probe.errors import Unfinished
 

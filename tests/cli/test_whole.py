@@ -2,7 +2,7 @@
 
 import pytest
 
-from crew_jobs import aborts
+from deadly_work import aborts
 from probe.api.resources import everything
 from probe.cli.running import check_whole, run_order
 from probe.engines.local import LocalEngine

@@ -8,7 +8,7 @@ from typing import Any, cast
 
 import pytest
 
-from crew_jobs import Deadly
+from deadly_work import Deadly
 from probe.engines.local import LocalEngine
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records
