@@ -17,7 +17,7 @@ GROUPS = {
 @pytest.mark.parametrize("groups", GROUPS.values(), ids=GROUPS)
 def test_no_attack_gets_through(groups):
     ended = subprocess.run(
-        [sys.executable, str(SCRIPT), "--only", *groups, "--scale", "0.04"],
+        [sys.executable, str(SCRIPT), "--only", *groups, "--scale", "0.02"],
         capture_output=True,
         text=True,
     )

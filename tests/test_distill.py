@@ -22,7 +22,7 @@ SMALL = {
     "--counts.compare 0",
     "SELECT": "--slack 9 --no-near",
     "TINY": "--width 48 --layers 2 --words 600 --vision-width 32 --vision-layers 2 --side-px 64",
-    "TRAIN": "--learning-rate 1e-3 --global-batch 1 --epochs 2",
+    "TRAIN": "--learning-rate 1e-3 --global-batch 1 --epochs 1",
     "PROBE": f"{sys.executable} -m probe",
 }
 

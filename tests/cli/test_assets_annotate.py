@@ -14,7 +14,7 @@ from probe.assets.annotation.notes import read_notes
 pytestmark = pytest.mark.slow
 
 GOOD = {"name": "green thing", "category": "thing", "colours": ["green"], "description": "A thing."}
-COUNT = 13
+COUNT = 10
 """More than are drawn at once, and than the moods of the server."""
 
 

@@ -12,14 +12,23 @@ from probe.generation.build import without_notes
 from probe.render.renderer import Renderer
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import packaged_suite
+from probe.tasks.task import Task
 from probe.verification.balance import balances
 from probe.verification.check import CheckDepth, check, rebuild_problem
 
 V1, UNFILTERED = packaged_suite("v1"), packaged_suite("v1-unfiltered")
-FIRST = [
-    next(task for task in V1.tasks if task.question_type == question_type)
-    for question_type in dict.fromkeys(task.question_type for task in V1.tasks)
-]
+
+def quickly_solved(question_type: str) -> Task:
+    """The first of a type that the very first attempt solved: the others take minutes."""
+    return next(
+        task
+        for task in V1.tasks
+        if task.question_type == question_type
+        and task.certificate.measures["solved_attempt"] == 0.0
+    )
+
+
+FIRST = [quickly_solved(name) for name in dict.fromkeys(task.question_type for task in V1.tasks)]
 
 
 def test_v1_is_150_tasks_of_six_types_on_tables_of_their_own():
