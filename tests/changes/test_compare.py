@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from probe.changes.sighting import Look, including, sightings
 from probe.perception.oracle import Oracle
 from probe.perception.things import Thing, Words
 from probe.scene.setup import UR5_TABLE
+from probe.types import Frame
 from tabletops import Block, paint, spec
 
 SPECS = {
@@ -30,14 +33,15 @@ def moved(block: Block, du: int, dv: int = 0) -> Block:
 
 
 def look(*blocks: Block, basket: tuple[Block, ...] = ()) -> Look:
-    oracle = Oracle(SPECS)
-    table, below = paint(blocks), paint(basket, camera=UR5_TABLE.basket_camera)
-    return Look(
-        table,
-        sightings(table, oracle.detect(table)),
-        below,
-        sightings(below, oracle.detect(below)),
-    )
+    table, (frame, things) = paint(blocks), below(*basket)
+    here = sightings(table, Oracle(SPECS).detect(table))
+    return Look(table, here, frame, sightings(frame, things))
+
+
+def below(*blocks: Block) -> tuple[Frame, tuple[Thing, ...]]:
+    """What the camera above the basket sees."""
+    frame = paint(blocks, camera=UR5_TABLE.basket_camera)
+    return frame, Oracle(SPECS).detect(frame)
 
 
 def fates(changes: Changes) -> dict[str, Fate]:
@@ -99,6 +103,39 @@ def test_what_was_held_is_in_the_basket_though_a_twin_comes_to_light():
     beneath = moved(Block(4, BALL.box, 0.04, BALL.colour), 10)
     before, after = look(BALL), look(beneath, basket=(inside,))
     assert compare(before, after, before.things[0]).things[0].fate == "basket"
+
+
+def test_what_was_held_is_what_is_new_in_the_basket_though_it_looks_otherwise():
+    inside = Block(2, (100, 100, 150, 150), height=0.08, colour=(30, 60, 150))
+    before, after = look(MUG, TWIN), look(TWIN, basket=(inside,))
+    assert compare(before, after).of(before.things[0]).fate == "lost"
+    changes = compare(before, after, before.things[0])
+    assert changes.of(before.things[0]).fate == "basket" and changes.newly_in_basket == ()
+
+
+def test_what_shows_beside_the_basket_is_not_in_it():
+    out = sightings(*below(Block(3, (100, 100, 150, 150), height=0.08, colour=(240, 240, 240))))
+    after = replace(look(MUG, BOOK), beside=out)
+    assert fates(compare(look(MUG, BOOK, BALL), after))["white ball"] == "beside"
+
+
+def test_a_thing_that_turns_about_its_middle_has_turned():
+    bar = Block(2, (300, 480, 699, 519), height=0.02, colour=(30, 60, 150))
+    across = Block(2, (480, 300, 519, 699), height=0.02, colour=(30, 60, 150))
+    assert fates(compare(look(bar), look(across))) == {"blue book": "turned"}
+    assert fates(compare(look(bar), look(moved(bar, 5)))) == {"blue book": "stayed"}
+
+
+@pytest.mark.parametrize(("white", "doubtful"), [(0.1, True), (0.01, False)])
+def test_what_may_show_in_part_is_not_surely_gone(white: float, doubtful: bool):
+    before = look(MUG, BALL)
+    after = look(MUG, Block(4, (800, 440, 819, 449), height=0.03, colour=(20, 90, 20), share=0.1))
+    mug, sliver = after.things
+    mixed = white * before.things[-1].colours + (1 - white) * sliver.colours
+    change = compare(before, replace(after, things=(mug, replace(sliver, colours=mixed)))).things[
+        -1
+    ]
+    assert change.fate == "lost" and change.doubtful is doubtful
 
 
 def test_what_something_came_over_is_covered():

@@ -9,7 +9,12 @@ from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import Toolshed
 from tabletops import Block, Done, PaintedStation, spec
 
-SPECS = {41: spec("red mug", "red"), 42: spec("blue book", "blue"), 43: spec("white ball", "white")}
+SPECS = {
+    41: spec("red mug", "red"),
+    42: spec("blue book", "blue"),
+    43: spec("white ball", "white"),
+    44: spec("green die", "green"),
+}
 MUG = Block(41, (100, 100, 219, 219))
 BOOK = Block(42, (500, 300, 799, 699), height=0.02, colour=(30, 60, 150))
 BALL = Block(43, (600, 450, 679, 529), height=0.08, colour=(240, 240, 240))
@@ -49,6 +54,12 @@ def test_another_thing_in_the_basket_is_no_success():
     assert result.status == "failed"
     assert "object_1 is still where it was." in result.text
     assert "Also in the basket now: white ball." in result.text
+
+
+def test_what_nobody_saw_before_and_went_along_is_said():
+    hidden = Block(44, (600, 450, 679, 529), height=0.04, colour=(40, 120, 40))
+    result = told("blue book", Skills("removed", [MUG, BALL], [BOOK, hidden]))
+    assert "Also in the basket now: green die, not seen before." in result.text
 
 
 def test_what_went_along_is_said():

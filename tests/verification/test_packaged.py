@@ -18,6 +18,7 @@ from probe.verification.check import CheckDepth, check, rebuild_problem
 
 V1, UNFILTERED = packaged_suite("v1"), packaged_suite("v1-unfiltered")
 
+
 def quickly_solved(question_type: str) -> Task:
     """The first of a type that the very first attempt solved: the others take minutes."""
     return next(

@@ -14,7 +14,7 @@ from probe.tasks.grading import whereabouts
 from probe.types import Array
 
 _NOW = re.compile(r"now at \[(\d+), (\d+)\]")
-_MOVED = re.compile(r"by about \d+ cm, to \[(\d+), (\d+)\]")
+_MOVED = re.compile(r"(?:by about \d+ cm|turned or tipped), to \[(\d+), (\d+)\]")
 _LEFT = re.compile(r"that was at \[(\d+), (\d+)\]")
 _BASKET = re.compile(r"Also in the basket now: (.*?)\.(?: [A-Z]|$)")
 _FAR = 0.03
@@ -83,7 +83,8 @@ def judge(
     others = [number for number in seen if number != target and old.where(number) == "table"]
     fell_in = [number for number in others if new.where(number) == "basket"]
     listed = _BASKET.search(text)
-    said = listed[1].split("; ") if listed else []
+    told = listed[1].split("; ") if listed else []
+    said = [words.removesuffix(", not seen before") for words in told]
     unsaid = [old.names[n] for n in fell_in if old.names[n] not in said and not _unnamed(said)]
     inside = new.where(target) == "basket"
     if inside and not done and "lies in the basket" not in text:

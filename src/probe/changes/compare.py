@@ -2,37 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from probe.changes.likeness import likeness
-from probe.changes.places import covered, unmoved
+from probe.changes.matching import Seen, again, may_be
+from probe.changes.places import covered, has_turned, unmoved
 from probe.changes.sighting import Look, Sighting
 from probe.manipulation.looking import still_there, tracked
 from probe.types import Array
 
-Fate = Literal["stayed", "moved", "basket", "covered", "lost"]
+Fate = Literal["stayed", "moved", "turned", "basket", "beside", "covered", "lost"]
 """What became of a thing:
 
 stayed: It is where it was, or within MOVED of it.
 moved: It shows elsewhere on the table.
+turned: Its middle is within MOVED of where it was, but it has turned or tipped over.
 basket: It shows in the basket.
+beside: It shows beside the basket, out of the fixed camera's picture.
 covered: It no longer shows, and something has come over its place.
-lost: It shows neither on the table nor in the basket.
+lost: It shows neither on the table nor in or beside the basket.
 """
 
-MOVED = 0.02
+MOVED = 0.015
 """Metres from which on a thing counts as moved. Less than 3 cm, from where on it matters: when a
 thing rolls or tips, the middle of what shows goes less far than the thing."""
 
 _STILL = 0.5
-_ALIKE = 0.55
-_HELD_BONUS = 0.15
-_FAR, _FAR_COST = 0.3, 0.1
 _SAME_AREA = (0.8, 1.25)
 
 
@@ -43,14 +42,16 @@ class Change:
     Attributes:
         before: As it was seen on the table.
         fate: See Fate.
-        after: As it is seen now, on the table or in the basket; None if it isn't.
+        after: As it is seen now; None if it isn't.
         shift: How its middle moved on the table, metres, shape (3,); zeros elsewhere.
+        doubtful: Of what is covered or lost: whether something that shows now may yet be it.
     """
 
     before: Sighting
     fate: Fate
     after: Sighting | None
     shift: Array
+    doubtful: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,75 +87,70 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
         held: Of the first look: what the fingers felt until they let go over the basket.
     """
     here = unmoved(before.table, after.table, before.things, after.things)
+    stayed = {id(before.things[one]): after.things[other] for one, other in here.items()}
+    lone, new = _without(before, after, here)
+    found = again(lone, new, held)
+    taken = {id(other.sighting) for other in found.values()}
+    changes = tuple(
+        Change(sighting, "stayed", stayed[id(sighting)], np.zeros(3))
+        if id(sighting) in stayed
+        else _gone(before, after, sighting, found.get(id(sighting)), new)
+        for sighting in before.things
+    )
+    rest = [s.sighting for s in new if s.where == "basket" and id(s.sighting) not in taken]
+    return _with_held(Changes(changes, tuple(rest)), held)
+
+
+def _without(
+    before: Look, after: Look, here: Mapping[int, int]
+) -> tuple[Sequence[Seen], Sequence[Seen]]:
+    """What isn't known by its place, of each look."""
     below = unmoved(before.basket, after.basket, before.in_basket, after.in_basket)
-    lone = [s for n, s in enumerate(before.things) if n not in here]
-    lone_below = [s for n, s in enumerate(before.in_basket) if n not in below]
-    new = [s for n, s in enumerate(after.things) if n not in here.values()]
-    new_below = [s for n, s in enumerate(after.in_basket) if n not in below.values()]
-    costs = _costs(lone, lone_below, new, new_below, held)
-    rows, columns = linear_sum_assignment(costs)
-    found = [
-        (int(row), int(column))
-        for row, column in zip(rows, columns, strict=True)
-        if costs[row, column] < 1 - _ALIKE
+    beside = unmoved(before.basket, after.basket, before.beside, after.beside)
+    lone = [
+        *(Seen(s, "table") for n, s in enumerate(before.things) if n not in here),
+        *(Seen(s, "basket") for n, s in enumerate(before.in_basket) if n not in below),
+        *(Seen(s, "beside") for n, s in enumerate(before.beside) if n not in beside),
     ]
-    again = {id(lone[row]): column for row, column in found if row < len(lone)}
-    changes: list[Change] = []
-    for number, sighting in enumerate(before.things):
-        column = again.get(id(sighting))
-        if number in here:
-            changes.append(_stayed(sighting, after.things[here[number]]))
-        elif column is None:
-            changes.append(_unseen(before, after, sighting))
-        elif column >= len(new):
-            changes.append(Change(sighting, "basket", new_below[column - len(new)], np.zeros(3)))
-        else:
-            changes.append(_elsewhere(before, after, sighting, new[column]))
-    taken = {column - len(new) for _, column in found}
-    rest = tuple(s for number, s in enumerate(new_below) if number not in taken)
-    return Changes(tuple(changes), rest)
+    new = [
+        *(Seen(s, "table") for n, s in enumerate(after.things) if n not in here.values()),
+        *(Seen(s, "basket") for n, s in enumerate(after.in_basket) if n not in below.values()),
+        *(Seen(s, "beside") for n, s in enumerate(after.beside) if n not in beside.values()),
+    ]
+    return lone, new
 
 
-def _costs(
-    lone: Sequence[Sighting],
-    lone_below: Sequence[Sighting],
-    new: Sequence[Sighting],
-    new_below: Sequence[Sighting],
-    held: Sighting | None,
-) -> Array:
-    """Cost of taking each for each, shape (before, after); nothing leaves the basket."""
-    costs = np.ones((len(lone) + len(lone_below), len(new) + len(new_below)))
-    for row, one in enumerate((*lone, *lone_below)):
-        for column, other in enumerate((*new, *new_below)):
-            to_basket = column >= len(new)
-            if row >= len(lone) and not to_basket:
-                continue
-            cost = 1 - likeness(one, other)
-            if to_basket and one is held:
-                cost -= _HELD_BONUS
-            if not to_basket:
-                apart = float(np.linalg.norm(one.middle - other.middle))
-                cost += _FAR_COST * min(1.0, apart / _FAR)
-            costs[row, column] = cost
-    return costs
+def _gone(
+    before: Look, after: Look, one: Sighting, other: Seen | None, new: Sequence[Seen]
+) -> Change:
+    """What became of something that isn't known by its place."""
+    if other is None:
+        mask = one.thing.mask
+        if still_there(before.table, after.table, mask) > _STILL:
+            return Change(one, "stayed", None, np.zeros(3))
+        fate: Fate = "covered" if covered(before.table, after.table, mask) else "lost"
+        return Change(one, fate, None, np.zeros(3), any(may_be(one, s.sighting) for s in new))
+    if other.where != "table":
+        return Change(one, other.where, other.sighting, np.zeros(3))
+    shift = _shift(before, after, one, other.sighting)
+    if float(np.linalg.norm(shift)) >= MOVED:
+        return Change(one, "moved", other.sighting, shift)
+    turned = has_turned(before.table, after.table, one.thing.mask, other.sighting.thing.mask)
+    return Change(one, "turned" if turned else "stayed", other.sighting, shift)
 
 
-def _stayed(one: Sighting, other: Sighting | None) -> Change:
-    return Change(one, "stayed", other, np.zeros(3))
+def _with_held(changes: Changes, held: Sighting | None) -> Changes:
+    """With what was held in the basket, if it must be there though its looks don't tell.
 
-
-def _unseen(before: Look, after: Look, one: Sighting) -> Change:
-    mask = one.thing.mask
-    if still_there(before.table, after.table, mask) > _STILL:
-        return _stayed(one, None)
-    fate: Fate = "covered" if covered(before.table, after.table, mask) else "lost"
-    return Change(one, fate, None, np.zeros(3))
-
-
-def _elsewhere(before: Look, after: Look, one: Sighting, other: Sighting) -> Change:
-    shift = _shift(before, after, one, other)
-    near = float(np.linalg.norm(shift)) < MOVED
-    return Change(one, "stayed" if near else "moved", other, shift)
+    Something new lies in the basket, the thing shows nowhere, and nothing else has vanished.
+    """
+    vanished = [change for change in changes.things if change.fate in ("lost", "covered")]
+    if held is None or not changes.newly_in_basket or [c.before for c in vanished] != [held]:
+        return changes
+    it = max(changes.newly_in_basket, key=lambda other: likeness(held, other))
+    found = replace(vanished[0], fate="basket", after=it, doubtful=False)
+    things = tuple(found if change is vanished[0] else change for change in changes.things)
+    return Changes(things, tuple(s for s in changes.newly_in_basket if s is not it))
 
 
 def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> Array:

@@ -7,12 +7,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from probe.changes.sighting import Sighting
-from probe.manipulation.looking import SAME
+from probe.manipulation.looking import SAME, still_there
 from probe.types import Array, Frame
 
 _NEARER = 0.001
 _CONTRADICTED = 0.05
 _COVERED = 0.6
+_OVERLAPS, _LIES = 0.5, 0.3
 
 
 def unmoved(
@@ -43,6 +44,19 @@ def unmoved(
 def covered(before: Frame, after: Frame, mask: Array) -> bool:
     """Whether something nearer to the camera has come over most of a mask's pixels."""
     return float(np.mean(after.depth[mask] < before.depth[mask] - _NEARER)) > _COVERED
+
+
+def has_turned(before: Frame, after: Frame, was: Array, now: Array) -> bool:
+    """Whether a thing whose middle has stayed lies otherwise: little is where or as high as it was.
+
+    Args:
+        before: The first frame.
+        after: The second frame.
+        was: What the first one shows of the thing.
+        now: What the second one shows of it.
+    """
+    both = float(np.count_nonzero(was & now) / np.count_nonzero(was | now))
+    return both < _OVERLAPS or still_there(before, after, was) < _LIES
 
 
 def _contradicted(before: Frame, after: Frame, was: Array, now: Array) -> float:

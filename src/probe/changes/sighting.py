@@ -38,13 +38,15 @@ class Look:
         table: The fixed camera's frame, with colours.
         things: What it shows.
         basket: The frame of the camera above the basket, with colours.
-        in_basket: What that one shows.
+        in_basket: What that one shows between the basket's walls.
+        beside: What it shows outside of them, and the table's frame doesn't.
     """
 
     table: Frame
     things: tuple[Sighting, ...]
     basket: Frame
     in_basket: tuple[Sighting, ...]
+    beside: tuple[Sighting, ...] = ()
 
 
 def sightings(frame: Frame, things: Sequence[Thing]) -> tuple[Sighting, ...]:

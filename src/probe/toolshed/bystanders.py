@@ -2,26 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from probe.changes.compare import Change
+from probe.changes.compare import Change, Changes
+from probe.changes.sighting import Sighting
 
 
-def bystander_words(changes: Sequence[Change]) -> str:
-    """A sentence for each way in which others have moved or gone; empty if none has."""
-    lost = _of(changes, "lost")
+def bystander_words(changes: Changes, seen: Sighting) -> str:
+    """A sentence for each way in which others have moved or gone; empty if none has.
+
+    Args:
+        changes: What became of everything.
+        seen: What the manipulation was about; it isn't told of.
+    """
+    others = changes.but(seen)
+    gone = [c for c in others if c.fate in ("lost", "covered")]
+    # Whoever hasn't seen what it is can't rule out that it is one of those that show now.
+    doubtful = [c for c in gone if c.doubtful or not c.before.thing.nameable]
+    sure = [c for c in gone if c not in doubtful]
+    in_basket = [_named(c) for c in _of(others, "basket")]
+    in_basket += [f"{s.thing.words.called}, not seen before" for s in changes.newly_in_basket]
     sentences = [
-        _sentence("Also in the basket now", [_named(c) for c in _of(changes, "basket")]),
-        _sentence("Also moved", [_moved(c) for c in _of(changes, "moved")]),
-        _sentence("Covered now", [_left(c) for c in _of(changes, "covered")]),
+        _sentence("Also in the basket now", in_basket),
+        _sentence("Also moved", [_moved(c) for c in others if c.fate in ("moved", "turned")]),
+        _sentence("Out of the picture, beside the basket", map(_left, _of(others, "beside"))),
+        _sentence("Covered now", map(_left, _of(sure, "covered"))),
         _sentence(
-            "No longer to be seen on the table or in the basket",
-            [_left(c) for c in lost if c.before.thing.nameable],
+            "No longer to be seen on the table or in the basket", map(_left, _of(sure, "lost"))
         ),
-        # Whoever hasn't seen what it is can't rule out that it is one of those that show now.
-        _sentence("Not found again", [_left(c) for c in lost if not c.before.thing.nameable]),
+        _sentence("Not found again", map(_left, doubtful)),
     ]
     return " ".join(sentence for sentence in sentences if sentence)
 
@@ -30,14 +41,17 @@ def _of(changes: Sequence[Change], fate: str) -> list[Change]:
     return [change for change in changes if change.fate == fate]
 
 
-def _sentence(beginning: str, whom: Sequence[str]) -> str:
-    return f"{beginning}: {'; '.join(whom)}." if whom else ""
+def _sentence(beginning: str, whom: Iterable[str]) -> str:
+    told = "; ".join(whom)
+    return f"{beginning}: {told}." if told else ""
 
 
 def _moved(change: Change) -> str:
     assert change.after is not None
-    distance = round(100 * float(np.linalg.norm(change.shift)))
     place = list(change.after.thing.point_px)
+    if change.fate == "turned":
+        return f"{_named(change)} turned or tipped, to {place}"
+    distance = round(100 * float(np.linalg.norm(change.shift)))
     return f"{_named(change)} by about {distance} cm, to {place}"
 
 

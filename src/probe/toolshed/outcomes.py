@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from probe.changes.compare import Change, Changes
+from probe.changes.compare import Change
 
 FELT = {
     "removed": "the gripper held something until it let go over the basket",
@@ -59,16 +59,15 @@ def nothing_moved(status: str, object_id: str) -> OutcomeText:
     return OutcomeText(False, f"{(FELT | SWEPT)[status].format(id=object_id)}.")
 
 
-def grasp_words(status: str, object_id: str, change: Change, changes: Changes) -> OutcomeText:
+def grasp_words(status: str, object_id: str, change: Change) -> OutcomeText:
     """What became of a grasp.
 
     Args:
         status: The skill's.
         object_id: What the thing is called.
         change: What the cameras saw of it.
-        changes: What they saw of everything.
     """
-    if change.fate == "basket" or (status == "removed" and _must_be_it(change, changes)):
+    if change.fate == "basket":
         how = "was lifted and dropped into" if status == "removed" else "ended up in"
         return OutcomeText(True, f"{object_id} {how} the basket.")
     felt = FELT[status].format(id=object_id)
@@ -88,7 +87,7 @@ def push_words(
         asked: How far it was to go, metres.
     """
     swept = SWEPT[status].format(id=object_id)
-    shows = change.fate in ("stayed", "moved")
+    shows = change.fate in ("stayed", "moved", "turned")
     if moved is None or not shows:
         return OutcomeText(False, f"{swept}. {_whereabouts(status, object_id, change)}")
     place = "" if change.after is None else f", to {_place(change)}"
@@ -96,15 +95,6 @@ def push_words(
     worked = moved >= ENOUGH * asked
     advice = "" if worked else " Push it in another direction or further, or grasp it."
     return OutcomeText(worked, f"{swept}; {how_far}.{advice}")
-
-
-def _must_be_it(change: Change, changes: Changes) -> bool:
-    """Whether what was held must be the thing, though it can't be told by its looks.
-
-    Something new lies in the basket, the thing shows nowhere, and nothing else has vanished.
-    """
-    gone = [other for other in changes.things if other.fate in ("lost", "covered")]
-    return bool(changes.newly_in_basket) and change.fate == "lost" and gone == [change]
 
 
 def _whereabouts(status: str, object_id: str, change: Change) -> str:
@@ -115,11 +105,21 @@ def _whereabouts(status: str, object_id: str, change: Change) -> str:
         return f"{object_id} is still on the table, now at {_place(change)}.{advice}"
     if change.fate == "basket":
         return f"{object_id} lies in the basket."
+    if change.fate == "turned":
+        return f"{object_id} is still there, but turned or tipped, at {_place(change)}.{advice}"
+    if change.fate == "beside":
+        return f"{object_id} lies beside the basket, out of the picture and out of reach."
+    return _unfound(object_id, change)
+
+
+def _unfound(object_id: str, change: Change) -> str:
+    if not change.before.thing.nameable:
+        return f"{object_id}, of which only a part showed, was not found again."
+    if change.doubtful:
+        return f"{object_id} was not found again; it may be something of which only a part shows."
     if change.fate == "covered":
         return f"{object_id} shows no longer; something has come over the place where it was."
-    if change.before.thing.nameable:
-        return f"{object_id} shows neither on the table nor in the basket."
-    return f"{object_id}, of which only a part showed, was not found again."
+    return f"{object_id} shows neither on the table nor in the basket."
 
 
 def _place(change: Change) -> str:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import assert_never
 
 from probe.asking import UnusableReply
-from probe.changes.compare import Change, compare
+from probe.changes.compare import compare
 from probe.changes.sighting import including
 from probe.perception.matching import Match, match, nearest
 from probe.perception.pointer import Finder
@@ -89,7 +89,7 @@ class Toolshed:
         self._skills = skills
         self._setup = setup
         self._pictures = pictures
-        self._view = CurrentView(station, detector)
+        self._view = CurrentView(station, detector, setup.basket)
         self._finder = finder
         self._teller = teller
         self._form = form
@@ -179,9 +179,8 @@ class Toolshed:
         self._view.show(outcome.frame)
         held = seen if outcome.status == "removed" else None
         changes = compare(before, self._view.look, held)
-        change = changes.of(seen)
-        told = grasp_words(outcome.status, name, change, changes)
-        return self._told(told, thing, changes.but(seen))
+        told = grasp_words(outcome.status, name, changes.of(seen))
+        return self._told(told, thing, bystander_words(changes, seen))
 
     def _push(self, request: Push) -> ToolResult:
         name, thing = request.object_id, self._take_up(request.object_id)
@@ -195,7 +194,7 @@ class Toolshed:
         self._view.show(outcome.frame)
         changes = compare(before, self._view.look)
         told = push_words(outcome.status, name, changes.of(seen), outcome.moved, asked)
-        return self._told(told, thing, changes.but(seen))
+        return self._told(told, thing, bystander_words(changes, seen))
 
     def _answer(self, request: AnswerQuestion) -> ToolResult:
         """Record an answer.
@@ -226,10 +225,10 @@ class Toolshed:
         self.manipulations += 1
         return thing
 
-    def _told(self, told: OutcomeText, thing: Thing, others: Sequence[Change] = ()) -> ToolResult:
+    def _told(self, told: OutcomeText, thing: Thing, others: str = "") -> ToolResult:
         verdict = "Done" if told.worked else "Failed"
         left = f"Manipulations left: {MANIPULATIONS - self.manipulations}."
-        text = " ".join(filter(None, (f"{verdict}:", told.words, bystander_words(others), left)))
+        text = " ".join(filter(None, (f"{verdict}:", told.words, others, left)))
         status = "done" if told.worked else "failed"
         return ToolResult(text, self._picture(), status=status, point_px=thing.point_px)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from probe.changes.sighting import Look, sightings
 from probe.perception.things import Detector, Thing
+from probe.scene.setup import Basket
 from probe.station.station import Station
 from probe.types import Array, Frame
 
@@ -11,8 +12,9 @@ from probe.types import Array, Frame
 class CurrentView:
     """The current frame of a station, until the next one is shown."""
 
-    def __init__(self, station: Station, detector: Detector) -> None:
+    def __init__(self, station: Station, detector: Detector, basket: Basket) -> None:
         self._station = station
+        self._basket = basket
         self._detector = detector
         self._frame = station.observe(rgb=False)
         self._things: tuple[Thing, ...] | None = None
@@ -57,5 +59,14 @@ class CurrentView:
             table = self.coloured
             basket = self._station.look_into_basket(rgb=True)
             below = sightings(basket, self._detector.detect(basket))
-            self._look = Look(table, sightings(table, self.things), basket, below)
+            inside = tuple(s for s in below if self._basket.holds(*s.middle[:2]))
+            beside = tuple(s for s in below if s not in inside and not _in_view(table, s.middle))
+            self._look = Look(table, sightings(table, self.things), basket, inside, beside)
         return self._look
+
+
+def _in_view(frame: Frame, point: Array) -> bool:
+    """Whether a frame's picture has a place for a point, world, metres, shape (3,)."""
+    u, v = frame.camera.project(point[None])[0, :2]
+    height, width = frame.depth.shape
+    return bool(0 <= u < width and 0 <= v < height)

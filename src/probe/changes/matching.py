@@ -1,0 +1,70 @@
+"""Which of the things that show now is which of those that showed before, by their looks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from scipy.optimize import linear_sum_assignment
+
+from probe.changes.likeness import likeness
+from probe.changes.sighting import Sighting
+from probe.manipulation.palette import agreement
+
+_ALIKE = 0.55
+_HELD_BONUS = 0.15
+_FAR, _FAR_COST = 0.3, 0.1
+_HINT = 0.2
+"""Agreement of colours from which on a part of something may be a part of a thing."""
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """A sighting, and where it was."""
+
+    sighting: Sighting
+    where: Literal["table", "basket", "beside"]
+
+
+def again(
+    before: Sequence[Seen], after: Sequence[Seen], held: Sighting | None
+) -> Mapping[int, Seen]:
+    """What was found again, by the id() of the earlier sighting.
+
+    Args:
+        before: What isn't where it was.
+        after: What wasn't where it is.
+        held: What the fingers felt until they let go over the basket.
+    """
+    costs = np.array([[_cost(one, other, held) for other in after] for one in before])
+    costs = costs.reshape(len(before), len(after))
+    rows, columns = linear_sum_assignment(costs)
+    return {
+        id(before[row].sighting): after[column]
+        for row, column in zip(rows.tolist(), columns.tolist(), strict=True)
+        if costs[row, column] < 1 - _ALIKE
+    }
+
+
+def may_be(one: Sighting, other: Sighting) -> bool:
+    """Whether a thing may yet be one that wasn't taken for it.
+
+    Of one of the two only a part shows, so that names and sizes don't tell, and colours agree.
+    """
+    partly = one.thing.words.name is None or other.thing.words.name is None
+    return partly and agreement(one.colours, other.colours) >= _HINT
+
+
+def _cost(one: Seen, other: Seen, held: Sighting | None) -> float:
+    """Cost of taking one for the other; nothing leaves the basket."""
+    if one.where == "basket" != other.where:
+        return 1.0
+    cost = 1 - likeness(one.sighting, other.sighting)
+    if other.where == "basket" and one.sighting is held:
+        cost -= _HELD_BONUS
+    if one.where == other.where == "table":
+        apart = float(np.linalg.norm(one.sighting.middle - other.sighting.middle))
+        cost += _FAR_COST * min(1.0, apart / _FAR)
+    return cost
