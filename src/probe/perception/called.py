@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from probe.perception.nouns import holds
+from probe.perception.nouns import holds, is_kind
 from probe.perception.phrase import SPATIAL, head, main_phrase
 from probe.perception.things import Words
 from probe.perception.tokens import is_colour, tokens
@@ -15,7 +15,7 @@ DESCRIPTION_WORTH = 0.7
 CONTENTS_WORTH = 0.9
 """Of a noun that tells what is in a package: a "ketchup" for a "ketchup bottle"."""
 
-_PART_WORTH = 0.75
+_PART_WORTH = 0.45
 """Of a noun that is in a thing's name but not what the thing is: a "pot" in a "pot lid"."""
 
 _MENTION_WORTH = 0.3
@@ -74,9 +74,10 @@ def contents(words: Words) -> frozenset[str]:
 
 
 def _depicted(text: str) -> str | None:
-    """What a figure is of: the word before "figurine" and the like."""
+    """What a figure is of, or which fruit: the word before "figurine", "fruit" and the like."""
     words = tokens(main_phrase(text))
-    return words[-2] if len(words) > 1 and words[-1] in _FIGURES else None
+    general = len(words) > 1 and (words[-1] in _FIGURES or is_kind(words[-1]))
+    return words[-2] if general and not is_colour(words[-2]) else None
 
 
 @lru_cache(1024)

@@ -14,6 +14,7 @@ from probe.perception.called import (
     own_worth,
     told,
 )
+from probe.perception.looks import may_look
 from probe.perception.nouns import (
     ABOVE,
     ALIKE,
@@ -24,15 +25,22 @@ from probe.perception.nouns import (
     names_meant,
     outlines_meant,
 )
-from probe.perception.phrase import GENERIC, SPATIAL, head, main_phrase, surroundings
+from probe.perception.phrase import (
+    GENERIC,
+    SPATIAL,
+    afterthought,
+    head,
+    main_phrase,
+    surroundings,
+)
 from probe.perception.things import Words
-from probe.perception.tokens import MIXED_UP, REMOTE, colour_likeness, is_colour, tokens
+from probe.perception.tokens import colour_likeness, is_colour, tokens
 
-_COLOUR_WEIGHT = 1.0
+_COLOUR_WEIGHT = 1.5
 _WORD_WEIGHT = 1.5
 _NOUN_WEIGHT = 3.0
 _IDLE_WEIGHT = 0.5
-"""Of a word that fits nothing at all, or tells little: a place, a shade, "toy"."""
+"""Of a word that fits nothing at all, or tells little: a shade, "toy", what comes after "with"."""
 
 _SLIGHT = frozenset(("light", "dark", "bright", "deep", "toy", "model", "plastic", "old", "new"))
 _COLOURFUL = frozenset(("colorful", "colourful", "multicolored", "multicoloured", "rainbow"))
@@ -49,12 +57,14 @@ class Wanted:
         words: Its words but for places and those that fit everything.
         noun: What it is about; None without such a word.
         required: Colours of the thing itself, not of something "with" it.
-        aside: Words that tell what is around it.
+        after: Words that are said after "with", "on" and the like.
+        aside: Those of them that tell what is around it.
     """
 
     words: tuple[str, ...]
     noun: str | None
     required: frozenset[str]
+    after: frozenset[str]
     aside: frozenset[str]
 
     @staticmethod
@@ -73,8 +83,10 @@ class Wanted:
             # "an orange" is a fruit, "the orange one" isn't.
             fruit = len(words) == 1 and not GENERIC & set(said)
             noun, required = (noun, frozenset[str]()) if fruit else (None, required)
-        aside = frozenset(tokens(surroundings(description))) - {noun} - required
-        return Wanted(tuple(words), noun, required, aside)
+        main = frozenset(tokens(main_phrase(description))) | {noun}
+        after = frozenset(tokens(afterthought(description))) - main
+        aside = after & frozenset(tokens(surroundings(description)))
+        return Wanted(tuple(words), noun, required, after, aside)
 
 
 @dataclass(frozen=True)
@@ -115,10 +127,9 @@ def _fit(wanted: Wanted, weights: Sequence[float], worths: Sequence[float], word
     gained = sum(weight * worth for weight, worth in zip(weights, by_word.values(), strict=True))
     own = 1.0 if noun is None else own_worth(noun, noun, words)
     literal = own >= DESCRIPTION_WORTH
-    least = MIXED_UP if words.name is None else REMOTE
     return Fit(
         gained / sum(weights) if weights else 0.0,
-        not wanted.required or any(by_word[colour] >= least for colour in wanted.required),
+        not wanted.required or any(_has(colour, words) for colour in wanted.required),
         like,
         literal,
         literal
@@ -130,7 +141,7 @@ def _fit(wanted: Wanted, weights: Sequence[float], worths: Sequence[float], word
 def _weight(word: str, wanted: Wanted, fits_something: bool) -> float:
     if word == wanted.noun:
         return _NOUN_WEIGHT
-    if word in wanted.aside or word in _SLIGHT or not fits_something:
+    if word in wanted.after or word in _SLIGHT or not fits_something:
         return _IDLE_WEIGHT
     return _COLOUR_WEIGHT if is_colour(word) else _WORD_WEIGHT
 
@@ -139,12 +150,23 @@ def _worth(word: str, noun: str | None, words: Words) -> float:
     """How well one word fits a thing, 0 to 1."""
     own = own_worth(word, noun, words)
     if is_colour(word) and word != noun:
-        every = {token for colour in words.colours for token in tokens(colour)}
-        return max(own, max((colour_likeness(word, c) for c in every | names(words)), default=0.0))
+        return max(own, max((colour_likeness(word, c) for c in _colours(words)), default=0.0))
     if word in _COLOURFUL and len(words.colours) > 1:
         return max(own, LOOKS)
     alike = _best(looks_meant(word), names(words) | told(words))
     return max(own, alike, _noun_worth(word, words) if word == noun else 0.0)
+
+
+def _has(colour: str, words: Words) -> bool:
+    """Whether a thing has a colour, or if only a part of it shows: whether it may have it."""
+    if words.name is None:
+        return any(may_look(colour, seen) for seen in _colours(words))
+    return _worth(colour, None, words) > 0
+
+
+def _colours(words: Words) -> frozenset[str]:
+    every = {token for colour in words.colours for token in tokens(colour)}
+    return names(words) | every
 
 
 def _noun_worth(noun: str, words: Words) -> float:

@@ -20,8 +20,9 @@ MOST_EQUALS = 4
 
 _ENOUGH = 0.55
 _RESEMBLES = 0.2
-_MAY_BE_MEANT = 0.3
 _AS_GOOD = 0.05
+_WRONG_COLOUR = 0.7
+"""What is left of a score where no colour fits: people name colours better than things."""
 
 Fitting = tuple[Fit, Thing]
 
@@ -72,7 +73,7 @@ def match(description: str, things: Sequence[Thing]) -> Match | None:
     chosen = any(word not in VAGUE for word in choices)
     as_good = () if chosen else tuple(thing for _, thing in others[:MOST_EQUALS])
     told = (first, *(thing for _, thing in others))
-    maybe = () if fit.whole or anything else _ranked(fitted, _MAY_BE_MEANT, told)
+    maybe = () if fit.whole or anything else _ranked(fitted, told)
     return Match(first, as_good, maybe[: NEAREST - len(as_good)], fit.literal, fit.whole)
 
 
@@ -86,7 +87,7 @@ def nearest(description: str, things: Sequence[Thing]) -> tuple[Thing, ...]:
     wanted, _ = _read(description, things)
     if not wanted.words:
         return ()
-    return _ranked(_fitted(wanted, things), _RESEMBLES)[:NEAREST]
+    return _ranked(_fitted(wanted, things))[:NEAREST]
 
 
 def _read(description: str, things: Sequence[Thing]) -> tuple[Wanted, list[str]]:
@@ -110,14 +111,12 @@ def _extreme(word: str) -> Callable[[Fitting], int]:
     return lambda each: least(each[1])
 
 
-def _ranked(
-    fitted: Sequence[Fitting], least: float, told: Sequence[Thing] = ()
-) -> tuple[Thing, ...]:
+def _ranked(fitted: Sequence[Fitting], told: Sequence[Thing] = ()) -> tuple[Thing, ...]:
     """Things by their score, then by how much of them shows, without those that are told."""
     alike = [
-        (fit.score, int(thing.mask.sum()), thing)
+        (fit.score if fit.allowed else _WRONG_COLOUR * fit.score, int(thing.mask.sum()), thing)
         for fit, thing in fitted
-        if thing not in told and (fit.score >= least if thing.nameable else fit.allowed)
+        if thing not in told and (fit.score >= _RESEMBLES if thing.nameable else fit.allowed)
     ]
     alike.sort(key=lambda each: (-each[0], -each[1]))
     return tuple(thing for _, _, thing in alike)

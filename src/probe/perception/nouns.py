@@ -80,6 +80,11 @@ def holds(noun: str) -> bool:
     return noun in _nouns().contents
 
 
+def is_kind(noun: str) -> bool:
+    """Whether a noun is that of a narrow kind."""
+    return noun in _nouns().kinds
+
+
 def apart(word: str) -> list[str]:
     """The words that a word is compared as: two for one that is often written apart."""
     return _nouns().apart.get(word, word).split()

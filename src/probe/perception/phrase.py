@@ -22,7 +22,7 @@ SPATIAL = {
 VAGUE = frozenset(("large", "big", "small", "tiny", "little"))
 """Those that many things fit, so that they rank rather than choose."""
 
-_MEASURE = re.compile(r"\b(?:piece|pair|bit|kind|sort|type|part|slice) of\b")
+_MEASURE = re.compile(r"\b(?:piece|pair|bit|kind|sort|type|part|slice|ear|head|clove|lump|sheet|pile|stack) of\b")
 _PLACES = (
     r"on|at|near|by|beside|next|under|underneath|beneath|below|behind|between|above|over|against"
 )
@@ -40,6 +40,11 @@ def main_phrase(text: str) -> str:
     return _AFTERTHOUGHT.split(text.lower())[0]
 
 
+def afterthought(text: str) -> str:
+    """What comes after "with", "on" and the like."""
+    return " ".join(_AFTERTHOUGHT.split(text.lower())[1:])
+
+
 def surroundings(text: str) -> str:
     """What comes after "on", "next to" and the like: it tells the place more than the thing."""
     return " ".join(_AROUND.split(text.lower())[1:])
@@ -55,7 +60,9 @@ def head(text: str, spatial_nouns: Collection[str] = ()) -> str | None:
     Returns:
         A colour only if there is no other word; None if there is no word at all.
     """
-    parts = [tokens(part) for part in _AFTER_NOUN.split(_MEASURE.sub("", text.lower()))]
+    whole = _MEASURE.sub("", text.lower())
+    about = main_phrase(whole)
+    parts = [tokens(p) for p in _AFTER_NOUN.split(about if tokens(about) else whole)]
     nouns = [noun for part in parts if (noun := _last(part, spatial_nouns))]
     return next((noun for noun in nouns if not is_colour(noun)), nouns[0] if nouns else None)
 
