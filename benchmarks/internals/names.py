@@ -45,7 +45,9 @@ def outcome(words: str, meant: Thing, things: Sequence[Thing]) -> Outcome:
     return "with likes" if like else "with others"
 
 
-def main(seed: int = 940000, scenes: int = 20, objects: int = 15, pool: Pool = "procedural") -> None:
+def main(
+    seed: int = 940000, scenes: int = 20, objects: int = 15, pool: Pool = "procedural"
+) -> None:
     """Ask for everything in some scenes, and say what isn't found as it should be.
 
     Args:

@@ -6,11 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from probe.perception.called import nouns
-from probe.perception.fitting import Fit, Wanted, fits
+from probe.perception.fitting import Fit, fits
 from probe.perception.phrase import SPATIAL, VAGUE
 from probe.perception.places import EXTREMES, place_in, thing_at
 from probe.perception.things import Thing
 from probe.perception.tokens import tokens
+from probe.perception.wanted import Wanted
 
 NEAREST = 5
 """Things that are listed at most if none fits, or besides the one that is found."""

@@ -22,7 +22,9 @@ SPATIAL = {
 VAGUE = frozenset(("large", "big", "small", "tiny", "little"))
 """Those that many things fit, so that they rank rather than choose."""
 
-_MEASURE = re.compile(r"\b(?:piece|pair|bit|kind|sort|type|part|slice|ear|head|clove|lump|sheet|pile|stack) of\b")
+_MEASURE = re.compile(
+    r"\b(?:piece|pair|bit|kind|sort|type|part|slice|ear|head|clove|lump|sheet|pile|stack) of\b"
+)
 _PLACES = (
     r"on|at|near|by|beside|next|under|underneath|beneath|below|behind|between|above|over|against"
 )
