@@ -22,7 +22,7 @@ MOST_EQUALS = 4
 _ENOUGH = 0.55
 _RESEMBLES = 0.2
 _AS_GOOD = 0.05
-_WRONG_COLOUR = 0.7
+_WRONG_COLOUR = 0.8
 """What is left of a score where no colour fits: people name colours better than things."""
 
 Fitting = tuple[Fit, Thing]
@@ -35,7 +35,8 @@ class Match:
     Attributes:
         thing: It.
         others: Those that the words fit as well.
-        maybe: Others that may be meant, the most alike first; none if all words fit.
+        maybe: Others that may be meant, the most alike first; none if all words fit and one of
+            them says what it is.
         literal: Whether its own words say what was asked for; else it is what comes nearest.
         whole: Whether all the words fit.
     """
@@ -74,7 +75,8 @@ def match(description: str, things: Sequence[Thing]) -> Match | None:
     chosen = any(word not in VAGUE for word in choices)
     as_good = () if chosen else tuple(thing for _, thing in others[:MOST_EQUALS])
     told = (first, *(thing for _, thing in others))
-    maybe = () if fit.whole or anything else _ranked(fitted, told)
+    sure = anything or (fit.whole and wanted.noun is not None)
+    maybe = () if sure else _ranked(fitted, told)
     return Match(first, as_good, maybe[: NEAREST - len(as_good)], fit.literal, fit.whole)
 
 

@@ -16,7 +16,7 @@ from probe.perception.nouns import (
     outlines_meant,
 )
 from probe.perception.things import Words
-from probe.perception.tokens import colour_likeness, is_colour, tokens
+from probe.perception.tokens import MIXED_UP, colour_likeness, is_colour, tokens
 
 _COLOURFUL = frozenset(("colorful", "colourful", "multicolored", "multicoloured", "rainbow"))
 
@@ -42,7 +42,7 @@ def may_have(colour: str, words: Words) -> bool:
     """Whether a thing has a colour, or if only a part of it shows: whether it may have it."""
     if words.name is None:
         return any(may_look(colour, seen) for seen in _colours(words))
-    return worth_of(colour, None, words) > 0
+    return worth_of(colour, None, words) >= MIXED_UP
 
 
 def _colours(words: Words) -> frozenset[str]:
