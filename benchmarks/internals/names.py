@@ -10,8 +10,8 @@ category. The answer is
 - with others: it fits as well as what is found, but so does something of another category;
 - not found: something else fits better, or nothing does.
 
-After that, every category that a scene lacks is asked for: "claimed" are those that something is
-found for under their own name, though nothing that shows is called that.
+After that, every category that a scene lacks is asked for. The reply says that nothing is called
+that, finds a likeness or something that fits in part, and says so, or claims that this is it.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from probe.perception.things import Thing
 from probe.render.renderer import Renderer
 
 Outcome = Literal["alone", "with likes", "with others", "not found"]
+Claim = Literal["nothing", "likeness", "in part", "claimed"]
 out = Console()
 
 
@@ -45,6 +46,16 @@ def outcome(words: str, meant: Thing, things: Sequence[Thing]) -> Outcome:
     return "with likes" if like else "with others"
 
 
+def claim(category: str, things: Sequence[Thing]) -> Claim:
+    """What is said of a category that a scene lacks."""
+    found = match(category, things)
+    if found is None:
+        return "nothing"
+    if not found.literal:
+        return "likeness"
+    return "claimed" if found.whole else "in part"
+
+
 def main(
     seed: int = 940000, scenes: int = 20, objects: int = 15, pool: Pool = "procedural"
 ) -> None:
@@ -57,9 +68,9 @@ def main(
         pool: The scenes' objects are of it.
     """
     known = library(pool)
-    categories = sorted({spec.category for spec in known.specs})
+    categories = {spec.category for spec in known.specs}
     asked: dict[str, Counter[Outcome]] = {"name": Counter(), "category": Counter()}
-    absent = Counter[str]()
+    absent = Counter[Claim]()
     with Renderer() as renderer:
         for each in range(seed, seed + scenes):
             things = things_of(each, objects, known, pool, renderer)
@@ -70,13 +81,8 @@ def main(
                     asked[which][what] += 1
                     if what in ("with others", "not found"):
                         out.print(each, what, repr(said), markup=False, highlight=False)
-            here = {thing.words.category for thing in things}
-            for category in (category for category in categories if category not in here):
-                found = match(category, things)
-                what = "nothing" if found is None else "claimed" if found.literal else "likeness"
-                absent[what] += 1
-                if what == "claimed" and found:
-                    out.print(each, what, repr(category), "->", found.thing.words.called)
+            lacking = categories - {thing.words.category for thing in things}
+            absent.update(claim(category, things) for category in sorted(lacking))
     for which, counts in asked.items():
         out.print(f"{which}, n = {counts.total()}:", dict(counts))
     out.print(f"absent categories, n = {absent.total()}:", dict(absent))
