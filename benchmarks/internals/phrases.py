@@ -8,7 +8,8 @@ the pictures with `probe scene 7`. Each phrase is
 
 - right: it finds that thing;
 - listed: it doesn't, but the reply lists that thing with an object_id;
-- wrong: it finds or lists other things alone;
+- wrong: it finds another thing, and doesn't list that thing;
+- missed: it says that nothing is called that, and lists other things alone;
 - nothing: the reply names no thing at all;
 - unseen: perception makes out nothing at that place.
 """
@@ -32,10 +33,10 @@ from probe.perception.oracle import Oracle
 from probe.perception.things import Thing
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
-from probe.toolshed.findings import MOST_OTHERS
+from probe.toolshed.findings import told_things
 from probe.world.scenes import make_scene
 
-Outcome = Literal["right", "listed", "wrong", "nothing", "unseen"]
+Outcome = Literal["right", "listed", "wrong", "missed", "nothing", "unseen"]
 out = Console()
 
 
@@ -52,17 +53,17 @@ def outcome(phrase: Phrase, things: Sequence[Thing]) -> tuple[Outcome, str]:
     u, v = phrase.place
     meant = next((thing for thing in things if thing.mask[v, u]), None)
     found = match(phrase.phrase, things)
-    listed = nearest(phrase.phrase, things) if found is None else found.others[:MOST_OTHERS]
-    first = found.thing if found else None
-    told = (*([first] if first else []), *listed)
+    told = told_things(found) if found else nearest(phrase.phrase, things)
     called = told[0].words.name or told[0].words.description if told else ""
     if meant is None:
         return "unseen", called
-    if first is meant:
+    if found and found.thing is meant:
         return "right", called
-    if meant in listed:
+    if meant in told:
         return "listed", called
-    return ("wrong" if told else "nothing"), called
+    if found:
+        return "wrong", called
+    return ("missed" if told else "nothing"), called
 
 
 def things_of(

@@ -148,4 +148,88 @@ def test_a_noun_that_is_only_mentioned_is_not_the_thing():
 def test_what_comes_nearest_is_ranked():
     names = [thing.words.name for thing in nearest("purple plate", AMONG)]
     assert names[0] == "yellow plate" and len(names) <= NEAREST
-    assert nearest("zeppelin", AMONG) == () and nearest("(10, 1000)", AMONG) == ()
+    assert nearest("yellow zeppelin", AMONG) == (AMONG[0],) and nearest("(10, 1000)", AMONG) == ()
+
+
+def test_what_only_partly_shows_may_be_anything_of_its_colour():
+    (sliver,) = (thing for thing in AMONG if not thing.nameable)
+    assert nearest("zeppelin", AMONG) == (sliver,)
+    assert nearest("red horse", AMONG)[0] is sliver
+    assert sliver not in nearest("green horse", AMONG)
+
+
+def test_what_is_found_by_likeness_comes_with_others_that_may_be_meant():
+    alike, own = match("red box", AMONG), match("red apple", AMONG)
+    assert alike and not alike.literal and "cereal box" in map(called, alike.maybe)
+    assert own and own.whole and own.maybe == ()
+
+
+def test_a_word_that_does_not_fit_brings_others_up():
+    part = match("striped red apple", AMONG)
+    assert part and part.literal and not part.whole and called(part.thing) == "red apple"
+    assert any(not thing.nameable for thing in part.maybe)
+
+
+def test_a_reply_lists_few_things():
+    vague = match("white something", AMONG), match("domed red cover with dots", AMONG)
+    assert all(len(m.others) + len(m.maybe) <= NEAREST for m in vague if m)
+
+
+def called(thing):
+    return thing.words.called
+
+
+TOYS = Oracle(
+    dict(
+        enumerate(
+            [
+                spec("spinning top", "orange", "green", category="spinning top"),
+                spec("beige animal figurine", "beige", category="animal figurine"),
+                spec("lion figurine", "brown", category="animal figurine"),
+                spec("green tyrannosaurus", "green", category="dinosaur figurine"),
+                spec("orange mug", "orange", category="mug"),
+                spec("ketchup bottle", "red", category="ketchup bottle"),
+                spec("red pot lid", "red", category="pot lid"),
+                spec("blue block", "blue", category="toy block"),
+            ],
+            start=1,
+        )
+    )
+).detect(paint([Block(n, (100 * n, 300, 100 * n + 80, 380)) for n in range(1, 9)]))
+
+
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        ("toy top", "spinning top"),
+        ("dog", "beige animal figurine"),
+        ("lion", "lion figurine"),
+        ("toy lion", "lion figurine"),
+        ("T-rex", "green tyrannosaurus"),
+        ("animal", "lion figurine"),
+        ("mug, orange", "orange mug"),
+        ("ketchup", "ketchup bottle"),
+        ("mug next to the blue block", "orange mug"),
+        ("half hidden orange mug", "orange mug"),
+        ("the topmost thing", "spinning top"),
+        ("pot", None),
+        ("an orange", None),
+        ("pineapple", None),
+        ("yellow pineapple", None),
+    ],
+)
+def test_finds_a_kind_a_part_and_contents(words, name):
+    result = match(words, TOYS)
+    told = (result.thing, *result.others) if result else ()
+    assert (name in map(called, told)) if name else result is None
+
+
+def test_what_is_of_one_kind_is_listed_but_never_found():
+    names = [called(thing) for thing in nearest("tiger", TOYS[1:3])]
+    assert set(names) == {"beige animal figurine", "lion figurine"}
+    assert match("tiger", [TOYS[2]]) is None
+
+
+def test_words_for_size_rank_but_hide_nothing():
+    small, smallest = match("small mug", THINGS), match("smallest mug", THINGS)
+    assert small and smallest and len(small.others) == 1 and smallest.others == ()

@@ -105,6 +105,14 @@ def test_others_that_fit_as_well_have_ids(station, skills, specs):
     assert shed.call("grasp_and_remove", {"object_id": "object_2"}).status == "done"
 
 
+def test_others_that_may_be_meant_have_ids(shed):
+    found = yaml.safe_load(shed.call("find_object", {"description": "striped mug"}).text)
+    assert found["name"] == "red mug" and "not all of these words" in found["note"]
+    ids = [other["object_id"] for other in found["others_that_may_be_meant"]]
+    assert ids and found["object_id"] not in ids
+    assert shed.call("grasp_and_remove", {"object_id": ids[0]}).status == "done"
+
+
 def test_grasp_removes_and_shows_the_new_table(shed, station, skills):
     name = handle(shed, "white ball")
     result = shed.call("grasp_and_remove", {"object_id": name})

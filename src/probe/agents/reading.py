@@ -29,6 +29,7 @@ _GRASPED: Mapping[str, Outcome] = {
 }
 
 
+_LISTS = ("objects", "others_that_fit_as_well", "others_that_may_be_meant")
 _NEAREST = re.compile(r"(object_\d+), (.*?), at \[")
 
 
@@ -148,8 +149,8 @@ def read_handles(text: str) -> dict[str, str]:
     if not isinstance(told, dict):
         return {}
     content = cast("dict[str, Any]", told)
-    others: Any = content.get("objects") or content.get("others_that_fit_as_well") or ()
-    items = (content, *cast("list[dict[str, Any]]", others))
+    lists: list[Any] = [content.get(key) or () for key in _LISTS]
+    items = (content, *(cast("dict[str, Any]", item) for each in lists for item in each))
     return {
         item["object_id"]: str(item.get("name") or item.get("description"))
         for item in items

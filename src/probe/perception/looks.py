@@ -51,12 +51,12 @@ def belies(pixels: Array, told: Sequence[str]) -> tuple[Colour, ...]:
     words = {word for colour in told for word in tokens(colour)}
     if not any(map(is_colour, words)):
         return ()
-    agreeing = [name for name in EXAMPLES if any(_may_look(word, name) for word in words)]
+    agreeing = [name for name in EXAMPLES if any(may_look(word, name) for word in words)]
     found = nearest_colours(pixels[:: max(1, len(pixels) // _MOST_PIXELS)])
     share = float(np.isin(found, agreeing).mean())
     return main_colours(pixels) if share < _BELIED_SHARE else ()
 
 
-def _may_look(told: str, seen: str) -> bool:
+def may_look(told: str, seen: str) -> bool:
     """Whether a thing of one colour may look like another one, in light or in shade."""
     return colour_match(told, seen) > 0 or seen in _SHADES.get(told, ())

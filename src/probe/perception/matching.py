@@ -2,36 +2,30 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
-from probe.perception.fitting import Wanted, fits
+from probe.perception.called import nouns
+from probe.perception.fitting import Fit, fits
+from probe.perception.phrase import SPATIAL, VAGUE
+from probe.perception.places import EXTREMES, place_in, thing_at
 from probe.perception.things import Thing
-from probe.perception.tokens import SPATIAL, tokens
-
-NEAR_PX = 25
-"""A place this close to a thing still means it."""
+from probe.perception.tokens import tokens
+from probe.perception.wanted import Wanted
 
 NEAREST = 5
-"""Things that are listed at most if none fits."""
+"""Things that are listed at most if none fits, or besides the one that is found."""
+
+MOST_EQUALS = 4
+"""Things that are listed at most because they fit as well as the one that is found."""
 
 _ENOUGH = 0.55
 _RESEMBLES = 0.2
 _AS_GOOD = 0.05
+_WRONG_COLOUR = 0.8
+"""What is left of a score where no colour fits: people name colours better than things."""
 
-_NUMBER = r"(\d{1,6}(?:\.\d{1,6})?)"
-_PLACE = re.compile(rf"(?:[(\[]\s*|\bat\s+){_NUMBER}\s*,\s*{_NUMBER}")
-_EXTREMES: dict[str, Callable[[Thing], int]] = {
-    "left": lambda t: t.point_px[0],
-    "right": lambda t: -t.point_px[0],
-    "top": lambda t: t.point_px[1],
-    "bottom": lambda t: -t.point_px[1],
-    "large": lambda t: -int(t.mask.sum()),
-    "small": lambda t: int(t.mask.sum()),
-}
+Fitting = tuple[Fit, Thing]
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,12 +35,17 @@ class Match:
     Attributes:
         thing: It.
         others: Those that the words fit as well.
+        maybe: Others that may be meant, the most alike first; none if all words fit and one of
+            them says what it is.
         literal: Whether its own words say what was asked for; else it is what comes nearest.
+        whole: Whether all the words fit.
     """
 
     thing: Thing
     others: tuple[Thing, ...] = ()
+    maybe: tuple[Thing, ...] = ()
     literal: bool = True
+    whole: bool = True
 
 
 def match(description: str, things: Sequence[Thing]) -> Match | None:
@@ -60,50 +59,67 @@ def match(description: str, things: Sequence[Thing]) -> Match | None:
         None if nothing that shows fits.
     """
     if place := place_in(description):
-        return _at(*place, things)
-    said, wanted = tokens(description), Wanted.of(description)
-    if not wanted.words and any(word in SPATIAL for word in said):
-        scored = [(1.0, True, thing) for thing in things]
-    else:
-        found = zip(fits(wanted, [thing.words for thing in things]), things, strict=True)
-        scored = [
-            (fit.score, fit.literal, thing)
-            for fit, thing in found
-            if fit.allowed and fit.score >= _ENOUGH
-        ]
+        thing = thing_at(*place, things)
+        return Match(thing) if thing else None
+    wanted, choices = _read(description, things)
+    fitted = _fitted(wanted, things)
+    anything = not wanted.words and bool(choices)
+    scored = fitted if anything else [each for each in fitted if _enough(each[0])]
     if not scored:
         return None
-    best = max(score for score, _, _ in scored)
-    equal = [(literal, thing) for score, literal, thing in scored if score >= best - _AS_GOOD]
-    choices = [SPATIAL[word] for word in said if word in SPATIAL]
-    for choice in choices:
-        equal.sort(key=lambda each: _EXTREMES[choice](each[1]))
-    literal, first = equal[0]
-    return Match(first, () if choices else tuple(thing for _, thing in equal[1:]), literal)
+    best = max(fit.score for fit, _ in scored)
+    equal = [each for each in scored if each[0].score >= best - _AS_GOOD]
+    for word in choices:
+        equal.sort(key=_extreme(word))
+    (fit, first), *others = equal
+    chosen = any(word not in VAGUE for word in choices)
+    as_good = () if chosen else tuple(thing for _, thing in others[:MOST_EQUALS])
+    told = (first, *(thing for _, thing in others))
+    sure = anything or (fit.whole and wanted.noun is not None)
+    maybe = () if sure else _ranked(fitted, told)
+    return Match(first, as_good, maybe[: NEAREST - len(as_good)], fit.literal, fit.whole)
 
 
 def nearest(description: str, things: Sequence[Thing]) -> tuple[Thing, ...]:
-    """Things that resemble what words describe, the most alike first; none for a place."""
+    """Things that resemble what words describe, the most alike first; none for a place.
+
+    Things that can't be named may be anything of their colours.
+    """
     if place_in(description):
         return ()
-    found = fits(Wanted.of(description), [thing.words for thing in things])
-    alike = [(fit.score, thing) for fit, thing in zip(found, things, strict=True)]
-    alike = [(score, thing) for score, thing in alike if score >= _RESEMBLES]
-    alike.sort(key=lambda each: -each[0])
-    return tuple(thing for _, thing in alike[:NEAREST])
+    wanted, _ = _read(description, things)
+    if not wanted.words:
+        return ()
+    return _ranked(_fitted(wanted, things))[:NEAREST]
 
 
-def place_in(description: str) -> tuple[float, float] | None:
-    """(u, v) of a place that a description gives in pixels ("the thing at (512, 300)")."""
-    place = _PLACE.search(description)
-    return (float(place[1]), float(place[2])) if place else None
+def _read(description: str, things: Sequence[Thing]) -> tuple[Wanted, list[str]]:
+    """What words ask for, and the spatial ones among them in their order."""
+    named = {noun for thing in things for noun in nouns(thing.words)}
+    wanted = Wanted.of(description, SPATIAL.keys() & named)
+    choices = [word for word in tokens(description) if word in SPATIAL and word != wanted.noun]
+    return wanted, choices
 
 
-def _at(u: float, v: float, things: Sequence[Thing]) -> Match | None:
-    nearest, distance = None, NEAR_PX + 1.0
-    for thing in things:
-        rows, columns = np.nonzero(thing.mask)
-        apart = float(np.hypot(columns - int(u), rows - int(v)).min())
-        if apart < distance:
-            nearest, distance = thing, apart
-    return Match(nearest) if nearest and distance <= NEAR_PX else None
+def _fitted(wanted: Wanted, things: Sequence[Thing]) -> list[Fitting]:
+    return list(zip(fits(wanted, [thing.words for thing in things]), things, strict=True))
+
+
+def _enough(fit: Fit) -> bool:
+    return fit.allowed and fit.like and fit.score >= _ENOUGH
+
+
+def _extreme(word: str) -> Callable[[Fitting], int]:
+    least = EXTREMES[SPATIAL[word]]
+    return lambda each: least(each[1])
+
+
+def _ranked(fitted: Sequence[Fitting], told: Sequence[Thing] = ()) -> tuple[Thing, ...]:
+    """Things by their score, then by how much of them shows, without those that are told."""
+    alike = [
+        (fit.score if fit.allowed else _WRONG_COLOUR * fit.score, int(thing.mask.sum()), thing)
+        for fit, thing in fitted
+        if thing not in told and (fit.score >= _RESEMBLES if thing.nameable else fit.allowed)
+    ]
+    alike.sort(key=lambda each: (-each[0], -each[1]))
+    return tuple(thing for _, _, thing in alike)

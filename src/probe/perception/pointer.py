@@ -6,7 +6,8 @@ import json
 from typing import Protocol
 
 from probe.asking import asked
-from probe.perception.matching import Match, place_in
+from probe.perception.matching import Match
+from probe.perception.places import place_in
 from probe.perception.points import IN_WORDS, Convention, read_point
 from probe.perception.segmenter import Masker, thing_of
 from probe.types import Array, Ask, Frame

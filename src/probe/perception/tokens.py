@@ -3,36 +3,36 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+
+from probe.perception.nouns import apart, vocabulary
 
 _STOP = frozenset(
     (
         *("a", "an", "the", "this", "that", "these", "those", "its", "it", "my", "some", "any"),
         *("of", "on", "in", "at", "with", "to", "near", "by", "from", "for", "under", "beside"),
-        *("and", "or", "is", "are", "one", "colored", "coloured", "color", "colour"),
+        *("and", "or", "is", "are", "colored", "coloured", "color", "colour", "which", "like"),
+        *("look", "looks", "looking", "shaped", "sized", "very", "quite", "maybe", "probably"),
     )
 )
 
-GENERIC = frozenset(("object", "thing", "item", "something"))
-"""Words that fit everything."""
-
-SPATIAL = {
-    "left": "left", "leftmost": "left", "right": "right", "rightmost": "right",
-    "top": "top", "topmost": "top", "upper": "top", "uppermost": "top",
-    "bottom": "bottom", "bottommost": "bottom", "lower": "bottom", "lowest": "bottom",
-    "large": "large", "larger": "large", "largest": "large", "big": "large", "biggest": "large",
-    "small": "small", "smaller": "small", "smallest": "small", "tiny": "small",
-}  # fmt: skip
-"""Words that choose among things, by what they ask for."""
-
 _SAME = {
     "grey": "gray", "violet": "purple", "lilac": "purple", "lavender": "purple", "mauve": "purple",
+    "indigo": "blue", "cobalt": "blue", "emerald": "green",
     "turquoise": "teal", "cyan": "teal", "aqua": "teal", "navy": "blue", "azure": "blue",
     "maroon": "red", "crimson": "red", "scarlet": "red", "burgundy": "red", "magenta": "pink",
-    "golden": "gold", "silvery": "silver", "chrome": "silver", "ivory": "white",
-    "khaki": "tan",
+    "fuchsia": "pink", "golden": "gold", "bronze": "gold", "silvery": "silver", "chrome": "silver",
+    "ivory": "white", "khaki": "tan", "charcoal": "gray", "amber": "orange", "pale": "light",
     "reddish": "red", "orangish": "orange", "yellowish": "yellow", "greenish": "green",
     "bluish": "blue", "purplish": "purple", "pinkish": "pink", "brownish": "brown",
     "grayish": "gray", "greyish": "gray", "whitish": "white", "blackish": "black",
+}  # fmt: skip
+_IRREGULAR = {
+    "knives": "knife", "loaves": "loaf", "leaves": "leaf", "mice": "mouse", "teeth": "tooth",
+    "tomatoes": "tomato", "potatoes": "potato", "mangoes": "mango", "cookies": "cookie",
+    "dominoes": "domino", "brownies": "brownie", "geese": "goose", "wolves": "wolf",
+    "glasses": "glass", "lens": "lens", "thermos": "thermos", "rhinoceros": "rhinoceros",
+    "triceratops": "triceratops", "clothes": "clothing",
 }  # fmt: skip
 _NEAR = (
     {"gray", "silver"},
@@ -54,31 +54,32 @@ _NEAR = (
     {"yellow", "beige"},
     {"blue", "purple"},
 )
+# The words for what is dark or light stand in the names of colours: "dark blue".
+_REMOTE = (
+    *({"white", "gray"}, {"white", "light"}, {"gray", "beige"}, {"gray", "blue"}),
+    *({"black", "dark"}, {"black", "brown"}, {"black", "blue"}, {"gold", "brown"}),
+    *({"gold", "orange"}, {"gold", "tan"}, {"yellow", "orange"}, {"yellow", "green"}),
+    *({"pink", "orange"}, {"pink", "beige"}, {"purple", "red"}),
+)
 _COLOURS = frozenset(
     (
         *("white", "gray", "black", "silver", "gold", "red", "orange", "yellow", "green"),
         *("teal", "blue", "purple", "pink", "brown", "tan", "beige"),
     )
 )
-_NEARLY = 0.5
-_MEASURE = re.compile(r"\b(?:piece|pair|bit|kind|sort|part|slice) of\b")
+MIXED_UP, REMOTE = 0.5, 0.25
+"""What a colour is worth that people take often, or now and then, for the one that is wanted."""
 
 
 def tokens(text: str) -> list[str]:
-    """Lower-case words in their order, without articles and the like, in the singular."""
-    words = re.findall(r"[a-z0-9]+", text.lower())
-    return [_SAME.get(word, _singular(word)) for word in words if word not in _STOP]
+    """Lower-case words in their order, without articles and the like, in the singular.
 
-
-def head(text: str) -> str | None:
-    """The noun that a description is about: the last word before "with", "on", "of" and the like.
-
-    None if there is no such word.
+    Single letters go ("T-rex", "child's"), and words that may be written as one or as two come
+    out alike ("tea pot", "teapot").
     """
-    whole = _MEASURE.sub("", text.lower())
-    before = re.split(r"\b(?:with|on|in|of|at|near|by|under|from|beside|next)\b", whole)[0]
-    nouns = [word for word in tokens(before) if word not in SPATIAL and word not in GENERIC]
-    return nouns[-1] if nouns else None
+    words = [word for word in re.findall(r"[a-z0-9]+", text.lower()) if word not in _STOP]
+    found = [_SAME.get(word, _singular(word)) for word in words if len(word) > 1 or word.isdigit()]
+    return _joined(piece for word in found for piece in apart(word))
 
 
 def is_colour(token: str) -> bool:
@@ -87,16 +88,33 @@ def is_colour(token: str) -> bool:
 
 
 def colour_match(wanted: str, actual: str) -> float:
-    """1 for the same colour, 0.5 for one that people mix up with it, else 0."""
+    """1 for the same colour, MIXED_UP for one that people often take for it, else 0."""
     if wanted == actual:
         return 1.0
-    return _NEARLY if {wanted, actual} in _NEAR else 0.0
+    return MIXED_UP if {wanted, actual} in _NEAR else 0.0
+
+
+def colour_likeness(wanted: str, actual: str) -> float:
+    """As colour_match, but REMOTE for a colour that people take for it now and then."""
+    return colour_match(wanted, actual) or (REMOTE if {wanted, actual} in _REMOTE else 0.0)
+
+
+def _joined(words: Iterable[str]) -> list[str]:
+    found: list[str] = []
+    for word in words:
+        if found and found[-1] + word in vocabulary():
+            found[-1] += word
+        else:
+            found.append(word)
+    return found
 
 
 def _singular(word: str) -> str:
+    if word in _IRREGULAR:
+        return _IRREGULAR[word]
     if len(word) <= 3 or word.endswith(("ss", "us", "is")):
         return word
-    if word.endswith("ies"):
+    if word.endswith("ies") and len(word) > 4:
         return word[:-3] + "y"
     if word.endswith(("ches", "shes", "xes", "sses")):
         return word[:-2]

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
+from probe.perception.matching import Match
 from probe.perception.things import Thing
 from probe.toolshed.graph import thing_lines
 from probe.toolshed.refusals import quoted
-
-MOST_OTHERS = 4
-"""Other things that a reply lists at most."""
 
 NOTHING_ALIKE = (
     "Nothing that shows in the picture fits this description. It may be hidden by other objects "
@@ -23,26 +21,31 @@ _NEAREST = (
 )
 
 _LIKENESS = "note: nothing that shows is called that; this comes nearest"
+_IN_PART = "note: not all of these words fit it"
 
 Named = tuple[str, Thing]
 """A handle and its thing."""
 
 
-def found_text(found: Named, others: Sequence[Named], *, literal: bool) -> str:
-    """A thing that was found, and others that fit as well, as YAML.
+def told_things(match: Match) -> tuple[Thing, ...]:
+    """Things that the reply to a search names: the one that was found, then the others."""
+    return match.thing, *match.others, *match.maybe
+
+
+def found_text(match: Match, name: Callable[[Thing], str]) -> str:
+    """A thing that was found, others that fit as well, and others that may be meant, as YAML.
 
     Args:
-        found: The thing.
-        others: The others.
-        literal: Whether its own words say what was asked for.
+        match: What was found.
+        name: Gives a thing its handle.
     """
-    handle, thing = found
-    lines = [f"object_id: {handle}", *thing_lines(thing)]
-    if not literal:
+    lines = [f"object_id: {name(match.thing)}", *thing_lines(match.thing)]
+    if not match.literal:
         lines.append(_LIKENESS)
-    if others:
-        lines.append("others_that_fit_as_well:")
-        lines += [f"- {{{', '.join(_short(*other))}}}" for other in others]
+    elif not match.whole:
+        lines.append(_IN_PART)
+    lines += _listed("others_that_fit_as_well", match.others, name)
+    lines += _listed("others_that_may_be_meant", match.maybe, name)
     return "\n".join(lines)
 
 
@@ -54,6 +57,11 @@ def nearest_text(asked: str, near: Sequence[Named]) -> str:
         f"{handle}, {thing.words.called}, at {_place(thing)}" for handle, thing in near
     )
     return _NEAREST.format(asked=quoted(asked), listed=listed)
+
+
+def _listed(heading: str, things: Sequence[Thing], name: Callable[[Thing], str]) -> list[str]:
+    lines = [f"- {{{', '.join(_short(name(thing), thing))}}}" for thing in things]
+    return [f"{heading}:", *lines] if lines else []
 
 
 def _short(handle: str, thing: Thing) -> list[str]:

@@ -67,10 +67,10 @@ class FindObject(_Arguments):
     """Locate one object in the current picture and get its object_id.
 
     Say what it looks like ("red mug") or where it is ("the thing at (512, 300)"). The reply gives
-    its object_id, a point on it, its box, and the picture with the object outlined. Where nothing
-    fits the words, it lists what comes nearest, each with an object_id. Moving an object takes an
-    object_id. It stays good until the object moves or something covers it; then look again for a
-    new one.
+    its object_id, a point on it, its box, and the picture with the object outlined. Where the words
+    fit in part or not at all, it lists what may be meant, each with an object_id. Moving an object
+    takes an object_id. It stays good until the object moves or something covers it; then look again
+    for a new one.
     """
 
     description: Annotated[

@@ -17,7 +17,7 @@ from probe.scene.setup import Setup
 from probe.station.station import Station
 from probe.toolshed.answer_form import ANY_ANSWER, AnswerForm
 from probe.toolshed.bystanders import bystander_words
-from probe.toolshed.findings import MOST_OTHERS, Named, found_text, nearest_text
+from probe.toolshed.findings import Named, found_text, nearest_text
 from probe.toolshed.graph import scene_text, told_text
 from probe.toolshed.handles import Handles
 from probe.toolshed.outcomes import OutcomeText, grasp_words, nothing_moved, push_words
@@ -150,14 +150,16 @@ class Toolshed:
         if found is None:
             near = self._issued(self._resembling(description))
             return ToolResult(nearest_text(description, near), self._picture(), status="failed")
-        first, *others = self._issued((found.thing, *found.others[:MOST_OTHERS]))
-        text = found_text(first, others, literal=found.literal)
+        text = found_text(found, self._issue)
         picture = outlined(self._view.rgb, found.thing) if self._pictures else None
         return ToolResult(text, picture, point_px=found.thing.point_px)
 
     def _issued(self, things: Sequence[Thing]) -> list[Named]:
         """Things with their handles."""
-        return [(self._handles.issue(thing, self._view.frame), thing) for thing in things]
+        return [(self._issue(thing), thing) for thing in things]
+
+    def _issue(self, thing: Thing) -> str:
+        return self._handles.issue(thing, self._view.frame)
 
     def _resembling(self, description: str) -> tuple[Thing, ...]:
         """What comes near to a description that nothing fits; a model that points says nothing."""
