@@ -110,4 +110,5 @@ def _grasp(hands: EdgeHands, index: int, origin: Array) -> Grasp:
     x, y, z = (float(v) for v in hands.centres[index])
     pose, opening = Pose.of(origin, quaternion_of(rotation)), float(hands.openings[index])
     width, merit = float(hands.thick[index]), float(hands.merits[index])
-    return Grasp(pose, (x, y, z), opening, width, tilt, merit)
+    turn = float(hands.steeper[index])
+    return Grasp(pose, (x, y, z), opening, width, tilt, merit, turn)
