@@ -97,7 +97,7 @@ def way_out(
         basket: The basket.
         points: On the hand, in its frame, shape (k, 3).
     """
-    arm, points = obstacles.arm, points[::_THINNED]
+    arm = obstacles.arm
     held = np.concatenate([target.top, target.walls])
     held = held[:: max(1, len(held) // 150)]
     fallback: tuple[Array, Array, Array] | None = None
@@ -105,7 +105,7 @@ def way_out(
     for lift, height in lifts(obstacles, joints, grasp, held, points, basket):
         # The hand may turn as it rises; what it holds is supposed to stay level.
         back, risen = arm.forward(lift[-1]).inverse(), np.array([0.0, 0.0, height])
-        carried = np.concatenate([points, back.apply(held + risen)])
+        carried = np.concatenate([points[::_THINNED], back.apply(held + risen)])
         centre = back.apply(target.centre[None] + risen)[0]
         for goal in _goals(arm, lift[-1], centre, carried, basket, above):
             if obstacles.free(np.array([lift[-1], goal]), carried):
