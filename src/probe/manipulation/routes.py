@@ -17,7 +17,7 @@ from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.scene.setup import Basket
 from probe.station.station import Arm
-from probe.types import Array, Pose
+from probe.types import Array
 
 _HOVERS = (0.0, 0.08, 0.16, 0.24)
 _BRANCHES = 3
