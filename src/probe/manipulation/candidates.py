@@ -16,7 +16,7 @@ from probe.manipulation.terrain import Terrain
 from probe.station.station import Hand
 from probe.types import Pose, Vector3, quaternion_of
 
-_SPARE = 0.010
+_SPARE = 0.006
 _WANTED = 16
 _CHUNK = 32
 _TIGHT_COST = 0.3

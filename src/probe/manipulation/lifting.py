@@ -68,9 +68,7 @@ def _up(
     hand = obstacles.arm.forward(joints)
     poses = line(hand, (0.0, 0.0, height))
     if grasp.turn > 0:
-        path = _turning(obstacles, joints, hand, poses, grasp, points)
-        if path is not None:
-            return path
+        return _turning(obstacles, joints, hand, poses, grasp, points)
     return straight(obstacles.arm, joints, poses)
 
 

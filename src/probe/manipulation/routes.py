@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -97,24 +97,44 @@ def way_out(
         basket: The basket.
         points: On the hand, in its frame, shape (k, 3).
     """
-    arm = obstacles.arm
     held = np.concatenate([target.top, target.walls])
     held = held[:: max(1, len(held) // 150)]
-    fallback: tuple[Array, Array, Array] | None = None
-    above = _top(obstacles.terrain, basket) + _ABOVE
-    for lift, height in lifts(obstacles, joints, grasp, held, points, basket):
-        # The hand may turn as it rises; what it holds is supposed to stay level.
-        back, risen = arm.forward(lift[-1]).inverse(), np.array([0.0, 0.0, height])
-        carried = np.concatenate([points[::_THINNED], back.apply(held + risen)])
-        centre = back.apply(target.centre[None] + risen)[0]
-        for goal in _goals(arm, lift[-1], centre, carried, basket, above):
+    if grasp.turn > 0:
+        # Turned fingers come near the forearm, so all points of them are asked and none is risked.
+        ways_up = lifts(obstacles, joints, grasp, held, points, basket)
+        for lift, goal, carried in _carries(obstacles, ways_up, held, points, target, basket):
             if obstacles.free(np.array([lift[-1], goal]), carried):
                 return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
-            fallback = fallback or (lift, goal, carried)
+    fallback: tuple[Array, Array, Array] | None = None
+    points = points[::_THINNED]
+    ways_up = lifts(obstacles, joints, replace(grasp, turn=0.0), held, points, basket)
+    for lift, goal, carried in _carries(obstacles, ways_up, held, points, target, basket):
+        if obstacles.free(np.array([lift[-1], goal]), carried):
+            return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
+        fallback = fallback or (lift, goal, carried)
     if fallback is None:
         return None
     lift, goal, carried = fallback
     return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
+
+
+def _carries(
+    obstacles: Obstacles,
+    ways_up: Iterator[tuple[Array, float]],
+    held: Array,
+    points: Array,
+    target: Target,
+    basket: Basket,
+) -> Iterator[tuple[Array, Array, Array]]:
+    """Lifts, joint angles above the basket, and points of hand and held thing, hand's frame."""
+    arm, above = obstacles.arm, _top(obstacles.terrain, basket) + _ABOVE
+    for lift, height in ways_up:
+        # The hand may turn as it rises; what it holds is supposed to stay level.
+        back, risen = arm.forward(lift[-1]).inverse(), np.array([0.0, 0.0, height])
+        carried = np.concatenate([points, back.apply(held + risen)])
+        centre = back.apply(target.centre[None] + risen)[0]
+        for goal in _goals(arm, lift[-1], centre, carried, basket, above):
+            yield lift, goal, carried
 
 
 def _top(terrain: Terrain, basket: Basket) -> float:
