@@ -82,3 +82,9 @@ def test_what_is_too_wide_or_walled_in_has_no_grasp() -> None:
 
 def test_the_same_view_gives_the_same_grasps() -> None:
     assert grasps_of(BOX, *NEIGHBOURS) == grasps_of(BOX, *NEIGHBOURS)
+
+
+def test_what_is_three_millimetres_narrower_than_the_hand_on_either_side_is_held_across() -> None:
+    wide = Block(0.0, 0.0, (0.121, 0.20, 0.08))
+    assert max(grasp.width for grasp in grasps_of(wide)) == pytest.approx(0.121, abs=0.003)
+    assert grasps_of(Block(0.0, 0.0, (0.127, 0.20, 0.08))) == []

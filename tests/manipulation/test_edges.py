@@ -7,6 +7,7 @@ from manipulation.views import Block, view
 from probe.manipulation.candidates import Grasp
 from probe.manipulation.edges import leaning, pinches, smallest_width
 from probe.manipulation.handshape import HandShape
+from probe.manipulation.overhangs import THICKNESS
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
 from probe.scene.setup import UR5_TABLE
@@ -14,8 +15,8 @@ from probe.station.ur5 import Gripper
 from probe.types import Array
 
 HAND = Gripper()
-SLAB = Block(0.0, 0.02, (0.14, 0.18, 0.015), z=0.06)
-STONE = Block(0.0, 0.02, (0.03, 0.03, 0.06))
+SLAB = Block(0.0, 0.02, (0.14, 0.18, 0.015), z=0.1)
+STONE = Block(0.0, 0.02, (0.03, 0.03, 0.1))
 
 
 def grasps_of(*blocks: Block) -> list[Grasp]:
@@ -88,6 +89,16 @@ def test_what_lies_level_may_be_a_block_and_isnt_pinched_first() -> None:
     frame, masks = view((SLAB, STONE))
     terrain = survey(frame, UR5_TABLE)
     assert leaning(target_of(frame, masks[0], terrain), terrain, HAND) == []
+
+
+def test_a_tall_level_top_may_be_a_box_and_is_supposed_as_thick_as_any_slab() -> None:
+    box = Block(0.0, 0.02, (0.14, 0.18, 0.09))
+    assert all(grasp.width >= THICKNESS[1] for grasp in grasps_of(box))
+
+
+def test_a_hand_turns_back_to_level_at_most() -> None:
+    for grasp in thick_enough():
+        assert 0 <= grasp.turn <= np.pi / 2 - grasp.tilt + 1e-9
 
 
 def test_the_smallest_width_of_a_turned_rectangle_is_its_shorter_side() -> None:

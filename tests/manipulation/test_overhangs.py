@@ -78,3 +78,9 @@ def test_a_leaning_slab_is_as_thick_as_its_low_end_shows() -> None:
     assert edges.leans
     assert edges.thickness == pytest.approx(thick, abs=0.0015)
     assert edges.outward[:, 0].max() == pytest.approx(np.cos(slope), abs=0.03)
+
+
+def test_what_shows_of_a_side_is_no_edge() -> None:
+    edges = found(Block(-0.2, 0.2, (0.14, 0.17, 0.024), z=0.05))
+    assert len(edges.places)
+    assert edges.places[:, 2] == pytest.approx(0.074, abs=0.002)

@@ -16,7 +16,7 @@ from probe.manipulation.terrain import Terrain
 from probe.station.station import Hand
 from probe.types import Pose, Vector3, quaternion_of
 
-_SPARE = 0.010
+_SPARE = 0.006
 _WANTED = 16
 _CHUNK = 32
 _TIGHT_COST = 0.3
@@ -33,6 +33,8 @@ class Grasp:
         width: Distance of the pads when they touch, metres.
         tilt: Angle of the hand from straight down, radians.
         merit: Higher is better; comparable within one call only.
+        turn: Radians by which the hand should turn back about its x axis, around the middle, while
+            it lifts, so that the pads come to lie along what they hold.
     """
 
     hand: Pose
@@ -41,6 +43,7 @@ class Grasp:
     width: float
     tilt: float
     merit: float
+    turn: float = 0.0
 
 
 Planner = Callable[[Target, Terrain, Hand], list[Grasp]]

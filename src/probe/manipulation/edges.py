@@ -11,7 +11,7 @@ from probe.manipulation.candidates import Grasp
 from probe.manipulation.clearance import BACK_OFF, TIP_CLEARANCE
 from probe.manipulation.edgehands import SLIPPERY, EdgeHands, edge_hands
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.overhangs import Overhangs, overhangs
+from probe.manipulation.overhangs import THICKNESS, Overhangs, overhangs
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.station.station import Hand
@@ -23,6 +23,7 @@ _SIDE = 0.002
 _SPARE = 0.002
 _EVERY, _SOME = 2, 8
 _WANTED = 32
+_FEWEST = 8
 
 
 def leaning(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
@@ -33,16 +34,21 @@ def leaning(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     if smallest_width(target.top[:, :2]) < _WIDE:
         return []
     edges = overhangs(target, terrain)
-    return _pinches(edges, target, terrain, hand, sure=True) if edges.leans else []
+    few = len(edges.places) < _FEWEST
+    return _pinches(edges, target, terrain, hand, sure=True) if edges.leans and not few else []
 
 
 def pinches(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     """Edge grasps, best first, whose straight way in touches nothing seen.
 
-    How thick the thing is can't be seen: it is supposed as thick as there is room for.
+    How thick the thing is can't be seen: it is supposed as thick as there is room for. A level top
+    higher than any slab is thick may well be a box's: there no thinner guess is tried.
     """
     edges = overhangs(target, terrain)
-    return _pinches(edges, target, terrain, hand, sure=False) if len(edges.places) else []
+    if len(edges.places) == 0:
+        return []
+    tall = float(edges.places[:, 2].min()) > THICKNESS[1]
+    return _pinches(edges, target, terrain, hand, sure=tall and not edges.leans)
 
 
 def smallest_width(points: Array) -> float:
@@ -110,4 +116,6 @@ def _grasp(hands: EdgeHands, index: int, origin: Array) -> Grasp:
     x, y, z = (float(v) for v in hands.centres[index])
     pose, opening = Pose.of(origin, quaternion_of(rotation)), float(hands.openings[index])
     width, merit = float(hands.thick[index]), float(hands.merits[index])
-    return Grasp(pose, (x, y, z), opening, width, tilt, merit)
+    # Back to level at most: a hand that points upwards would bring the thing against the arm.
+    turn = min(float(hands.steeper[index]), max(np.pi / 2 - tilt, 0.0))
+    return Grasp(pose, (x, y, z), opening, width, tilt, merit, turn)

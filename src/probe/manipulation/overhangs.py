@@ -26,7 +26,7 @@ _BLUR = 3.0
 _BESIDE = np.array([0.006, 0.010, 0.015, 0.020, 0.028])
 _ASIDE = np.array([-0.010, 0.0, 0.010])
 _APART = 0.012
-_PATCH, _ROUGHNESS = 0.022, 0.002
+_PATCH, _ROUGHNESS, _OFF_PLANE = 0.022, 0.002, 0.004
 _FEWEST = 30
 _LEVEL = np.cos(np.radians(5.0))
 _STEEPEST = np.cos(np.radians(50.0))
@@ -112,5 +112,8 @@ def _planes(points: Array, places: Array) -> tuple[Array, Array]:
             continue
         _, spread, axes = np.linalg.svd(patch - patch.mean(axis=0), full_matrices=False)
         normals[k] = axes[2] * (1.0 if axes[2, 2] > 0 else -1.0)
-        smooth[k] = spread[2] / np.sqrt(len(patch)) < _ROUGHNESS and normals[k, 2] > _STEEPEST
+        # What shows of a side lies below the plane of the top.
+        below = abs(float((place - patch.mean(axis=0)) @ normals[k])) > _OFF_PLANE
+        rough = spread[2] / np.sqrt(len(patch)) >= _ROUGHNESS
+        smooth[k] = not below and not rough and normals[k, 2] > _STEEPEST
     return normals, smooth

@@ -55,7 +55,7 @@ def plan_removal(
         if enter is None:
             continue
         points = shape.whole(grasp.opening)
-        leave = way_out(bare, enter.approach[-1], target, basket, points)
+        leave = way_out(bare, enter.approach[-1], grasp, target, basket, points)
         if leave is not None:
             return Removal(grasp, enter, leave, bare)
     return None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,18 +11,17 @@ from probe.manipulation.candidates import Grasp
 from probe.manipulation.clearance import BACK_OFF
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.kinematics import either_way, line, moved, reaching, straight, turned
+from probe.manipulation.lifting import lifts
 from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.scene.setup import Basket
 from probe.station.station import Arm
-from probe.types import Array, Pose
+from probe.types import Array
 
 _HOVERS = (0.0, 0.08, 0.16, 0.24)
 _BRANCHES = 3
-_LEAST_LIFT, _MOST_LIFT = 0.08, 0.34
 _ABOVE = 0.05
-_HIGHER = (0.0, 0.07, 0.14)
 _LOWERINGS = (0.12, 0.08, 0.04)
 _TURNS = np.radians([0, -30, 30, -60, 60, -90, 90, -120, 120, 150, 180])
 _THINNED = 3
@@ -46,7 +45,7 @@ class WayOut:
     """How the arm brings what it holds to the basket.
 
     Attributes:
-        lift: Straight up, shape (m, n).
+        lift: Up, shape (m, n).
         carry: To above the basket, shape (k, n).
         lower: Into the basket, shape (l, n); empty where there is no room.
     """
@@ -81,56 +80,61 @@ def home(arm: Arm, obstacles: Obstacles, joints: Array, points: Array) -> Array:
 
 
 def way_out(
-    obstacles: Obstacles, joints: Array, target: Target, basket: Basket, points: Array
+    obstacles: Obstacles,
+    joints: Array,
+    grasp: Grasp,
+    target: Target,
+    basket: Basket,
+    points: Array,
 ) -> WayOut | None:
     """A path that lifts, carries and lowers; None if the arm can't lift that far.
 
     Args:
         obstacles: All but the target.
         joints: The arm's, closed on the target.
+        grasp: How it holds the target.
         target: What it holds.
         basket: The basket.
         points: On the hand, in its frame, shape (k, 3).
     """
-    arm, hand = obstacles.arm, obstacles.arm.forward(joints)
     held = np.concatenate([target.top, target.walls])
     held = held[:: max(1, len(held) // 150)]
-    carried = np.concatenate([points[::_THINNED], hand.inverse().apply(held)])
-    centre = hand.inverse().apply(target.centre[None])[0]
-    fallback: tuple[Array, Array] | None = None
-    above = _top(obstacles.terrain, basket) + _ABOVE
-    for lift in _lifts(obstacles, joints, hand, held, basket):
-        for goal in _goals(arm, lift[-1], centre, carried, basket, above):
+    if grasp.turn > 0:
+        # Turned fingers come near the forearm, so all points of them are asked and none is risked.
+        ways_up = lifts(obstacles, joints, grasp, held, points, basket)
+        for lift, goal, carried in _carries(obstacles, ways_up, held, points, target, basket):
             if obstacles.free(np.array([lift[-1], goal]), carried):
                 return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
-            fallback = fallback or (lift, goal)
+    fallback: tuple[Array, Array, Array] | None = None
+    points = points[::_THINNED]
+    ways_up = lifts(obstacles, joints, replace(grasp, turn=0.0), held, points, basket)
+    for lift, goal, carried in _carries(obstacles, ways_up, held, points, target, basket):
+        if obstacles.free(np.array([lift[-1], goal]), carried):
+            return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
+        fallback = fallback or (lift, goal, carried)
     if fallback is None:
         return None
-    lift, goal = fallback
+    lift, goal, carried = fallback
     return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
 
 
-def _lifts(
-    obstacles: Obstacles, joints: Array, hand: Pose, held: Array, basket: Basket
-) -> Iterator[Array]:
-    """Straight up until what is held is above all nearby, or as far as the arm gets; and higher."""
-    ground = obstacles.terrain
-    around = obstacles.wide.below(held).max(initial=basket.position[2] + basket.size[2])
-    beneath = float(np.maximum(ground.below(held), 0).min(initial=0.0))
-    base = max(float(held[:, 2].min()), beneath)
-    wanted = float(np.clip(around + _ABOVE - base, _LEAST_LIFT, _MOST_LIFT))
-    found = False
-    for more in _HIGHER:
-        path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, wanted + more)))
-        if path is not None:
-            found = True
-            yield path
-    while not found and wanted >= _LEAST_LIFT + 0.04:
-        wanted -= 0.04
-        path = straight(obstacles.arm, joints, line(hand, (0.0, 0.0, wanted)))
-        if path is not None:
-            found = True
-            yield path
+def _carries(
+    obstacles: Obstacles,
+    ways_up: Iterator[tuple[Array, float]],
+    held: Array,
+    points: Array,
+    target: Target,
+    basket: Basket,
+) -> Iterator[tuple[Array, Array, Array]]:
+    """Lifts, joint angles above the basket, and points of hand and held thing, hand's frame."""
+    arm, above = obstacles.arm, _top(obstacles.terrain, basket) + _ABOVE
+    for lift, height in ways_up:
+        # The hand may turn as it rises; what it holds is supposed to stay level.
+        back, risen = arm.forward(lift[-1]).inverse(), np.array([0.0, 0.0, height])
+        carried = np.concatenate([points, back.apply(held + risen)])
+        centre = back.apply(target.centre[None] + risen)[0]
+        for goal in _goals(arm, lift[-1], centre, carried, basket, above):
+            yield lift, goal, carried
 
 
 def _top(terrain: Terrain, basket: Basket) -> float:
