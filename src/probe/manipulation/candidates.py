@@ -35,6 +35,7 @@ class Grasp:
         merit: Higher is better; comparable within one call only.
         turn: Radians by which the hand should turn back about its x axis, around the middle, while
             it lifts, so that the pads come to lie along what they hold.
+        by_edge: Whether the pads come above and below an edge, not on two sides.
     """
 
     hand: Pose
@@ -44,6 +45,7 @@ class Grasp:
     tilt: float
     merit: float
     turn: float = 0.0
+    by_edge: bool = False
 
 
 Planner = Callable[[Target, Terrain, Hand], list[Grasp]]

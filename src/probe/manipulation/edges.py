@@ -118,4 +118,4 @@ def _grasp(hands: EdgeHands, index: int, origin: Array) -> Grasp:
     width, merit = float(hands.thick[index]), float(hands.merits[index])
     # Back to level at most: a hand that points upwards would bring the thing against the arm.
     turn = min(float(hands.steeper[index]), max(np.pi / 2 - tilt, 0.0))
-    return Grasp(pose, (x, y, z), opening, width, tilt, merit, turn)
+    return Grasp(pose, (x, y, z), opening, width, tilt, merit, turn, by_edge=True)
