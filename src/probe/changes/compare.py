@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from probe.changes.likeness import likeness
-from probe.changes.matching import Seen, again, may_be
+from probe.changes.matching import Located, again, may_be
 from probe.changes.places import covered, has_turned, unmoved
 from probe.changes.sighting import Look, Sighting
 from probe.manipulation.looking import still_there, tracked
@@ -103,25 +103,25 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
 
 def _without(
     before: Look, after: Look, here: Mapping[int, int]
-) -> tuple[Sequence[Seen], Sequence[Seen]]:
+) -> tuple[Sequence[Located], Sequence[Located]]:
     """What isn't known by its place, of each look."""
     below = unmoved(before.basket, after.basket, before.in_basket, after.in_basket)
     beside = unmoved(before.basket, after.basket, before.beside, after.beside)
     lone = [
-        *(Seen(s, "table") for n, s in enumerate(before.things) if n not in here),
-        *(Seen(s, "basket") for n, s in enumerate(before.in_basket) if n not in below),
-        *(Seen(s, "beside") for n, s in enumerate(before.beside) if n not in beside),
+        *(Located(s, "table") for n, s in enumerate(before.things) if n not in here),
+        *(Located(s, "basket") for n, s in enumerate(before.in_basket) if n not in below),
+        *(Located(s, "beside") for n, s in enumerate(before.beside) if n not in beside),
     ]
     new = [
-        *(Seen(s, "table") for n, s in enumerate(after.things) if n not in here.values()),
-        *(Seen(s, "basket") for n, s in enumerate(after.in_basket) if n not in below.values()),
-        *(Seen(s, "beside") for n, s in enumerate(after.beside) if n not in beside.values()),
+        *(Located(s, "table") for n, s in enumerate(after.things) if n not in here.values()),
+        *(Located(s, "basket") for n, s in enumerate(after.in_basket) if n not in below.values()),
+        *(Located(s, "beside") for n, s in enumerate(after.beside) if n not in beside.values()),
     ]
     return lone, new
 
 
 def _gone(
-    before: Look, after: Look, one: Sighting, other: Seen | None, new: Sequence[Seen]
+    before: Look, after: Look, one: Sighting, other: Located | None, new: Sequence[Located]
 ) -> Change:
     """What became of something that isn't known by its place."""
     if other is None:

@@ -21,7 +21,7 @@ _HINT = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class Located:
     """A sighting, and where it was."""
 
     sighting: Sighting
@@ -29,8 +29,8 @@ class Seen:
 
 
 def again(
-    before: Sequence[Seen], after: Sequence[Seen], held: Sighting | None
-) -> Mapping[int, Seen]:
+    before: Sequence[Located], after: Sequence[Located], held: Sighting | None
+) -> Mapping[int, Located]:
     """What was found again, by the id() of the earlier sighting.
 
     Args:
@@ -57,7 +57,7 @@ def may_be(one: Sighting, other: Sighting) -> bool:
     return partly and agreement(one.colours, other.colours) >= _HINT
 
 
-def _cost(one: Seen, other: Seen, held: Sighting | None) -> float:
+def _cost(one: Located, other: Located, held: Sighting | None) -> float:
     """Cost of taking one for the other; nothing leaves the basket."""
     if one.where == "basket" != other.where:
         return 1.0
