@@ -8,22 +8,20 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from probe.scene.setup import UR5_TABLE
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.types import Array, Pose, quaternion_of
 from probe.world.robot import ik
 from probe.world.robot.arm_model import servo_command
-from probe.world.robot.robot import (
-    ARM_JOINTS,
-    GRIPPER_DRIVE,
-    GRIPPER_JOINT,
-    TOOL_BODY,
-    add_robot,
-)
+from probe.world.robot.robot import GRIPPER_DRIVE, GRIPPER_JOINT, add_robot, arm_joints
 
+ARM_JOINTS = arm_joints("ur5")
+TOOL_BODY = "robot/wrist_3"
 DOWN = np.diag([1.0, -1.0, -1.0])
 
 
-def world(integrator: int = mujoco.mjtIntegrator.mjINT_EULER) -> mujoco.MjSpec:
+def world(
+    integrator: int = mujoco.mjtIntegrator.mjINT_EULER, setup: Setup = UR5_TABLE
+) -> mujoco.MjSpec:
     """The options that the product's world has, a table, and the robot."""
     spec = mujoco.MjSpec()
     spec.option.timestep = 0.003
@@ -32,7 +30,7 @@ def world(integrator: int = mujoco.mjtIntegrator.mjINT_EULER) -> mujoco.MjSpec:
     spec.option.integrator = integrator
     spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     spec.worldbody.add_geom(name="table", type=mujoco.mjtGeom.mjGEOM_PLANE, size=[2, 2, 0.1])
-    add_robot(spec, UR5_TABLE.mount, UR5_TABLE.gripper)
+    add_robot(spec, setup.mount, setup.gripper)
     return spec
 
 

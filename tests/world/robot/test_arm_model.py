@@ -9,8 +9,7 @@ import pytest
 from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
 from probe.world.robot import ur5
-from probe.world.robot.robot import ARM_JOINTS
-from world.robot.rig import Rig, world
+from world.robot.rig import ARM_JOINTS, Rig, world
 
 INTEGRATORS = [mujoco.mjtIntegrator.mjINT_EULER, mujoco.mjtIntegrator.mjINT_IMPLICITFAST]
 WORKING = np.array([0.0, -1.6, 1.9, -1.9, -1.57, 0.0])

@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 from probe.scene.setup import UR5_TABLE, ArmMount
 from probe.types import Array, Pose
 from probe.world.robot import gripper, ik
-from probe.world.robot.robot import ARM_JOINTS, GRIPPER_DRIVE, PREFIX, add_robot
-from world.robot.rig import Rig, hand_down, world
+from probe.world.robot.robot import GRIPPER_DRIVE, PREFIX, add_robot
+from world.robot.rig import ARM_JOINTS, Rig, hand_down, world
 
 NEAR = np.array([0.0, -1.9, 2.2, -1.9, -1.57, 0.0])
 

@@ -61,7 +61,7 @@ def _joint(element: ElementTree.Element) -> Joint:
         origin[:3, 3] = _numbers(_attribute(element, "origin", "xyz"))
         rpy = _numbers(_attribute(element, "origin", "rpy"))
         origin[:3, :3] = Rotation.from_euler("xyz", rpy).as_matrix()
-    turns = element.attrib["type"] == "revolute"
+    turns = element.attrib["type"] in ("revolute", "continuous")
     axis = _numbers(_attribute(element, "axis", "xyz")) if turns else None
     return Joint(element.attrib["name"], _attribute(element, "parent", "link"), origin, axis)
 

@@ -1,1 +1,1 @@
-"""The robot: a UR5 with a Robotiq 2F-140, its kinematics, and its model. Knows no table or task."""
+"""The robots: arms with two pads, their kinematics, and their models. Knows no table or task."""

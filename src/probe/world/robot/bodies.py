@@ -34,9 +34,15 @@ def set_inertia(body: mujoco.MjsBody, mass: float, centre: Vector3, inertia: Arr
 
 
 def add_hinge(
-    body: mujoco.MjsBody, name: str, axis: Vector3, limits: tuple[float, float], armature: float
+    body: mujoco.MjsBody,
+    name: str,
+    axis: Vector3,
+    limits: tuple[float, float] | None,
+    armature: float,
 ) -> mujoco.MjsJoint:
-    """Add a hinge at the body's origin; limits in radians, armature in kg m^2."""
-    joint = body.add_joint(name=name, axis=axis, range=limits, armature=armature)
+    """Add a hinge at the body's origin; limits in radians or none, armature in kg m^2."""
+    joint = body.add_joint(name=name, axis=axis, armature=armature)
     joint.type = mujoco.mjtJoint.mjJNT_HINGE
+    if limits is not None:
+        joint.range = limits
     return joint

@@ -26,9 +26,6 @@ DRIVE = "grip"
 SIDES = ("left", "right")
 """The fingers: the left one on the -y side, as in the maker's description."""
 
-GRIP_FORCE = 60.0
-"""Force on each pad that the drive is limited to when nearly closed, newtons."""
-
 STIFFNESS = 600.0
 """Of the drive, Nm/rad: it presses with full force from 2 mm before its command."""
 
@@ -55,28 +52,33 @@ PAD_IMPEDANCE = (0.95, 0.99, 0.001, 0.5, 2.0)
 The time constant sets how fast a held object creeps: 1 mm in a swing of a radian at 90 deg/s."""
 
 
-def add_gripper(spec: mujoco.MjSpec, flange: mujoco.MjsBody, size: GripperSize) -> None:
+def add_gripper(
+    spec: mujoco.MjSpec, flange: mujoco.MjsBody, size: GripperSize, force: float
+) -> None:
     """Add the gripper with its drive; the specification's angles must be in radians.
 
     Args:
         spec: What to add to.
         flange: The body whose frame is the gripper's frame.
         size: The gripper's.
+        force: On each pad that the drive is limited to when nearly closed, newtons.
     """
     palm = flange.add_body(name="palm", gravcomp=1.0)
     set_inertia(palm, PALM_MASS, (0.0, 0.0, 0.035), cylinder_inertia(PALM_MASS, 0.0375, 0.09, 2))
     add_solids(palm, PALM)
     for side in SIDES:
-        _add_finger(spec, palm, side, size)
+        _add_finger(spec, palm, side, size, force)
     _tie(spec, "right_outer_crank", "left_outer_crank")
-    _add_drive(spec, size)
+    _add_drive(spec, size, force)
 
 
-def _add_finger(spec: mujoco.MjSpec, palm: mujoco.MjsBody, side: str, size: GripperSize) -> None:
+def _add_finger(
+    spec: mujoco.MjSpec, palm: mujoco.MjsBody, side: str, size: GripperSize, force: float
+) -> None:
     length = crank(size)
     outer = _add_crank(palm, side, "outer_crank", PIVOT, outer_crank(size), length)
     outer.joints[0].armature = ARMATURE
-    outer.joints[0].damping[0] = _drive_damping(size) / 2
+    outer.joints[0].damping[0] = _drive_damping(size, force) / 2
     _add_crank(palm, side, "inner_crank", INNER_PIVOT, inner_crank(size), length)
     finger = outer.add_body(name=f"{side}_finger", gravcomp=1.0, pos=[0.0, 0.0, length])
     finger.quat = _about_x(-TILT)
@@ -133,7 +135,7 @@ def _tie(spec: mujoco.MjSpec, follower: str, leader: str) -> None:
     tie.solimp = TIE_IMPEDANCE
 
 
-def _add_drive(spec: mujoco.MjSpec, size: GripperSize) -> None:
+def _add_drive(spec: mujoco.MjSpec, size: GripperSize, force: float) -> None:
     """One servo on the mean of both outer cranks, limited in force."""
     tendon = spec.add_tendon(name=DRIVE)
     for side in SIDES:
@@ -141,13 +143,13 @@ def _add_drive(spec: mujoco.MjSpec, size: GripperSize) -> None:
     drive = spec.add_actuator(name=DRIVE, target=DRIVE, trntype=mujoco.mjtTrn.mjTRN_TENDON)
     drive.set_to_position(STIFFNESS, kv=0.0)
     drive.ctrlrange = [0.0, JOINT_LIMIT]
-    force = tendon_force(GRIP_FORCE, size)
-    drive.forcerange = [-force, force]
+    largest = tendon_force(force, size)
+    drive.forcerange = [-largest, largest]
 
 
-def _drive_damping(size: GripperSize) -> float:
+def _drive_damping(size: GripperSize, force: float) -> float:
     """Damping of the drive, Nm s/rad, at which its full force closes at `FINGER_SPEED`."""
-    return tendon_force(GRIP_FORCE, size) / (FINGER_SPEED / crank(size))
+    return tendon_force(force, size) / (FINGER_SPEED / crank(size))
 
 
 def _about_x(angle: float) -> list[float]:
