@@ -12,14 +12,12 @@ from probe.errors import ArmInView
 from probe.render.illumination import AMBIENT, Illumination
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject, Scene
+from probe.station.arms import PEAK_SPEED, arm_of, hand_of
+from probe.station.fusing import FRAMES, fused
 from probe.station.motion import smooth
 from probe.station.station import Arm, Hand
-from probe.station.ur5 import Gripper, Ur5
 from probe.types import Array, Camera, Frame
 from probe.world.world import TIME_STEP, World
-
-PEAK_SPEED = np.radians(90.0)
-"""Fastest turn of any joint, radians a second: half of what the arm can do."""
 
 BLOCKED = 0.06
 """Radians by which a joint may trail its command before the arm stops, as a real one would."""
@@ -51,8 +49,8 @@ class SimulatedStation:
         camera: Camera | None = None,
         light: Illumination = AMBIENT,
     ) -> None:
-        self.arm: Arm = Ur5(world.setup.mount)
-        self.hand: Hand = Gripper(world.setup.gripper)
+        self.arm: Arm = arm_of(world.setup.mount)
+        self.hand: Hand = hand_of(world.setup)
         self._world = world
         self._renderer = renderer
         self._camera = camera or world.setup.camera()
@@ -89,15 +87,17 @@ class SimulatedStation:
         return replace(self._measured(frame), shares=shares)
 
     def _measured(self, frame: Frame) -> Frame:
-        """A frame with the noise of its depth; the same table gives the same noise again."""
+        """A frame fused of several with noise; the same table gives the same noise again."""
         noise = self._world.setup.depth_noise
         if noise == 0:
             return frame
         scene = self._world.scene()
         poses = np.array([(*o.pose.position, *o.pose.wxyz) for o in scene.objects])
         rng = np.random.default_rng([scene.seed, zlib.crc32(poses.tobytes())])
-        errors = rng.standard_normal(frame.depth.shape) * noise
-        return replace(frame, depth=(frame.depth + errors).astype(np.float32))
+        shape = frame.depth.shape
+        depths = [frame.depth + noise * rng.standard_normal(shape) for _ in range(FRAMES)]
+        told = fused(depths)
+        return replace(frame, depth=told.depth, depth_noise=told.noise, measured=told.measured)
 
     def snapshot(self) -> Scene:
         """The table as it really is."""
@@ -118,7 +118,8 @@ class SimulatedStation:
         Returns:
             Whether the arm got there. It stops where it is as soon as something holds it back.
         """
-        trajectory = smooth(np.vstack([self._goal, path]), float(PEAK_SPEED), TIME_STEP)
+        speed = PEAK_SPEED[self._world.setup.mount.arm]
+        trajectory = smooth(np.vstack([self._goal, path]), speed, TIME_STEP)
         for step, (joints, velocities) in enumerate(
             zip(trajectory.joints, trajectory.velocities, strict=True)
         ):

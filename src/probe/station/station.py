@@ -34,6 +34,9 @@ class Arm(Protocol):
     parked: Array
     """Joint angles, shape (n,), at which the camera's view is free of the arm."""
 
+    endless: tuple[int, ...]
+    """Joints, counted from 0, that may take whole turns on the way; others would run into stops."""
+
     def inverse(self, world_from_tool: Pose) -> list[Array]:
         """Joint angles, each of shape (n,), that reach a tool pose; empty out of reach."""
         ...
