@@ -10,7 +10,7 @@ from probe.manipulation.candidates import Grasp, propose
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
 from probe.scene.setup import UR5_TABLE
-from probe.station.ur5 import Gripper
+from probe.station.gripper import Gripper
 from probe.types import Array
 
 HAND = Gripper()

@@ -13,7 +13,7 @@ from probe.manipulation.pushing import PlannedPush
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
 from probe.scene.setup import UR5_TABLE
-from probe.station.ur5 import Gripper
+from probe.station.gripper import Gripper
 from probe.types import Array
 
 HAND = Gripper()

@@ -11,7 +11,7 @@ from probe.manipulation.overhangs import THICKNESS
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
 from probe.scene.setup import UR5_TABLE
-from probe.station.ur5 import Gripper
+from probe.station.gripper import Gripper
 from probe.types import Array
 
 HAND = Gripper()

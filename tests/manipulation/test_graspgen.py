@@ -17,7 +17,7 @@ from probe.manipulation.graspgen import DEPTH, GraspGen, GraspServerFailed
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
 from probe.scene.setup import UR5_TABLE
-from probe.station.ur5 import Gripper
+from probe.station.gripper import Gripper
 
 BLOCK = Block(0.0, 0.0, (0.06, 0.04, 0.06))
 WALL = Block(0.0, 0.045, (0.2, 0.03, 0.12))

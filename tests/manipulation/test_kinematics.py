@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from probe.manipulation.kinematics import between, either_way, line, reaching, straight
+from probe.scene.setup import ArmMount
+from probe.station.jaco import Jaco
 from probe.station.ur5 import Ur5
 from probe.types import Pose
 
@@ -48,3 +50,14 @@ def test_between_keeps_the_waypoints_and_the_step() -> None:
     path = between(np.array([[0.0, 0.0], [1.0, 0.2], [1.0, 0.3]]), step=0.3)
     assert np.abs(np.diff(path, axis=0)).max() <= 0.3 + 1e-12
     assert [1.0, 0.2] in path.tolist() and path[-1].tolist() == [1.0, 0.3]
+
+
+def test_joints_without_stops_are_turned_the_short_way() -> None:
+    jaco = Jaco(ArmMount(Pose((-0.4, 0.0, 0.0)), (0.0, 3.1, 1.2, 0.0, 3.0, 0.0), "jaco"))
+    # Its first joint counts from -pi to pi, and straight ahead is where it goes over.
+    near = np.array([3.0, 3.1, 4.6, 0.0, 3.6, 0.0])
+    start = next(joints for joints in reaching(jaco, DOWN, near) if abs(joints[0] - np.pi) < 0.6)
+    path = straight(jaco, start, line(DOWN, (0.0, 0.25, 0.0)))
+    assert path is not None
+    assert path[:, 0].min() < np.pi < path[:, 0].max()
+    assert np.abs(np.diff(np.vstack([start, path]), axis=0)).max() < 0.2

@@ -12,7 +12,8 @@ from probe.manipulation.obstacles import Obstacles
 from probe.manipulation.target import Target, target_of
 from probe.manipulation.terrain import survey
 from probe.scene.setup import UR5_TABLE
-from probe.station.ur5 import Gripper, Ur5
+from probe.station.gripper import Gripper
+from probe.station.ur5 import Ur5
 from probe.types import Array
 
 HAND = Gripper()

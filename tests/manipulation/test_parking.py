@@ -37,3 +37,20 @@ def test_what_stands_in_the_way_home_is_got_around(renderer, y) -> None:
     assert station.follow(np.array([reaching(station.arm, over, start)[0], start]))
     park(station, Obstacles.of(station.arm, empty), HandShape(station.hand).whole(0.1)[::3])
     assert np.abs(station.joints() - station.arm.parked).max() < BLOCKED
+
+
+FOLDED = np.array([-1.041, -1.279, 2.137, -0.858, -3.061, 0.006])
+"""The hand lies along the forearm; when it opens, it presses against it."""
+
+
+def test_a_hand_that_opened_against_the_forearm_comes_free(renderer) -> None:
+    renderer.load({}, grey_table())
+    station = SimulatedStation(World(Scene(0, "grey", ()), shelf([])), renderer)
+    empty = survey(renderer.draw([], station.observe(rgb=False).camera, rgb=False), UR5_TABLE)
+    obstacles, hand = Obstacles.of(station.arm, empty), HandShape(station.hand)
+    station.grip(0.0)
+    assert station.follow(FOLDED[None])
+    station.grip(0.034)
+    assert not obstacles.unfolded(FOLDED, hand.whole(0.032))
+    park(station, obstacles, hand.whole(0.032)[::3])
+    assert np.abs(station.joints() - station.arm.parked).max() < BLOCKED

@@ -9,7 +9,7 @@ from probe.manipulation.starts import close, starts
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
 from probe.scene.setup import UR5_TABLE
-from probe.station.ur5 import Gripper
+from probe.station.gripper import Gripper
 from probe.types import Pose
 
 BOX = Block(0.02, 0.05, (0.09, 0.05, 0.05))

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
@@ -56,3 +58,14 @@ def test_an_empty_mask_gives_an_empty_target() -> None:
     frame, _ = view([])
     target = target_of(frame, np.zeros(frame.depth.shape, bool), survey(frame, UR5_TABLE))
     assert len(target.walls) == len(target.top) == 0 and not target.cells.any()
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_where_a_thing_leaves_what_is_known_it_has_no_wall(axis: int) -> None:
+    frame, masks = view([Block(0.1, 0.1, (0.06, 0.06, 0.05))])
+    whole = survey(frame, UR5_TABLE)
+    known = round((0.1 - float(whole.corner[axis])) / CELL)
+    heights = whole.heights[:known] if axis == 0 else whole.heights[:, :known]
+    target = target_of(frame, masks[0], replace(whole, heights=heights))
+    facing = target.normals[:, axis]
+    assert facing.min() < -0.9 and facing.max() < np.sqrt(0.5)

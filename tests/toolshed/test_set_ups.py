@@ -28,6 +28,7 @@ def told(setup, view="top"):
         ("narrow-gripper", "The gripper opens 10.0 cm wide."),
         ("high-camera", "The picture is 70 cm wide."),
         ("basket-left", "The picture is 58 cm wide."),
+        ("jaco", "The gripper opens 11.0 cm wide."),
     ],
 )
 def test_tools_say_the_sizes_of_their_set_up(name, said):

@@ -2,30 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Literal
+from collections.abc import Sequence
 
 import numpy as np
 
-from probe.changes.likeness import likeness
-from probe.changes.matching import Located, again, may_be
-from probe.changes.places import covered, has_turned, unmoved
+from probe.changes.basket import with_earlier, with_held
+from probe.changes.change import Change, Changes, Fate
+from probe.changes.matching import Located, again, may_be, uncovered
+from probe.changes.places import covered, has_turned, least_shift
+from probe.changes.rest import AtRest, at_rest
 from probe.changes.sighting import Look, Sighting
 from probe.manipulation.looking import still_there, tracked
 from probe.types import Array
-
-Fate = Literal["stayed", "moved", "turned", "basket", "beside", "covered", "lost"]
-"""What became of a thing:
-
-stayed: It is where it was, or within MOVED of it.
-moved: It shows elsewhere on the table.
-turned: Its middle is within MOVED of where it was, but it has turned or tipped over.
-basket: It shows in the basket.
-beside: It shows beside the basket, out of the fixed camera's picture.
-covered: It no longer shows, and something has come over its place.
-lost: It shows neither on the table nor in or beside the basket.
-"""
 
 MOVED = 0.015
 """Metres from which on a thing counts as moved. Less than 3 cm, from where on it matters: when a
@@ -33,46 +21,6 @@ thing rolls or tips, the middle of what shows goes less far than the thing."""
 
 _STILL = 0.5
 _SAME_AREA = (0.8, 1.25)
-
-
-@dataclass(frozen=True, eq=False)
-class Change:
-    """What became of one thing.
-
-    Attributes:
-        before: As it was seen on the table.
-        fate: See Fate.
-        after: As it is seen now; None if it isn't.
-        shift: How its middle moved on the table, metres, shape (3,); zeros elsewhere.
-        doubtful: Of what is covered or lost: whether something that shows now may yet be it.
-    """
-
-    before: Sighting
-    fate: Fate
-    after: Sighting | None
-    shift: Array
-    doubtful: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Changes:
-    """What became of everything.
-
-    Attributes:
-        things: One change for each thing that the table showed before, in its order.
-        newly_in_basket: Sightings in the basket that are like nothing that was seen before.
-    """
-
-    things: tuple[Change, ...]
-    newly_in_basket: tuple[Sighting, ...]
-
-    def of(self, seen: Sighting) -> Change:
-        """What became of one of the things that were seen before."""
-        return next(change for change in self.things if change.before is seen)
-
-    def but(self, seen: Sighting) -> tuple[Change, ...]:
-        """What became of all others."""
-        return tuple(change for change in self.things if change.before is not seen)
 
 
 def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
@@ -86,10 +34,14 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
         after: The second look.
         held: Of the first look: what the fingers felt until they let go over the basket.
     """
-    here = unmoved(before.table, after.table, before.things, after.things)
-    stayed = {id(before.things[one]): after.things[other] for one, other in here.items()}
+    here = _at_rest(before, after)
+    stayed = {
+        id(before.things[one]): None if other is None else after.things[other]
+        for one, other in here.stayed.items()
+    }
     lone, new = _without(before, after, here)
-    found = again(lone, new, held)
+    found = {**again(lone, new, held)}
+    found |= uncovered(before.table, lone, new, found)
     taken = {id(other.sighting) for other in found.values()}
     changes = tuple(
         Change(sighting, "stayed", stayed[id(sighting)], np.zeros(3))
@@ -97,25 +49,34 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
         else _gone(before, after, sighting, found.get(id(sighting)), new)
         for sighting in before.things
     )
-    rest = [s.sighting for s in new if s.where == "basket" and id(s.sighting) not in taken]
-    return _with_held(Changes(changes, tuple(rest)), held)
+    left = [one for one in lone if id(one.sighting) not in found]
+    rest = [other for other in new if id(other.sighting) not in taken]
+    in_basket = tuple(other.sighting for other in rest if other.where == "basket")
+    things, in_basket = with_held(changes, in_basket, held)
+    return with_earlier(before, things, left, rest, in_basket)
+
+
+def _at_rest(before: Look, after: Look) -> AtRest:
+    tables, things = (before.table, after.table), (before.things, after.things)
+    return at_rest(*tables, *things, guessed=before.guessed)
 
 
 def _without(
-    before: Look, after: Look, here: Mapping[int, int]
+    before: Look, after: Look, here: AtRest
 ) -> tuple[Sequence[Located], Sequence[Located]]:
     """What isn't known by its place, of each look."""
-    below = unmoved(before.basket, after.basket, before.in_basket, after.in_basket)
-    beside = unmoved(before.basket, after.basket, before.beside, after.beside)
+    baskets, guessed = (before.basket, after.basket), before.guessed
+    below = at_rest(*baskets, before.in_basket, after.in_basket, guessed=guessed)
+    beside = at_rest(*baskets, before.beside, after.beside, guessed=guessed)
     lone = [
-        *(Located(s, "table") for n, s in enumerate(before.things) if n not in here),
-        *(Located(s, "basket") for n, s in enumerate(before.in_basket) if n not in below),
-        *(Located(s, "beside") for n, s in enumerate(before.beside) if n not in beside),
+        *(Located(s, "table") for n, s in enumerate(before.things) if n not in here.stayed),
+        *(Located(s, "basket") for n, s in enumerate(before.in_basket) if n not in below.stayed),
+        *(Located(s, "beside") for n, s in enumerate(before.beside) if n not in beside.stayed),
     ]
     new = [
-        *(Located(s, "table") for n, s in enumerate(after.things) if n not in here.values()),
-        *(Located(s, "basket") for n, s in enumerate(after.in_basket) if n not in below.values()),
-        *(Located(s, "beside") for n, s in enumerate(after.beside) if n not in beside.values()),
+        *(Located(s, "table") for n, s in enumerate(after.things) if n not in here.known),
+        *(Located(s, "basket") for n, s in enumerate(after.in_basket) if n not in below.known),
+        *(Located(s, "beside") for n, s in enumerate(after.beside) if n not in beside.known),
     ]
     return lone, new
 
@@ -135,22 +96,11 @@ def _gone(
     shift = _shift(before, after, one, other.sighting)
     if float(np.linalg.norm(shift)) >= MOVED:
         return Change(one, "moved", other.sighting, shift)
-    turned = has_turned(before.table, after.table, one.thing.mask, other.sighting.thing.mask)
+    # Of what showed only in part, nothing tells whether it has turned or come to light.
+    turned = one.thing.nameable and has_turned(
+        before.table, after.table, one.thing.mask, other.sighting.thing.mask
+    )
     return Change(one, "turned" if turned else "stayed", other.sighting, shift)
-
-
-def _with_held(changes: Changes, held: Sighting | None) -> Changes:
-    """With what was held in the basket, if it must be there though its looks don't tell.
-
-    Something new lies in the basket, the thing shows nowhere, and nothing else has vanished.
-    """
-    vanished = [change for change in changes.things if change.fate in ("lost", "covered")]
-    if held is None or not changes.newly_in_basket or [c.before for c in vanished] != [held]:
-        return changes
-    it = max(changes.newly_in_basket, key=lambda other: likeness(held, other))
-    found = replace(vanished[0], fate="basket", after=it, doubtful=False)
-    things = tuple(found if change is vanished[0] else change for change in changes.things)
-    return Changes(things, tuple(s for s in changes.newly_in_basket if s is not it))
 
 
 def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> Array:
@@ -159,5 +109,8 @@ def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> Array:
     low, high = _SAME_AREA
     if np.linalg.norm(middle) < MOVED or low < other.area / one.area < high:
         return middle
+    least = least_shift(before.table, one.thing.mask, other.thing.mask)
     found = tracked(before.table, after.table, one.thing.mask, middle, other.thing.mask)
-    return middle if found is None else found.shift
+    if found is None or np.linalg.norm(least) < np.linalg.norm(found.shift):
+        return least
+    return found.shift

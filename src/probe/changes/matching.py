@@ -10,8 +10,10 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from probe.changes.likeness import likeness
+from probe.changes.places import about_there
 from probe.changes.sighting import Sighting
 from probe.manipulation.palette import agreement
+from probe.types import Frame
 
 _ALIKE = 0.55
 _HELD_BONUS = 0.15
@@ -46,6 +48,47 @@ def again(
         for row, column in zip(rows.tolist(), columns.tolist(), strict=True)
         if costs[row, column] < 1 - _ALIKE
     }
+
+
+def found_among(earlier: Sequence[Sighting], now: Sequence[Sighting]) -> Mapping[int, Sighting]:
+    """Which of the things seen at any earlier time show among some now, by id() of the earlier."""
+    before = [Located(sighting, "basket") for sighting in earlier]
+    after = [Located(sighting, "basket") for sighting in now]
+    return {key: other.sighting for key, other in again(before, after, None).items()}
+
+
+def uncovered(
+    frame: Frame,
+    before: Sequence[Located],
+    after: Sequence[Located],
+    found: Mapping[int, Located],
+) -> Mapping[int, Located]:
+    """What came to light of things of which a part showed, and that weren't found otherwise.
+
+    Several parts may have been of one thing.
+
+    Args:
+        frame: The table before.
+        before: What isn't where it was.
+        after: What wasn't where it is.
+        found: What was found of it.
+    """
+    taken = {id(other.sighting) for other in found.values()}
+    whole = [o for o in after if o.where == "table" and id(o.sighting) not in taken]
+    more: dict[int, Located] = {}
+    for one in before:
+        part = one.sighting
+        if one.where != "table" or part.thing.nameable or id(part) in found:
+            continue
+        around = [
+            other
+            for other in whole
+            if may_be(part, other.sighting)
+            and about_there(frame, part.thing.mask, other.sighting.thing.mask)
+        ]
+        if around:
+            more[id(part)] = max(around, key=lambda o: agreement(part.colours, o.sighting.colours))
+    return more
 
 
 def may_be(one: Sighting, other: Sighting) -> bool:

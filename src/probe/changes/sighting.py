@@ -40,6 +40,10 @@ class Look:
         basket: The frame of the camera above the basket, with colours.
         in_basket: What that one shows between the basket's walls.
         beside: What it shows outside of them, and the table's frame doesn't.
+        guessed: Whether things are told apart by colours and depth, so that the same thing may be
+            outlined otherwise next time.
+        buried: Of earlier looks: what showed in the basket, and doesn't now.
+        missing: Of earlier looks: what showed on the table, and hasn't been found since.
     """
 
     table: Frame
@@ -47,6 +51,9 @@ class Look:
     basket: Frame
     in_basket: tuple[Sighting, ...]
     beside: tuple[Sighting, ...] = ()
+    guessed: bool = False
+    buried: tuple[Sighting, ...] = ()
+    missing: tuple[Sighting, ...] = ()
 
 
 def sightings(frame: Frame, things: Sequence[Thing]) -> tuple[Sighting, ...]:

@@ -11,7 +11,8 @@ import numpy as np
 from probe.manipulation.candidates import Grasp, Planner, propose
 from probe.manipulation.edges import leaning, pinches
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.looking import still_there, tracked
+from probe.manipulation.looking import still_there
+from probe.manipulation.recognition import found_again
 from probe.manipulation.removal import Removal, plan_removal, remove
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import survey
@@ -51,7 +52,7 @@ class GraspResult:
 
     Attributes:
         status: See GraspStatus.
-        frame: The table afterwards, without colours.
+        frame: The table afterwards.
         candidates: Grasps that fitted, at the first try.
         tries: How many were executed.
         width: Distance of the pads that was planned for the last one, metres; 0 without one.
@@ -78,8 +79,8 @@ def grasp_and_remove(
     """Grasp what a mask shows, lift it and let it go over the basket.
 
     A grasp that fails is followed by another one while the thing can still be found by its
-    shape, but not after one by an edge. The arm starts and ends parked; what it touches stays as
-    physics leaves it.
+    shape and colours; after one by an edge, only across it. The arm starts and ends parked; what it
+    touches stays as physics leaves it.
 
     Args:
         station: The arm, camera and table.
@@ -97,6 +98,7 @@ def grasp_and_remove(
             result = replace(result, status=status, candidates=count)
         if removal is None:
             break
+        before = frame if frame.rgb is not None else station.observe(rgb=True)
         done = remove(station, removal, shape)
         after = station.observe(rgb=False)
         stayed = still_there(frame, after, mask)
@@ -110,10 +112,13 @@ def grasp_and_remove(
             tilt=removal.grasp.tilt,
             merit=removal.grasp.merit,
         )
-        found = None if _ends(result.status, removal.grasp) else tracked(frame, after, mask)
+        if result.status in ("removed", "dropped"):
+            break
+        frame, found = found_again(station, before, after, mask)
+        result = replace(result, frame=frame)
         if found is None:
             break
-        frame, mask = after, found.mask
+        mask = found.mask
     return result
 
 
@@ -134,7 +139,7 @@ def _plan(
     for planner in planners:
         grasps = planner(target, terrain, station.hand)
         count += len(grasps)
-        fresh = [g for g in grasps if not any(_alike(g, other) for other in failed)]
+        fresh = [g for g in grasps if not _spent(g, failed)]
         if not fresh:
             continue
         status = "unreachable"
@@ -153,13 +158,15 @@ def _judged(done: GraspStatus, stayed: float) -> GraspStatus:
     return done
 
 
-def _ends(status: GraspStatus, grasp: Grasp) -> bool:
-    """Whether no other grasp may follow.
+def _spent(grasp: Grasp, failed: Sequence[Grasp]) -> bool:
+    """Whether a grasp isn't worth a try after those that failed.
 
-    One by an edge that fails shoves the thing over what lies beneath. A second or third one never
+    One by an edge that fails shoves the thing over what lies beneath. A second one by an edge never
     got it: 0 of the 14 wide things, of 109 on fresh tables, that were tried again.
     """
-    return status in ("removed", "dropped") or grasp.by_edge
+    if grasp.by_edge and any(other.by_edge for other in failed):
+        return True
+    return any(_alike(grasp, other) for other in failed)
 
 
 def _alike(one: Grasp, other: Grasp) -> bool:

@@ -18,12 +18,14 @@ _HALF_TURN = Pose((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 def reaching(arm: Arm, world_from_hand: Pose, near: Array) -> list[Array]:
     """Joint angles that put the hand somewhere, those first that move the joints least.
 
-    Only the last joint may take whole turns; others would run into their stops.
+    Whole turns are added to the joints that may take them.
     """
+    turn = 2 * math.pi
     found: list[Array] = []
     for joints in arm.inverse(world_from_hand):
         turned = joints.copy()
-        turned[-1] += 2 * math.pi * round((near[-1] - joints[-1]) / (2 * math.pi))
+        for index in arm.endless:
+            turned[index] += turn * round((near[index] - joints[index]) / turn)
         found.append(turned)
     return sorted(found, key=lambda joints: float(np.abs(joints - near).max()))
 

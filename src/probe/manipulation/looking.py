@@ -11,10 +11,14 @@ from scipy.spatial.transform import Rotation
 
 from probe.manipulation.registration import Motions, OrientedPoints, fit, register
 from probe.manipulation.terrain import lifted
+from probe.perception.depths import depth_change, same_within, tolerance
 from probe.types import Array, Frame
 
 SAME = 0.003
 """Metres by which a pixel's depth may differ and still show the same."""
+
+NOWHERE = np.zeros(3)
+"""A way of no length: the thing may have stayed about where it was."""
 
 _POINTS, _FEW = 200, 60
 _STEP = 0.06
@@ -27,14 +31,13 @@ _SLIDES = (np.arange(-4, 5) * 0.010, np.arange(-4, 5) * 0.005, np.arange(-3, 4) 
 _HIDING_COST = 0.5
 _FOUND = 0.5
 _ON_TABLE = 0.0015
-_NOWHERE = np.zeros(3)
 _UP = np.array([0.0, 0.0, 1.0])
 
 
 def still_there(before: Frame, after: Frame, mask: Array) -> float:
     """Share of a mask's pixels whose depth is as it was, 0 to 1."""
-    change = np.abs(after.depth[mask] - before.depth[mask])
-    return float(np.mean(change < SAME)) if change.size else 0.0
+    change = np.abs(depth_change(before, after)[mask])
+    return float(np.mean(change < same_within(SAME, before, after))) if change.size else 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,22 +60,23 @@ def changed(before: Frame, after: Frame, mask: Array) -> Array:
 
     What showed something else before, and shows it still, doesn't.
     """
-    return mask | (np.abs(after.depth - before.depth) > SAME)
+    return mask | (np.abs(depth_change(before, after)) > same_within(SAME, before, after))
 
 
 def above_table(frame: Frame) -> Array:
     """Pixels that show more than the bare table, bool, shape (h, w)."""
+    least = tolerance(_ON_TABLE, frame.depth_noise)
     if frame.camera.looks_down:
-        return frame.depth < frame.camera.world_from_camera.position[2] - _ON_TABLE
+        return frame.depth < frame.camera.world_from_camera.position[2] - least
     points = lifted(frame, np.ones_like(frame.depth, bool))
-    return points[:, 2].reshape(frame.depth.shape) > _ON_TABLE
+    return points[:, 2].reshape(frame.depth.shape) > least
 
 
 def tracked(
     before: Frame,
     after: Frame,
     mask: Array,
-    way: Array = _NOWHERE,
+    way: Array = NOWHERE,
     where: Array | None = None,
     least: float = _FOUND,
 ) -> Found | None:
@@ -100,6 +104,7 @@ def tracked(
     surface = OrientedPoints.of(after, possible)
     # A tall thing may have tipped a little; a flat one would be taken for what it lies on.
     slack = float(np.clip(_SLACK * points[:, 2].max(), *_SLACK_LIMITS))
+    slack = same_within(slack, before, after)
     motion, merit = _placed(surface, few, way, slack)
     if merit < least:
         return None

@@ -56,6 +56,10 @@ class Obstacles:
         world = self.arm.forward(joints).apply(points)
         if (world[:, 2] < self.terrain.below(world) + _SPARE).any():
             return False
-        spheres = self.arm.spheres(joints)
-        apart = np.linalg.norm(world[::4, None] - spheres[None, :, :3], axis=2)
+        return self.unfolded(joints, points[::4])
+
+    def unfolded(self, joints: Array, points: Array) -> bool:
+        """Whether the hand and what it carries are free of the arm."""
+        world, spheres = self.arm.forward(joints).apply(points), self.arm.spheres(joints)
+        apart = np.linalg.norm(world[:, None] - spheres[None, :, :3], axis=2)
         return bool((apart > spheres[:, 3]).all())

@@ -13,28 +13,48 @@ from probe.types import Array
 _RISE = 0.12
 """Straight way up before going home, metres."""
 
-_ATTEMPTS = 6
+_ROUNDS = 3
+_SHOULDER, _WRIST = slice(1, None), slice(3, None)
+"""Joints that go home first: all but the one that turns the whole arm; those of the wrist."""
 
 
 def park(station: Station, obstacles: Obstacles, points: Array) -> None:
     """Lift straight up as far as it goes, go home and wait until all is still.
 
     What the arm has just pushed or dropped may stand in a way that was free; then it lifts again
-    from where it was stopped, and draws itself in before it turns away.
+    from where it was stopped, and draws itself in before it turns away. A hand that has met the
+    forearm comes free when it closes and the wrist turns back first.
 
     Args:
         station: The arm.
         obstacles: What was known before.
         points: On the hand, in its frame, shape (k, 3).
     """
-    for attempt in range(_ATTEMPTS):
-        _rise(station)
-        joints = station.joints()
-        drawn_in = np.array([[joints[0], *station.arm.parked[1:]], station.arm.parked])
-        way = drawn_in if attempt % 2 else home(station.arm, obstacles, joints, points)
-        if station.follow(way):
-            break
+    ways = (_straight_home, _drawn_in, _unbent) * _ROUNDS
+    any(way(station, obstacles, points) for way in ways)
     station.wait(2.0)
+
+
+def _straight_home(station: Station, obstacles: Obstacles, points: Array) -> bool:
+    _rise(station)
+    return station.follow(home(station.arm, obstacles, station.joints(), points))
+
+
+def _drawn_in(station: Station, obstacles: Obstacles, points: Array) -> bool:
+    _rise(station)
+    return station.follow(_turning(station, _SHOULDER))
+
+
+def _unbent(station: Station, obstacles: Obstacles, points: Array) -> bool:
+    station.grip(0.0)
+    return station.follow(_turning(station, _WRIST))
+
+
+def _turning(station: Station, first: slice) -> Array:
+    """Home by way of where some joints are as when parked and the others as they are."""
+    between = station.joints()
+    between[first] = station.arm.parked[first]
+    return np.array([between, station.arm.parked])
 
 
 def _rise(station: Station) -> None:

@@ -7,8 +7,8 @@ from typing import Literal
 
 import numpy as np
 
-from probe.manipulation.looking import still_there, tracked
-from probe.manipulation.recognition import recognised
+from probe.manipulation.looking import still_there
+from probe.manipulation.recognition import found_again
 from probe.manipulation.stroke import Stroke, stroke
 from probe.manipulation.terrain import lifted
 from probe.scene.setup import Setup
@@ -47,7 +47,6 @@ _STAYED = 0.9
 _SHORT = 0.01
 _FAR_ENOUGH = 0.8
 _LEAST = 0.008
-_CERTAIN = 0.9
 _IN_VAIN = 0.3
 _REAR_PERCENT = 5.0
 
@@ -142,10 +141,7 @@ def _follow(
     """The table and where the thing is after a stroke; looked at in colour if shape won't do."""
     assert track.mask is not None
     after, way = done.frame, along * done.swept
-    found = tracked(before, after, track.mask, way)
-    if found is None or found.merit < _CERTAIN:
-        after = station.observe(rgb=True)
-        found = recognised(before, after, track.mask, way, found)
+    after, found = found_again(station, before, after, track.mask, way)
     if found is None:
         return after, _Track(None, track.gone)
     step = float(found.shift @ along)

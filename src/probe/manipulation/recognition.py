@@ -7,11 +7,13 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import ndimage
 
-from probe.manipulation.looking import Found, above_table, changed, tracked
+from probe.manipulation.looking import NOWHERE, Found, above_table, changed, tracked
 from probe.manipulation.palette import Palette
 from probe.manipulation.terrain import lifted
+from probe.station.station import Station
 from probe.types import Array, Frame
 
+_CERTAIN = 0.9
 _PLAUSIBLE, _PLAUSIBLE_PX = 0.3, 5
 _ROUGHLY = 0.35
 _SHAPE_BONUS = (0.08, 0.05)
@@ -24,6 +26,29 @@ _EDGE = 0.006
 _WHOLE = 0.3
 _PATCHES = 3
 _FEWEST_PX = 50
+
+
+def found_again(
+    station: Station, before: Frame, after: Frame, mask: Array, way: Array = NOWHERE
+) -> tuple[Frame, Found | None]:
+    """Find a thing again after a motion; a look in colour is taken only if its shape won't do.
+
+    Args:
+        station: Looks.
+        before: Where the mask is known; with colours.
+        after: The table as it is now.
+        mask: bool, shape (h, w), not empty.
+        way: A straight line from where it was, on which it may have stopped anywhere, metres,
+            shape (3,).
+
+    Returns:
+        The newest look at the table, and the thing in it; None if nothing there looks like it.
+    """
+    found = tracked(before, after, mask, way)
+    if found is None or found.merit < _CERTAIN:
+        after = station.observe(rgb=True)
+        found = recognised(before, after, mask, way, found)
+    return after, found
 
 
 def recognised(

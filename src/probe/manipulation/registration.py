@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import ndimage
 
 from probe.manipulation.terrain import lifted
 from probe.types import Array, Camera, Frame
@@ -18,6 +19,7 @@ _ROUNDS = 14
 _GATES = (0.03, 0.006)
 _DAMPING = 1e-4
 _EDGE = 0.006
+_BLUR_PX = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +54,7 @@ class OrientedPoints:
         window = np.zeros_like(possible)
         window[part] = True
         points = lifted(frame, window).reshape(*depth.shape, 3)
-        down, across = np.gradient(points, axis=(0, 1))
+        down, across = np.gradient(_smooth(points, frame.depth_noise), axis=(0, 1))
         normals = np.cross(down, across)
         normals /= np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-12)
         steps = np.abs(np.asarray(np.gradient(depth, axis=(0, 1)))).max(axis=0)
@@ -117,6 +119,14 @@ class Motions:
         rotations = np.repeat(self.rotations, len(slides), axis=0)
         shifts = (self.shifts[:, None] + slides).reshape(-1, 3)
         return Motions(rotations, shifts, self.pivot)
+
+
+def _smooth(points: Array, noise: float) -> Array:
+    """Points, shape (h, w, 3), as their normals are told: those of a noisy camera, blurred."""
+    if noise == 0:
+        return points
+    blurred: Array = ndimage.gaussian_filter(points, (_BLUR_PX, _BLUR_PX, 0))
+    return blurred
 
 
 def register(surface: OrientedPoints, points: Array, starts: Motions) -> Motions:

@@ -99,19 +99,22 @@ def way_out(
     """
     held = np.concatenate([target.top, target.walls])
     held = held[:: max(1, len(held) // 150)]
-    if grasp.turn > 0:
-        # Turned fingers come near the forearm, so all points of them are asked and none is risked.
-        ways_up = lifts(obstacles, joints, grasp, held, points, basket)
-        for lift, goal, carried in _carries(obstacles, ways_up, held, points, target, basket):
-            if obstacles.free(np.array([lift[-1], goal]), carried):
+    # Things that are brushed give way; a hand that meets the forearm is stuck there.
+    brushing: tuple[Array, Array, Array] | None = None
+    folded: tuple[Array, Array, Array] | None = None
+    for turn in sorted({grasp.turn, 0.0}, reverse=True):
+        few = points if turn > 0 else points[::_THINNED]
+        ways_up = lifts(obstacles, joints, replace(grasp, turn=turn), held, few, basket)
+        for lift, goal, carried in _carries(obstacles, ways_up, held, few, target, basket):
+            unfolded = obstacles.unfolded(goal, points)
+            if unfolded and obstacles.free(np.array([lift[-1], goal]), carried):
                 return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
-    fallback: tuple[Array, Array, Array] | None = None
-    points = points[::_THINNED]
-    ways_up = lifts(obstacles, joints, replace(grasp, turn=0.0), held, points, basket)
-    for lift, goal, carried in _carries(obstacles, ways_up, held, points, target, basket):
-        if obstacles.free(np.array([lift[-1], goal]), carried):
-            return WayOut(lift, goal[None], _lower(obstacles, goal, carried))
-        fallback = fallback or (lift, goal, carried)
+            # Turned fingers come near the forearm, so none of these ways is risked.
+            if turn == 0 and unfolded:
+                brushing = brushing or (lift, goal, carried)
+            elif turn == 0:
+                folded = folded or (lift, goal, carried)
+    fallback = brushing or folded
     if fallback is None:
         return None
     lift, goal, carried = fallback

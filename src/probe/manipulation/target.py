@@ -71,12 +71,14 @@ def _centre(top: Array, terrain: Terrain, cells: Array) -> Array:
 
 def _walls(terrain: Terrain, heights: Array, rows: Array, columns: Array) -> tuple[Array, Array]:
     """Sides of the solid at several levels: points and outward normals."""
-    low = np.maximum([rows.min() - _MARGIN, columns.min() - _MARGIN], 0)
+    low = np.array([rows.min(), columns.min()]) - _MARGIN
     window = (
-        slice(int(low[0]), int(rows.max()) + _MARGIN + 1),
-        slice(int(low[1]), int(columns.max()) + _MARGIN + 1),
+        slice(int(rows.min()), int(rows.max()) + 2 * _MARGIN + 1),
+        slice(int(columns.min()), int(columns.max()) + 2 * _MARGIN + 1),
     )
-    own, all_heights = heights[window], terrain.heights[window]
+    # What lies beyond the terrain isn't known: no side of the thing is free there.
+    own = np.pad(heights, _MARGIN)[window]
+    all_heights = np.pad(terrain.heights, _MARGIN, constant_values=np.inf)[window]
     highest = float(own.max())
     step = max(_STEP, highest / _LEVELS)
     found = [

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import ndimage
 
+from probe.perception.depths import tolerance
 from probe.scene.setup import Basket, Setup
 from probe.types import Array, Camera, Frame
 
@@ -67,7 +68,8 @@ class Terrain:
 def survey(frame: Frame, setup: Setup, basket: Frame | None = None) -> Terrain:
     """Heights of all that a frame shows, with the basket's walls beside it.
 
-    Cells in the shadow of something tall are as low as the lowest ones near them.
+    Cells in the shadow of something tall are as low as the lowest ones near them. What the
+    camera's noise alone may raise above the table is the table.
 
     Args:
         frame: From a camera that looks down on the table, straight or obliquely.
@@ -84,11 +86,12 @@ def survey(frame: Frame, setup: Setup, basket: Frame | None = None) -> Terrain:
     everything = np.ones_like(frame.depth, bool)
     seen = raster(empty, lifted(frame, everything, step=_step(frame.camera)))
     heights = np.maximum(_shadows_filled(seen), 0.0)
+    heights[heights < tolerance(0.0, frame.depth_noise)] = 0.0
     terrain = replace(empty, heights=heights)
     if basket is not None:
         inside = raster(terrain, lifted(basket, np.ones_like(basket.depth, bool)))
         np.maximum(heights, _within(terrain, setup.basket, inside), out=heights)
-    _stamp_basket(terrain, setup.basket)
+    stamp_basket(terrain, setup.basket)
     heights[[0, -1], :] = 0.0
     heights[:, [0, -1]] = 0.0
     return terrain
@@ -148,7 +151,8 @@ def _from_middle(terrain: Terrain, basket: Basket) -> tuple[Array, Array]:
     return x, y
 
 
-def _stamp_basket(terrain: Terrain, basket: Basket) -> None:
+def stamp_basket(terrain: Terrain, basket: Basket) -> None:
+    """Raise, in place, the cells of a basket's walls."""
     inner = np.array(basket.size[:2]) / 2
     x, y = _from_middle(terrain, basket)
     outside = (x > inner[0]) | (y > inner[1])

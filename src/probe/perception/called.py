@@ -47,8 +47,8 @@ def own_worth(word: str, noun: str | None, words: Words) -> float:
 
 @lru_cache(1024)
 def names(words: Words) -> frozenset[str]:
-    """All words of its name and its category."""
-    return frozenset(tokens(f"{words.name or ''} {words.category}"))
+    """All words of its names and its category."""
+    return frozenset(tokens(" ".join((words.name or "", words.category, *words.synonyms))))
 
 
 @lru_cache(1024)
@@ -60,7 +60,7 @@ def told(words: Words) -> frozenset[str]:
 @lru_cache(1024)
 def nouns(words: Words) -> frozenset[str]:
     """What it is: the main nouns of its category and name, and what it is a piece "of"."""
-    named = [text for text in (words.category, words.name) if text]
+    named = [text for text in (words.category, words.name, *words.synonyms) if text]
     named += [text.split(" of ", 1)[1] for text in named if " of " in text]
     heads = {noun for text in named if (noun := head(text, SPATIAL))}
     return frozenset(heads | {shown for text in named if (shown := _depicted(text))})

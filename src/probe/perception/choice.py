@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from probe.assets.spec import ObjectSpec
 from probe.perception.dials import Dials, NoisyDetector
+from probe.perception.enrolled.detector import EnrolledDetector
+from probe.perception.enrolled.enrolment import Enrolment
+from probe.perception.enrolled.enrolment_file import read_enrolment
 from probe.perception.oracle import Oracle, words_of
 from probe.perception.pointer import Finder, Pointer
 from probe.perception.points import Convention
@@ -26,11 +30,14 @@ class Perception:
         detector: Finds things in a frame.
         finder: Finds what words describe; None to match them with the words of detected things.
         teller: Tells the scene graph; None to make it from detected things.
+        guessed: Whether the detector tells things apart by colours and depth, so that the same
+            thing may be outlined otherwise next time.
     """
 
     detector: Detector
     finder: Finder | None = None
     teller: SceneDescriber | None = None
+    guessed: bool = False
 
 
 Perceiver = Callable[[Mapping[int, ObjectSpec], Poses], Perception]
@@ -41,6 +48,39 @@ from where they are. Only an oracle may look at either."""
 def ideal(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
     """The oracle, without errors."""
     return Perception(Oracle(words, poses))
+
+
+def segmented(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
+    """Things told apart by colours and depth, without names; no truth is used."""
+    return Perception(Segmenter(), guessed=True)
+
+
+@dataclass(frozen=True, eq=False)
+class Enrolled:
+    """A Perceiver that knows an operator's objects by their looks; no truth is used.
+
+    Attributes:
+        enrolment: The objects; see read_enrolment().
+    """
+
+    enrolment: Enrolment
+
+    def __call__(self, words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
+        """An episode's perception."""
+        return Perception(EnrolledDetector(self.enrolment, Segmenter()), guessed=True)
+
+
+def enrolled(path: Path) -> Perceiver:
+    """Names from an operator's objects, by their looks; no truth is used.
+
+    Args:
+        path: The operator's list, YAML or JSON, with the signatures beside it; see
+            docs/reference/perception.md.
+
+    Raises:
+        BadData: One of the two can't be read, or an object was never shown.
+    """
+    return Enrolled(read_enrolment(path))
 
 
 def dialled(dials: Dials, seed: int, run: int = 0, rumours: Sequence[ObjectSpec] = ()) -> Perceiver:
@@ -75,6 +115,6 @@ def pointing(
     def perceiver(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
         segmenter = Segmenter()
         finder = Pointer(ask, masker or segmenter, convention)
-        return Perception(segmenter, finder, ModelSceneDescriber(ask, convention))
+        return Perception(segmenter, finder, ModelSceneDescriber(ask, convention), guessed=True)
 
     return perceiver

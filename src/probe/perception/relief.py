@@ -8,6 +8,7 @@ import numpy as np
 from scipy import ndimage
 
 from probe.assets.colour.names import lab
+from probe.perception.depths import tolerance
 from probe.types import Array, Frame
 
 GRID_PX = 512
@@ -15,6 +16,10 @@ GRID_PX = 512
 
 TABLE = 0.0025
 """Metres above the table from which on a point belongs to a thing."""
+
+AROUND = 0.8
+"""Metres from the table's middle, along x and y, beyond which nothing belongs to the table: an
+oblique camera also sees the room behind it."""
 
 _DIRECTIONS = ((0, 1), (1, 0), (1, 1), (1, -1))
 _BEND_CELLS = 4
@@ -53,8 +58,22 @@ def relief(frame: Frame) -> Relief:
     near = -1000 * depth
     cell = 1000 * depth * stride / frame.camera.focal_px
     valley, ridge = _bends(near, cell)
-    raised = _heights(frame, depth, stride) > TABLE
-    return Relief(stride, raised, colours, _steps(near), valley, ridge, _contrast(colours))
+    above = raised(frame, depth, stride)
+    return Relief(stride, above, colours, _steps(near), valley, ridge, _contrast(colours))
+
+
+def raised(frame: Frame, depth: Array, stride: int = 1) -> Array:
+    """Which pixels, or every so many, show something that stands on the table, bool.
+
+    Args:
+        frame: Where it was taken from.
+        depth: Planar depth of these pixels, metres, shape (h, w); NaN without a reading.
+        stride: Pixels of the frame from one of them to the next.
+    """
+    rows, columns = np.indices(depth.shape).reshape(2, -1) * stride
+    points = frame.camera.lift(np.column_stack([columns, rows]) + 0.5, depth.ravel())
+    near = np.abs(points[:, :2]).max(axis=1) < AROUND
+    return ((points[:, 2] > tolerance(TABLE, frame.depth_noise)) & near).reshape(depth.shape)
 
 
 def _without_holes(depth: Array) -> Array:
@@ -73,12 +92,6 @@ def _colours(rgb: Array, stride: int) -> Array:
     whole = np.pad(rgb, ((0, missing[0]), (0, missing[1]), (0, 0)), mode="edge")
     cells = whole.reshape(h, stride, w, stride, 3).mean(axis=(1, 3))
     return lab(cells.reshape(-1, 3)).reshape(h, w, 3)
-
-
-def _heights(frame: Frame, depth: Array, stride: int) -> Array:
-    rows, columns = np.indices(depth.shape).reshape(2, -1) * stride
-    points = frame.camera.lift(np.column_stack([columns, rows]) + 0.5, depth.ravel())
-    return points[:, 2].reshape(depth.shape)
 
 
 def _steps(near: Array) -> Array:

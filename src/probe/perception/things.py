@@ -21,12 +21,14 @@ class Words:
         category: Common noun; empty without a name.
         colours: Main colours, largest first.
         description: One sentence or phrase.
+        synonyms: Other names that it goes by; none of catalogues.
     """
 
     name: str | None
     category: str
     colours: tuple[str, ...]
     description: str
+    synonyms: tuple[str, ...] = ()
 
     @property
     def called(self) -> str:

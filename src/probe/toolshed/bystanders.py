@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 
-import numpy as np
-
-from probe.changes.compare import Change, Changes
+from probe.changes.change import Change, Changes
 from probe.changes.sighting import Sighting
+from probe.types import Array
+
+_HIGHER_CM = 2
 
 
 def bystander_words(changes: Changes, seen: Sighting) -> str:
@@ -18,14 +20,21 @@ def bystander_words(changes: Changes, seen: Sighting) -> str:
         seen: What the manipulation was about; it isn't told of.
     """
     others = changes.but(seen)
-    gone = [c for c in others if c.fate in ("lost", "covered")]
+    gone = [c for c in others if c.gone]
     # Whoever hasn't seen what it is can't rule out that it is one of those that show now.
     doubtful = [c for c in gone if c.doubtful or not c.before.thing.nameable]
     sure = [c for c in gone if c not in doubtful]
     in_basket = [_named(c) for c in _of(others, "basket")]
-    in_basket += [f"{s.thing.words.called}, not seen before" for s in changes.newly_in_basket]
+    in_basket += [_bracketed(s.thing.words.called) for s in changes.back_in_basket]
+    in_basket += [
+        f"{_bracketed(s.thing.words.called)}, not seen before" for s in changes.newly_in_basket
+    ]
     sentences = [
         _sentence("Also in the basket now", in_basket),
+        _sentence(
+            "Shows in the basket, where it may have lain before",
+            [_bracketed(s.thing.words.called) for s in changes.maybe_in_basket],
+        ),
         _sentence("Also moved", [_moved(c) for c in others if c.fate in ("moved", "turned")]),
         _sentence("Out of the picture, beside the basket", map(_left, _of(others, "beside"))),
         _sentence("Covered now", map(_left, _of(sure, "covered"))),
@@ -50,9 +59,17 @@ def _moved(change: Change) -> str:
     assert change.after is not None
     place = list(change.after.thing.point_px)
     if change.fate == "turned":
-        return f"{_named(change)} turned or tipped, to {place}"
-    distance = round(100 * float(np.linalg.norm(change.shift)))
-    return f"{_named(change)} by about {distance} cm, to {place}"
+        return f"{_named(change)} turned or tipped, now at {place}"
+    return f"{_named(change)} by {_way(change.shift)}, to {place}"
+
+
+def _way(shift: Array) -> str:
+    """How far along the table, and how far up or down if that is much."""
+    along, down = round(100 * math.hypot(*shift[:2])), round(-100 * float(shift[2]))
+    told = [f"about {along} cm"] if along or abs(down) < _HIGHER_CM else []
+    if abs(down) >= _HIGHER_CM:
+        told.append(f"about {abs(down)} cm {'down' if down > 0 else 'up'}")
+    return " and ".join(told)
 
 
 def _left(change: Change) -> str:
@@ -63,5 +80,11 @@ def _named(change: Change) -> str:
     """What a thing is called: by its name as soon as one of its sightings tells it."""
     before, after = change.before.thing, change.after
     if before.nameable or after is None:
-        return before.words.called
-    return after.thing.words.name or before.words.description
+        return _bracketed(before.words.called)
+    return after.thing.words.name or _bracketed(before.words.description)
+
+
+def _bracketed(called: str) -> str:
+    """A description's details in brackets, as a list's words follow: "... (gray, ...) by 5 cm"."""
+    what, colon, details = called.partition(": ")
+    return f"{what} ({details})" if colon else called

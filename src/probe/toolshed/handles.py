@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from probe.perception.depths import tolerance
 from probe.perception.things import Thing
 from probe.toolshed.refusals import StaleHandle, UnknownHandle
 from probe.toolshed.view import CurrentView
@@ -17,6 +18,9 @@ MOVED = 0.003
 CHANGED_SHARE = 0.03
 """Share of changed pixels from which on a handle is stale."""
 
+NOISY_SHARE = 0.15
+"""Share of a thing's pixels that a noisy camera may take for something else in the next look."""
+
 
 @dataclass(frozen=True, eq=False)
 class _Look:
@@ -25,26 +29,39 @@ class _Look:
     Attributes:
         thing: It.
         pixels: Its pixels, counted row by row, shape (n,).
-        depth: Of these pixels, shape (n,).
+        depth: Of these pixels, NaN where the camera had no reading, shape (n,).
+        noise: Of the depth, metres.
     """
 
     thing: Thing
     pixels: Array
     depth: Array
+    noise: float
 
     @staticmethod
     def at(thing: Thing, frame: Frame) -> _Look:
         pixels = np.flatnonzero(thing.mask)
-        return _Look(thing, pixels, frame.depth.ravel()[pixels])
+        return _Look(thing, pixels, _readings(frame, pixels), frame.depth_noise)
 
     def lies_in(self, mask: Array) -> bool:
         """Whether nearly all of its pixels belong to a mask."""
-        return bool(mask.ravel()[self.pixels].mean() >= 1 - CHANGED_SHARE)
+        share = NOISY_SHARE if self.noise > 0 else CHANGED_SHARE
+        return bool(mask.ravel()[self.pixels].mean() >= 1 - share)
 
     def has_moved(self, frame: Frame) -> bool:
         """Whether more than a few of its pixels have another depth now."""
-        still = np.abs(frame.depth.ravel()[self.pixels] - self.depth) <= MOVED
+        change = np.abs(_readings(frame, self.pixels) - self.depth)
+        least = tolerance(MOVED, self.noise, frame.depth_noise)
+        still = ~(change > least)
         return float(still.mean()) < 1 - CHANGED_SHARE
+
+
+def _readings(frame: Frame, pixels: Array) -> Array:
+    """Depth of pixels, counted row by row, metres, shape (n,); NaN without a reading."""
+    depth = frame.depth.ravel()[pixels]
+    return (
+        depth if frame.measured is None else np.where(frame.measured.ravel()[pixels], depth, np.nan)
+    )
 
 
 class Handles:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from probe.changes.compare import Change
+from probe.changes.change import Change
 
 FELT = {
     "removed": "the gripper held something until it let go over the basket",
@@ -59,54 +59,59 @@ def nothing_moved(status: str, object_id: str) -> OutcomeText:
     return OutcomeText(False, f"{(FELT | SWEPT)[status].format(id=object_id)}.")
 
 
-def grasp_words(status: str, object_id: str, change: Change) -> OutcomeText:
+def grasp_words(status: str, object_id: str, change: Change, now: str) -> OutcomeText:
     """What became of a grasp.
 
     Args:
         status: The skill's.
-        object_id: What the thing is called.
+        object_id: What the thing was called.
         change: What the cameras saw of it.
+        now: What it is called from now on.
     """
     if change.fate == "basket":
         how = "was lifted and dropped into" if status == "removed" else "ended up in"
         return OutcomeText(True, f"{object_id} {how} the basket.")
     felt = FELT[status].format(id=object_id)
-    return OutcomeText(False, f"{felt}. {_whereabouts(status, object_id, change)}")
+    return OutcomeText(False, f"{felt}. {_whereabouts(status, object_id, change, now)}")
 
 
 def push_words(
-    status: str, object_id: str, change: Change, moved: float | None, asked: float
+    status: str, object_id: str, change: Change, moved: float | None, asked: float, now: str
 ) -> OutcomeText:
     """What became of a push.
 
     Args:
         status: The skill's.
-        object_id: What the thing is called.
+        object_id: What the thing was called.
         change: What the cameras saw of it.
         moved: How far it went the way it was pushed, metres; None if the camera can't tell.
         asked: How far it was to go, metres.
+        now: What it is called from now on.
     """
     swept = SWEPT[status].format(id=object_id)
     shows = change.fate in ("stayed", "moved", "turned")
     if moved is None or not shows:
-        return OutcomeText(False, f"{swept}. {_whereabouts(status, object_id, change)}")
+        return OutcomeText(False, f"{swept}. {_whereabouts(status, object_id, change, now)}")
     place = "" if change.after is None else f", to {_place(change)}"
     how_far = f"{object_id} moved about {max(0, round(100 * moved))} cm that way{place}"
+    renamed = "" if now == object_id else f"; it is {now} now"
     worked = moved >= ENOUGH * asked
     advice = "" if worked else " Push it in another direction or further, or grasp it."
-    return OutcomeText(worked, f"{swept}; {how_far}.{advice}")
+    return OutcomeText(worked, f"{swept}; {how_far}{renamed}.{advice}")
 
 
-def _whereabouts(status: str, object_id: str, change: Change) -> str:
+def _whereabouts(status: str, object_id: str, change: Change, now: str) -> str:
     advice = f" {ADVICE[status]}" if status in ADVICE else ""
+    renamed = "" if now == object_id else f" It is {now} now."
     if change.fate == "stayed":
-        return f"{object_id} is still where it was.{advice}"
+        return f"{object_id} is still where it was.{renamed}{advice}"
     if change.fate == "moved":
-        return f"{object_id} is still on the table, now at {_place(change)}.{advice}"
+        return f"{object_id} is still on the table, now at {_place(change)}.{renamed}{advice}"
+    if change.fate == "turned":
+        how = f"{object_id} is still there, but turned or tipped, at {_place(change)}"
+        return f"{how}.{renamed}{advice}"
     if change.fate == "basket":
         return f"{object_id} lies in the basket."
-    if change.fate == "turned":
-        return f"{object_id} is still there, but turned or tipped, at {_place(change)}.{advice}"
     if change.fate == "beside":
         return f"{object_id} lies beside the basket, out of the picture and out of reach."
     return _unfound(object_id, change)

@@ -9,6 +9,9 @@ from probe.types import Array
 
 Status = Literal["done", "failed", "malformed", "refused"]
 
+MOVING = ("grasp_and_remove", "push")
+"""Tools that move something."""
+
 
 @dataclass(frozen=True, eq=False)
 class ToolResult:

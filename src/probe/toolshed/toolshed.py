@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import assert_never
 
 from probe.asking import UnusableReply
+from probe.changes.change import Change
 from probe.changes.compare import compare
 from probe.changes.sighting import including
 from probe.perception.matching import Match, match, nearest
@@ -68,6 +69,7 @@ class Toolshed:
         finder: Finder | None = None,
         teller: SceneDescriber | None = None,
         form: AnswerForm = ANY_ANSWER,
+        guessed: bool = False,
     ) -> None:
         """Set up the tools and look at the table once.
 
@@ -80,6 +82,8 @@ class Toolshed:
             finder: Finds what words describe; None to match them with what the detector finds.
             teller: Tells the scene graph; None to make it from what the detector finds.
             form: What a complete answer is; by default any letter without a point.
+            guessed: Whether the detector tells things apart by colours and depth, so that the same
+                thing may be outlined otherwise next time.
         """
         self.answer: Answer | None = None
         self.ended = False
@@ -89,12 +93,12 @@ class Toolshed:
         self._skills = skills
         self._setup = setup
         self._pictures = pictures
-        self._view = CurrentView(station, detector, setup.basket)
+        self._view = CurrentView(station, detector, setup.basket, guessed=guessed)
         self._finder = finder
         self._teller = teller
         self._form = form
         self._asked_for_point = False
-        self._handles = Handles(detected=finder is None)
+        self._handles = Handles(detected=finder is None and not guessed)
 
     def first_picture(self) -> Array | None:
         """The picture that comes with the question; None if nobody looks at pictures."""
@@ -161,6 +165,12 @@ class Toolshed:
     def _issue(self, thing: Thing) -> str:
         return self._handles.issue(thing, self._view.frame)
 
+    def _handle_now(self, name: str, change: Change) -> str:
+        """What a thing that was found on the table is called from now on."""
+        if change.after is None or change.fate not in ("stayed", "moved", "turned"):
+            return name
+        return self._issue(change.after.thing)
+
     def _resembling(self, description: str) -> tuple[Thing, ...]:
         """What comes near to a description that nothing fits; a model that points says nothing."""
         return nearest(description, self._view.things) if self._finder is None else ()
@@ -181,7 +191,9 @@ class Toolshed:
         self._view.show(outcome.frame)
         held = seen if outcome.status == "removed" else None
         changes = compare(before, self._view.look, held)
-        told = grasp_words(outcome.status, name, changes.of(seen))
+        self._view.remember(changes)
+        change = changes.of(seen)
+        told = grasp_words(outcome.status, name, change, self._handle_now(name, change))
         return self._told(told, thing, bystander_words(changes, seen))
 
     def _push(self, request: Push) -> ToolResult:
@@ -195,7 +207,10 @@ class Toolshed:
             return self._told(nothing_moved(outcome.status, name), thing)
         self._view.show(outcome.frame)
         changes = compare(before, self._view.look)
-        told = push_words(outcome.status, name, changes.of(seen), outcome.moved, asked)
+        self._view.remember(changes)
+        change = changes.of(seen)
+        now = self._handle_now(name, change)
+        told = push_words(outcome.status, name, change, outcome.moved, asked, now)
         return self._told(told, thing, bystander_words(changes, seen))
 
     def _answer(self, request: AnswerQuestion) -> ToolResult:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from probe.changes.sighting import Look, sightings
+from dataclasses import replace
+
+from probe.changes.change import Changes
+from probe.changes.sighting import Look, Sighting, sightings
 from probe.perception.things import Detector, Thing
 from probe.scene.setup import Basket
 from probe.station.station import Station
@@ -12,13 +15,19 @@ from probe.types import Array, Frame
 class CurrentView:
     """The current frame of a station, until the next one is shown."""
 
-    def __init__(self, station: Station, detector: Detector, basket: Basket) -> None:
+    def __init__(
+        self, station: Station, detector: Detector, basket: Basket, *, guessed: bool = False
+    ) -> None:
+        """Look once. Guessed: whether the detector tells things apart by colours and depth."""
+        self._guessed = guessed
         self._station = station
         self._basket = basket
         self._detector = detector
         self._frame = station.observe(rgb=False)
         self._things: tuple[Thing, ...] | None = None
         self._look: Look | None = None
+        self._buried: tuple[Sighting, ...] = ()
+        self._missing: tuple[Sighting, ...] = ()
 
     def show(self, frame: Frame) -> None:
         """The table may have changed: this is what it looks like from now on."""
@@ -61,8 +70,17 @@ class CurrentView:
             below = sightings(basket, self._detector.detect(basket))
             inside = tuple(s for s in below if self._basket.holds(*s.middle[:2]))
             beside = tuple(s for s in below if s not in inside and not _in_view(table, s.middle))
-            self._look = Look(table, sightings(table, self.things), basket, inside, beside)
+            here = sightings(table, self.things)
+            self._look = Look(
+                table, here, basket, inside, beside, self._guessed, self._buried, self._missing
+            )
         return self._look
+
+    def remember(self, changes: Changes) -> None:
+        """From now on a look also tells what these changes have left unseen."""
+        self._buried, self._missing = changes.buried, changes.missing
+        if self._look is not None:
+            self._look = replace(self._look, buried=self._buried, missing=self._missing)
 
 
 def _in_view(frame: Frame, point: Array) -> bool:
