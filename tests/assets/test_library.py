@@ -1,13 +1,17 @@
 from __future__ import annotations
 
+import shutil
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from probe.assets.cache import Cache
 from probe.assets.library import Library, open_library, warm
+from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
 from probe.assets.mesh.packing import pack_body, unpack_body
+from probe.assets.pools.procedural import procedural_key
 from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, UnknownName
@@ -51,6 +55,36 @@ def test_a_body_is_the_same_from_the_cache(library, tmp_path):
     assert len(again.pieces) == len(fresh.pieces) > 0
     for a, b in zip(again.pieces, fresh.pieces, strict=True):
         assert (a.vertices == b.vertices).all()
+
+
+def test_a_fingerprint_is_kept_and_found_without_the_body(library, tmp_path, monkeypatch):
+    id = library.specs[0].id
+    fresh = _few(library, 1, tmp_path).fingerprint(id)
+    assert fresh == fingerprint_of(library, id)
+    monkeypatch.setattr(Library, "body", None)
+    assert _few(library, 1, tmp_path).fingerprint(id) == fresh
+
+
+def test_a_fingerprint_is_of_the_body_that_lies_there(library, tmp_path):
+    """Another body under an object's key is seen, as if no fingerprint had been kept."""
+    one, other = (spec.id for spec in library.specs[:2])
+    few = _few(library, 2, tmp_path)
+    few.fingerprint(one)
+    stored = Cache(tmp_path / "bodies")
+    stored.store(procedural_key(one, 1), pack_body(few.body(other)))
+    assert _few(library, 2, tmp_path).fingerprint(one) == few.fingerprint(other)
+
+
+def test_a_body_in_memory_alone_has_a_fingerprint(library, tmp_path):
+    id = library.specs[0].id
+    few = _few(library, 1, tmp_path / "cache")
+    few.body(id)
+    shutil.rmtree(tmp_path / "cache")
+    assert few.fingerprint(id) == fingerprint_of(library, id)
+
+
+def fingerprint_of(library: Library, id: str) -> Fingerprint:
+    return fingerprint(library.body(id))
 
 
 def test_a_body_in_memory_is_kept(library):

@@ -72,6 +72,21 @@ def test_a_painted_table_comes_out_of_the_cache_as_it_was_painted(tmp_path):
     assert np.array_equal(again.texture, painted.texture)
 
 
+def test_a_table_in_use_is_another_picture_of_the_same_table(tmp_path):
+    cache = Cache(tmp_path)
+    new, used = (load_table("oak_planks", None, cache, looks) for looks in (1, 2))
+    assert new.roughness_map is None and used.roughness_map is not None
+    assert np.ptp(used.roughness_map) > 20
+    assert (used.texture != new.texture).any()
+    apart = used.texture.mean(axis=(0, 1)) - new.texture.mean(axis=(0, 1))
+    assert np.abs(apart).max() < 16
+    load_table.cache_clear()
+    kept = load_table("oak_planks", None, cache, 2)
+    assert np.array_equal(kept.texture, used.texture)
+    assert kept.roughness_map is not None
+    assert np.array_equal(kept.roughness_map, used.roughness_map)
+
+
 def test_a_slope_up_the_picture_is_green():
     rows = np.arange(SIZE)[:, None] * np.ones((1, SIZE))
     rising = normals_of(-0.001 * rows, texel=0.001)[500, 500].astype(int)

@@ -39,7 +39,7 @@ def mixed(library: Library) -> Library:
     )
     mixed = replace(library, specs=specs, leading="own")
     for one in SOME:  # which body is made of an id is no matter of this test
-        mixed._kept[one] = library.body(one)
+        mixed._kept[one, 1] = library.body(one)
     return mixed
 
 

@@ -12,7 +12,7 @@ from probe.render.lighting import light_of
 from probe.render.renderer import Renderer
 from probe.render.sunlight import illuminate
 from probe.scene.lighting import AMBIENT as AMBIENT_LIGHTING
-from probe.scene.lighting import hdri
+from probe.scene.lighting import ROOM, hdri
 from probe.scene.scene import PlacedObject
 from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
@@ -84,6 +84,15 @@ def test_labels_and_depth_know_no_light(loaded):
     ]
     assert (frames[0].labels == frames[1].labels).all()
     assert (frames[0].depth == frames[1].depth).all()
+
+
+def test_the_room_of_new_scenes_casts_shadows_and_hardly_colours(loaded):
+    light = light_of(ROOM, None)
+    shown = shades(loaded.draw([POST], CAMERA, rgb=True, light=light))
+    assert shown[0] < 0.85 * shown[1]  # the window is at the left, so shadows fall to the right
+    white = loaded.draw([CARD], CAMERA, rgb=True, light=light)
+    card_colour = white.rgb[white.labels == 2].mean(axis=0)
+    assert np.ptp(card_colour) < 20 and card_colour.max() > 215
 
 
 def test_names_lead_to_light():

@@ -12,6 +12,7 @@ import psutil
 import pytest
 
 from probe.errors import NoGraphicsDriver, RenderFailed
+from probe.render.illumination import AMBIENT
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject
 from probe.scene.setup import UR5_TABLE
@@ -222,3 +223,25 @@ def test_a_one_pixel_texture_is_enough(renderer):
     frame = renderer.draw([PlacedObject(1, "cube", Pose())], UR5_TABLE.top.camera(128), rgb=True)
     seen = frame.rgb[frame.labels == 1].mean(axis=0)
     assert np.abs(seen - plain(30, 90, 200)[0, 0]).max() < 25
+
+
+def test_a_series_has_the_same_bytes_each_time_and_changes_no_other_picture(loaded):
+    camera = Camera(
+        looking_at(np.array([0.5, -0.6, 0.7]), np.array([0.0, 0.0, 0.05])), 320, 240, 40
+    )
+    before = loaded.draw(OBJECTS, camera, rgb=True).rgb
+    moments = [OBJECTS, OBJECTS[:2], OBJECTS]
+    series = loaded.series(moments, camera, AMBIENT, far=9.0)
+    assert [picture.shape for picture in series] == [(240, 320, 3)] * 3
+    assert (series[0] != series[1]).any(axis=-1).sum() > 500
+    again = loaded.series(moments, camera, AMBIENT, far=9.0)
+    assert [a.tobytes() for a in series] == [a.tobytes() for a in again]
+    assert loaded.draw(OBJECTS, camera, rgb=True).rgb.tobytes() == before.tobytes()
+
+
+def test_a_series_sees_further_than_a_picture(loaded):
+    far_off = Camera(looking_at(np.array([4.0, -4.0, 2.0]), np.zeros(3)), 320, 240, 10)
+    picture = loaded.draw(OBJECTS, far_off, rgb=True).rgb
+    (seen,) = loaded.series([OBJECTS], far_off, AMBIENT, far=9.0)
+    assert np.unique(picture.reshape(-1, 3), axis=0).shape[0] < 8
+    assert np.unique(seen.reshape(-1, 3), axis=0).shape[0] > 50

@@ -8,8 +8,8 @@ import pytest
 from probe.errors import BadData
 from probe.scene.document import read_scene, write_scene
 from probe.scene.scene import PlacedObject, Scene
-from probe.scene.setup import UR5_TABLE, Basket, GripperSize
-from probe.scene.setup_file import read_setup
+from probe.scene.setup import ROOM_TABLE, UR5_TABLE, Basket, GripperSize, newest
+from probe.scene.setup_file import SetupDocument, read_setup
 from probe.types import Pose
 
 OTHER = {
@@ -47,6 +47,8 @@ def test_only_what_differs_needs_to_be_said(tmp_path):
         ({"front": {"eye": [0.0, 0.9, 0.5]}}, "front"),
         ({"mount": {"wxyz": [1, 1, 0, 0]}}, "mount.wxyz"),
         ({"mount": {"parked": [0, 0]}}, "mount.parked"),
+        ({"mount": {"arm": "panda"}}, "mount.arm"),
+        ({"mount": {"arm": "jaco"}}, "mount"),
         ({"depth_noise": float("nan")}, "depth_noise"),
         ({"name": "ur5", "picture_px": 512}, "name"),
         ({"name": "Two Words"}, "name"),
@@ -73,3 +75,34 @@ def test_a_scene_keeps_its_set_up_to_the_last_bit_and_the_usual_one_is_not_writt
     write_scene(path, replace(scene, setup=UR5_TABLE))
     assert "setup" not in path.read_text()
     assert read_scene(path).setup == UR5_TABLE
+
+
+def test_a_set_up_names_its_arm_only_where_it_is_another(tmp_path):
+    parked = (0.0, 3.1, 5.5, 0.0, 2.3, 0.0)
+    mount = {"arm": "jaco", "parked": parked}
+    other = read_setup(written(tmp_path, name="other", mount=mount))
+    assert (other.mount.arm, other.mount.parked) == ("jaco", parked)
+    assert SetupDocument.of(other).setup() == other
+    usual = replace(other, mount=UR5_TABLE.mount)
+    kept = json.loads(SetupDocument.of(usual).model_dump_json())
+    assert set(kept["mount"]) == {"position", "wxyz", "parked"}
+
+
+def test_light_looks_and_renderer_are_kept_and_may_differ_in_the_usual_set_up(tmp_path):
+    assert read_setup(written(tmp_path, name="ur5")).lighting == "ambient"
+    other = replace(ROOM_TABLE, renderer="blender")
+    assert SetupDocument.of(other).setup() == other
+    path = tmp_path / "scene.json"
+    write_scene(path, Scene(1, "oak_planks", (), other))
+    assert read_scene(path).setup == other
+
+
+def test_a_set_up_of_before_there_were_looks_keeps_its_bytes():
+    said = SetupDocument.of(replace(UR5_TABLE, name="other")).model_dump()
+    assert said.keys().isdisjoint({"lighting", "looks", "renderer"})
+
+
+def test_new_scenes_have_the_rooms_light_unless_the_set_up_names_another():
+    assert newest(UR5_TABLE) == ROOM_TABLE
+    assert newest(replace(UR5_TABLE, lighting="cellar")).lighting == "cellar"
+    assert newest(ROOM_TABLE, "ambient", 1) == UR5_TABLE

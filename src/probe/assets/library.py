@@ -12,11 +12,13 @@ from typing import Literal
 from rich.progress import track
 
 from probe.assets.cache import Cache
+from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
+from probe.assets.mesh.kept_fingerprint import key_of_file, pack_fingerprint, unpack_fingerprint
 from probe.assets.mesh.mesh import Body
 from probe.assets.pools import scans
-from probe.assets.pools.own import own_body, own_specs
-from probe.assets.pools.procedural import procedural_body, procedural_specs
+from probe.assets.pools.own import own_body, own_key, own_specs
+from probe.assets.pools.procedural import procedural_body, procedural_key, procedural_specs
 from probe.assets.spec import ObjectSpec, Origin
 from probe.assets.tables import TableMaterial, load_table
 from probe.errors import BadData, UnknownName
@@ -45,9 +47,11 @@ class Library:
     cache: Path
     own: Path | None = None
     leading: Origin | None = None
-    _kept: dict[str, Body] = field(default_factory=dict[str, Body], init=False, repr=False)
-    _prints: dict[str, Fingerprint] = field(
-        default_factory=dict[str, Fingerprint], init=False, repr=False
+    _kept: dict[tuple[str, Looks], Body] = field(
+        default_factory=dict[tuple[str, Looks], Body], init=False, repr=False
+    )
+    _prints: dict[tuple[str, Looks], Fingerprint] = field(
+        default_factory=dict[tuple[str, Looks], Fingerprint], init=False, repr=False
     )
 
     def __getitem__(self, object_id: str) -> ObjectSpec:
@@ -59,7 +63,8 @@ class Library:
         for spec in self.specs:
             if spec.id == object_id:
                 return spec
-        raise UnknownName("object", object_id, [spec.id for spec in self.specs])
+        remedy = "`probe assets list` shows them."
+        raise UnknownName("object", object_id, [spec.id for spec in self.specs], remedy)
 
     @property
     def light_cache(self) -> Path:
@@ -70,8 +75,12 @@ class Library:
         """Whether an object is of those that are to play the parts in tasks."""
         return spec.origin == self.leading
 
-    def body(self, object_id: str) -> Body:
+    def body(self, object_id: str, looks: Looks = 1) -> Body:
         """Mesh and convex pieces of an object; computed once, then read from the cache.
+
+        Args:
+            object_id: Which.
+            looks: How its surface looks, if it is made by formula; its shape is the same in all.
 
         Raises:
             UnknownName: No object has this id.
@@ -79,33 +88,56 @@ class Library:
             OutputFailed: The cache can't be written.
         """
         spec = self[object_id]
-        body = self._kept.pop(object_id, None)
+        its = looks if spec.origin == "procedural" else 1
+        body = self._kept.pop((object_id, its), None)
         if body is None:
             cache = Cache(self.cache / "bodies")
             if spec.origin == "procedural":
-                body = procedural_body(object_id, cache)
+                body = procedural_body(object_id, cache, looks)
             elif spec.origin == "own":
                 body = own_body(object_id, own_folder(self.own), cache)
             else:
                 body = scans.scan_body(object_id, scans_folder(self.assets), cache)
-        self._kept[object_id] = body
+        self._kept[object_id, its] = body
         if len(self._kept) > KEPT:
             del self._kept[next(iter(self._kept))]
         return body
 
-    def fingerprint(self, object_id: str) -> Fingerprint:
+    def fingerprint(self, object_id: str, looks: Looks = 1) -> Fingerprint:
         """What tells whether an object is still the same; computed once.
 
         Raises:
             UnknownName, BadMesh, OutputFailed: As body().
         """
-        if object_id not in self._prints:
-            self._prints[object_id] = fingerprint(self.body(object_id))
-        return self._prints[object_id]
+        key = (object_id, looks)
+        if key not in self._prints:
+            self._prints[key] = self._fingerprint(object_id, looks)
+        return self._prints[key]
 
-    def table(self, table_id: str) -> TableMaterial:
+    def _fingerprint(self, object_id: str, looks: Looks) -> Fingerprint:
+        """From the cache, if it is of the body that lies there now, byte for byte."""
+        prints, file = Cache(self.cache / "fingerprints"), self._body_file(object_id, looks)
+        stored = prints.load(key_of_file(file)) if file.is_file() else None
+        if stored is not None:
+            return unpack_fingerprint(stored)
+        found = fingerprint(self.body(object_id, looks))
+        # A body may be in memory alone, if somebody has cleared the cache.
+        if file.is_file():
+            prints.store(key_of_file(file), pack_fingerprint(found))
+        return found
+
+    def _body_file(self, object_id: str, looks: Looks) -> Path:
+        """Where the cache keeps an object's body."""
+        spec, cache = self[object_id], Cache(self.cache / "bodies")
+        if spec.origin == "procedural":
+            return cache.path(procedural_key(object_id, looks))
+        if spec.origin == "own":
+            return cache.path(own_key(object_id, own_folder(self.own)))
+        return cache.path(scans.scan_key(object_id, scans_folder(self.assets)))
+
+    def table(self, table_id: str, looks: Looks = 1) -> TableMaterial:
         """What a table is made of; see load_table()."""
-        return load_table(table_id, self.assets, Cache(self.cache / "tables"))
+        return load_table(table_id, self.assets, Cache(self.cache / "tables"), looks)
 
 
 def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None = None) -> Library:

@@ -12,9 +12,10 @@ import numpy as np
 from PIL import Image
 
 from probe.assets.cache import Cache, content_key
+from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Material
 from probe.assets.recipes import recipe
-from probe.assets.tabletops import tops
+from probe.assets.tabletops import paint_worn, tops
 from probe.assets.tabletops.noise import normals_of
 from probe.errors import BadData, UnknownName
 from probe.reading import MESH, contents
@@ -82,13 +83,16 @@ def table_ids(assets: Path | None) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=4)
-def load_table(id: str, assets: Path | None, cache: Cache | None = None) -> TableMaterial:
+def load_table(
+    id: str, assets: Path | None, cache: Cache | None = None, looks: Looks = 1
+) -> TableMaterial:
     """A table material by id; those drawn by formula take half a second the first time.
 
     Args:
         id: Which.
         assets: Folder of extra assets; None if only those drawn by formula are wanted.
         cache: Keeps what is drawn by formula; None to draw it each time.
+        looks: How one that is drawn by formula looks.
 
     Raises:
         UnknownName: No material has this id.
@@ -96,7 +100,7 @@ def load_table(id: str, assets: Path | None, cache: Cache | None = None) -> Tabl
         OutputFailed: The cache can't be written.
     """
     if id in tops():
-        return _painted(id, cache)
+        return _painted(id, cache, looks)
     known = table_ids(assets)
     if assets is None or id not in known:
         folder = "the folder that PROBE_ASSETS names" if assets is None else str(assets)
@@ -105,26 +109,35 @@ def load_table(id: str, assets: Path | None, cache: Cache | None = None) -> Tabl
     return _photographed(id, assets / "textures")
 
 
-def _painted(id: str, cache: Cache | None) -> TableMaterial:
-    key = content_key("table top", recipe("probe.assets.tabletops"), id)
+def _painted(id: str, cache: Cache | None, looks: Looks) -> TableMaterial:
+    key = content_key("table top", recipe("probe.assets.tabletops"), id, str(looks))
     stored = cache.load(key) if cache else None
     if stored is not None:
         tile, rough, metallic = (float(value) for value in stored["numbers"])
-        return TableMaterial(id, stored["texture"], tile, rough, stored["normal"], metallic)
-    made = _paint(id)
+        rough_map = stored.get("roughness_map")
+        return TableMaterial(
+            id, stored["texture"], tile, rough, stored["normal"], metallic, rough_map
+        )
+    made = _paint(id, looks)
     if cache:
         numbers = np.array([made.tile_size, made.roughness, made.metallic])
         assert made.normal is not None
-        cache.store(key, {"texture": made.texture, "normal": made.normal, "numbers": numbers})
+        maps = {} if made.roughness_map is None else {"roughness_map": made.roughness_map}
+        pictures = {"texture": made.texture, "normal": made.normal}
+        cache.store(key, pictures | maps | {"numbers": numbers})
     return made
 
 
-def _paint(id: str) -> TableMaterial:
-    seed = int.from_bytes(hashlib.sha256(id.encode()).digest()[:8], "big")
-    sheet = tops()[id].paint(np.random.default_rng(seed))
+def _paint(id: str, looks: Looks) -> TableMaterial:
+    rng = np.random.default_rng(int.from_bytes(hashlib.sha256(id.encode()).digest()[:8], "big"))
+    sheet = tops()[id].paint(rng) if looks == 1 else paint_worn(tops()[id], rng)
     texture = np.clip(np.round(sheet.colour), 0, 255).astype(np.uint8)
     normal = normals_of(sheet.height, sheet.tile_size / len(sheet.height))
-    return TableMaterial(id, texture, sheet.tile_size, sheet.roughness, normal, sheet.metallic)
+    rough = sheet.roughness_map
+    bytes_ = None if rough is None else np.round(255 * rough).astype(np.uint8)
+    return TableMaterial(
+        id, texture, sheet.tile_size, sheet.roughness, normal, sheet.metallic, bytes_
+    )
 
 
 def _photographed(id: str, textures: Path) -> TableMaterial:

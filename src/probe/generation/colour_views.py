@@ -12,13 +12,13 @@ from probe.generation.palettes import shades
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
-from probe.scene.lighting import AMBIENT, Lighting
+from probe.scene.lighting import Lighting
 from probe.scene.scene import Scene
 from probe.tasks.type_rules import Form
 from probe.types import Array, Frame
 
-LIGHTS = (AMBIENT, Lighting("workshop"))
-"""Lights in which an answer must hold; the second has a colour of its own."""
+OTHER_LIGHT = Lighting("workshop")
+"""In which an answer must hold as well as in the scene's own light; it has a colour of its own."""
 
 
 class ColourViews:
@@ -36,9 +36,10 @@ class ColourViews:
         compared: Sequence[int],
         library: Library,
     ) -> None:
-        load_scene(renderer, scene, library, library.table(scene.table))
-        self.lights = [light.name for light in LIGHTS]
-        self._lit = {light.name: light_of(light, library.assets) for light in LIGHTS}
+        load_scene(renderer, scene, library)
+        lights = (Lighting(scene.setup.lighting), OTHER_LIGHT)
+        self.lights = [light.name for light in lights]
+        self._lit = {light.name: light_of(light, library.assets) for light in lights}
         self._renderer = renderer
         self._scene = scene
         self._labels = labels

@@ -78,8 +78,7 @@ class FirstLook:
 
 def look_at(task: Task, library: Library, renderer: Renderer) -> FirstLook:
     """Look at a task's table as an agent's first picture shows it; replaces what was loaded."""
-    table = library.table(task.scene.table)
-    load_scene(renderer, task.scene, library, table)
+    load_scene(renderer, task.scene, library)
     camera = task.viewpoint.camera
     seen = measure(renderer, task.scene, camera)
     shares = {number: each.fraction for number, each in seen.items()}
@@ -90,7 +89,7 @@ def look_at(task: Task, library: Library, renderer: Renderer) -> FirstLook:
 
 def visible_areas(task: Task, library: Library, renderer: Renderer) -> dict[str, int]:
     """Pixels that show of the thing at each mark; replaces what was loaded."""
-    load_scene(renderer, task.scene, library, library.table(task.scene.table))
+    load_scene(renderer, task.scene, library)
     labels = labels_of(renderer, task.scene, task.viewpoint.camera)
     spots = {mark.letter: labels[mark.point[::-1]] for mark in task.marks}
     return {letter: int(np.count_nonzero(labels == spot)) for letter, spot in spots.items()}

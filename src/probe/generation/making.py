@@ -46,7 +46,7 @@ class TaskMaker:
     def __call__(self) -> Generator[Callable[[_Begun], bytes]]:
         """Open the library and start a renderer; gives what makes a task."""
         things = self.library()
-        with Renderer(things.light_cache) as renderer:
+        with Renderer(things.light_cache, self.setup.renderer) as renderer:
             yield partial(
                 self._made,
                 BuildResources(

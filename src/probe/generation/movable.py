@@ -41,7 +41,7 @@ _DIRECTIONS: tuple[Direction, ...] = ("up", "down", "left", "right")
 
 def immovable(task: Task, library: Library, renderer: Renderer) -> str | None:
     """Which of the things that have to go can't be moved, for people; None if all can."""
-    load_scene(renderer, task.scene, library, library.table(task.scene.table))
+    load_scene(renderer, task.scene, library)
     for instance in necessary(task, renderer):
         worked = failed = 0
         while worked < ENOUGH and failed <= TRIES - ENOUGH:

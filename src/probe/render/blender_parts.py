@@ -100,7 +100,7 @@ def sun_of(sun: Sun) -> bpy.types.Object:
     strength = max(sun.irradiance)
     lamp.energy = math.pi * strength
     lamp.color = [channel / strength for channel in sun.irradiance]
-    lamp.angle = math.radians(_SUN_SIZE_DEG)
+    lamp.angle = math.radians(_SUN_SIZE_DEG * sun.size)
     made = bpy.data.objects.new("sun", lamp)
     made.matrix_world = _facing(np.array(sun.towards))
     return made

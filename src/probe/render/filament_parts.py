@@ -28,7 +28,6 @@ _SUN_INTENSITY = 39321.6 * np.pi
 _METAL = 0.6
 """How much like a mirror bare metal is: a whole one shows a dark ceiling, not its own colour."""
 
-_SHADOW_MAP_PX = 2048
 _SUN_RADIUS = 0.05
 """Of the bulb in metres: what makes shadows soft."""
 
@@ -46,11 +45,17 @@ class Factory:
     """Makes parts within one Context, and keeps alive what Filament reads later.
 
     Filament reads from another thread and owns nothing it is given.
+
+    Args:
+        context: What they are made in.
+        glossy: Whether surfaces have highlights.
+        shadow_px: Edge of the map of the sun's shadows.
     """
 
-    def __init__(self, context: mjrf.Context, glossy: bool) -> None:
+    def __init__(self, context: mjrf.Context, *, glossy: bool, shadow_px: int) -> None:
         self._context = context
         self._glossy = glossy
+        self._shadow_px = shadow_px
         self._alive: list[object] = []
 
     def upload(self, mesh: PackedMesh) -> Uploaded:
@@ -109,8 +114,8 @@ class Factory:
                 color=np.array(sun.irradiance, np.float32) / np.float32(strength),
                 intensity=_SUN_INTENSITY * strength,
                 cast_shadow=True,
-                shadow_map_size=_SHADOW_MAP_PX,
-                bulb_radius=_SUN_RADIUS,
+                shadow_map_size=self._shadow_px,
+                bulb_radius=_SUN_RADIUS * sun.size,
             )
         )
         towards = np.array(sun.towards, np.float32)
@@ -178,8 +183,8 @@ def _mesh_config(mesh: PackedMesh) -> mjrf.MeshConfig:
     )
 
 
-def filament_camera(camera: Camera) -> mjrf.Camera:
-    """A camera as Filament wants it: by its frustum, looking along -z."""
+def filament_camera(camera: Camera, far: float = FAR) -> mjrf.Camera:
+    """A camera as Filament wants it: by its frustum, looking along -z; it sees so many metres."""
     rotation = camera.world_from_camera.rotation
     top = NEAR * camera.height_px / 2 / camera.focal_px
     return mjrf.Camera(
@@ -191,6 +196,6 @@ def filament_camera(camera: Camera) -> mjrf.Camera:
         frustum_bottom=-top,
         frustum_top=top,
         frustum_near=NEAR,
-        frustum_far=FAR,
+        frustum_far=far,
         orthographic=False,
     )

@@ -21,10 +21,12 @@ class Sun:
         towards: Unit vector from the table to the sun, world frame.
         irradiance: Red, green and blue on a surface that faces the sun, divided by pi: what it
             adds to the picture of a white one.
+        size: How wide it is beside a usual one: what makes its shadows soft.
     """
 
     towards: Vector3
     irradiance: Vector3
+    size: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)

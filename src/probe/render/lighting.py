@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import lru_cache
 from pathlib import Path
 
-from probe.assets.environments import environment_names, load_environment
+from probe.assets.environments import environment_names, load_environment, sun_size
 from probe.errors import UnknownName
 from probe.render import illumination
 from probe.render.illumination import Illumination
 from probe.render.sunlight import illuminate
-from probe.scene.lighting import AMBIENT, Lighting
+from probe.scene.lighting import AMBIENT, ROOM, Lighting
 
 
 @lru_cache(maxsize=2)
@@ -23,7 +23,8 @@ def light_of(lighting: Lighting, assets: Path | None) -> Illumination:
     """
     if lighting == AMBIENT:
         return illumination.AMBIENT
-    known = environment_names(assets)
+    known = (ROOM.name, *environment_names(assets))
     if lighting.name not in known:
         raise UnknownName("lighting", lighting.name, [AMBIENT.name, *known])
-    return illuminate(load_environment(lighting.name, assets), lighting.yaw)
+    radiance = load_environment(lighting.name, assets)
+    return illuminate(radiance, lighting.yaw, sun_size(lighting.name))

@@ -7,7 +7,7 @@ neither harm. The worker itself never touches the driver: that is what makes for
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from multiprocessing.connection import Connection
 from typing import Protocol, cast
@@ -17,7 +17,7 @@ from probe.processes.worker_process import WorkerProcess, WorkerSilent
 from probe.render.filament import Drawer
 from probe.render.light_packing import LightPacker
 from probe.render.packing import PackedMesh
-from probe.render.protocol import DrawRequest, Load
+from probe.render.protocol import DrawRequest, DrawSeries, Load
 from probe.types import Array
 
 
@@ -29,13 +29,15 @@ class Packed(Protocol):
 
 
 class Painter(Protocol):
-    """Draws one picture at a time: begin(), do something else, finish()."""
+    """Draws one picture at a time: begin(), do something else, finish(); or a whole series."""
 
     def load(self, load: Load, packed: Packed) -> None: ...
 
     def begin(self, request: DrawRequest) -> None: ...
 
     def finish(self) -> Array: ...
+
+    def series(self, request: DrawSeries) -> Iterator[Array]: ...
 
 
 class FilamentPainter:
@@ -67,6 +69,21 @@ class FilamentPainter:
         self._child.end(patience=None)
         return cast(Array, picture)
 
+    def series(self, request: DrawSeries) -> Iterator[Array]:
+        """All pictures of one child, which costs a fifth of as many children."""
+        packed, light = self._packed, self._lights.pack(request.light)
+        assert packed is not None
+
+        def paint(pipe: Connection) -> None:
+            drawer = Drawer(packed.meshes, packed.table, light, quick=True)
+            for moment in request.moments:
+                pipe.send(drawer.rgb(moment, request.camera, request.far))
+
+        child = fork(self._client, paint)
+        for _ in request.moments:
+            yield cast(Array, child.receive())
+        child.end(patience=None)
+
 
 class BlenderPainter:
     """One process of Blender's for all pictures: starting it takes seconds, and it forgets all."""
@@ -85,6 +102,11 @@ class BlenderPainter:
     def finish(self) -> Array:
         with _end_alike():
             return cast(Array, self._process.receive())
+
+    def series(self, request: DrawSeries) -> Iterator[Array]:
+        for moment in request.moments:
+            self.begin(DrawRequest(moment, request.camera, request.light))
+            yield self.finish()
 
 
 @contextmanager

@@ -12,10 +12,21 @@ from probe.scene.visibility import Visibility, visibilities
 from probe.types import Array, Camera, Frame
 
 
-def load_scene(renderer: Renderer, scene: Scene, library: Library, table: TableMaterial) -> None:
-    """Give the renderer every object of the scene, and its table."""
-    meshes = {item.object_id: library.body(item.object_id).mesh for item in scene.objects}
-    renderer.load(meshes, TableTop(table.surface, table.tile_size, scene.setup.table_size))
+def load_scene(
+    renderer: Renderer, scene: Scene, library: Library, table: TableMaterial | None = None
+) -> None:
+    """Give the renderer every object of the scene, and its table.
+
+    Args:
+        renderer: What it had loaded is replaced.
+        scene: Its set-up says how things look.
+        library: Has its objects.
+        table: Another one than the scene's own.
+    """
+    looks = scene.setup.looks
+    meshes = {item.object_id: library.body(item.object_id, looks).mesh for item in scene.objects}
+    top = table or library.table(scene.table, looks)
+    renderer.load(meshes, TableTop(top.surface, top.tile_size, scene.setup.table_size))
 
 
 def photograph(

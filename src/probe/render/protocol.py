@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.render.illumination import Illumination
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera
-
-Engine = Literal["filament", "blender"]
-"""What draws colour pictures."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +44,27 @@ class DrawRequest:
     objects: tuple[PlacedObject, ...]
     camera: Camera
     light: Illumination | None
+
+
+@dataclass(frozen=True, eq=False)
+class DrawSeries:
+    """Draw colour pictures of several moments; the answers are Pictures of one each.
+
+    Attributes:
+        moments: What stands where in each, in the order of drawing.
+        light: What falls on it.
+        far: How far the camera sees, metres.
+    """
+
+    moments: tuple[tuple[PlacedObject, ...], ...]
+    camera: Camera
+    light: Illumination
+    far: float
+
+    @property
+    def objects(self) -> tuple[PlacedObject, ...]:
+        """All that stands in any of them."""
+        return tuple(placed for moment in self.moments for placed in moment)
 
 
 @dataclass(frozen=True)
@@ -89,5 +106,12 @@ class Outlines:
     masks: dict[int, Array]
 
 
-Request = Load | DrawRequest | Label | Outline
-Answer = DrawReply | Labels | Outlines | None
+@dataclass(frozen=True, eq=False)
+class Pictures:
+    """Colour pictures, uint8, each of shape (h, w, 3)."""
+
+    rgb: tuple[Array, ...]
+
+
+Request = Load | DrawRequest | DrawSeries | Label | Outline
+Answer = DrawReply | Labels | Outlines | Pictures | None

@@ -18,19 +18,21 @@ from probe.render.protocol import (
     Answer,
     DrawReply,
     DrawRequest,
-    Engine,
+    DrawSeries,
     Label,
     Labels,
     Load,
     Outline,
     Outlines,
+    Pictures,
     Request,
     TableTop,
 )
 from probe.scene.scene import PlacedObject
+from probe.scene.setup import RendererName
 from probe.types import Array, Camera, Frame
 
-TIMEOUTS: dict[Engine, float] = {"filament": 120.0, "blender": 900.0}
+TIMEOUTS: dict[RendererName, float] = {"filament": 120.0, "blender": 900.0}
 """Seconds after which a silent worker counts as dead; a cold shader cache takes Filament about 10,
 Blender up to 50, and one picture of Blender's 30 on two idle cores without GPU."""
 
@@ -51,12 +53,12 @@ class Renderer:
         MissingExtra: Blender isn't installed.
     """
 
-    def __init__(self, cache: Path | None = None, engine: Engine = "filament") -> None:
+    def __init__(self, cache: Path | None = None, engine: RendererName = "filament") -> None:
         require_driver()
         if engine == "blender":
             require_blender()
         self._cache = cache
-        self._engine: Engine = engine
+        self._engine: RendererName = engine
         self._load: Load | None = None
         self._worker: _Worker | None = None
 
@@ -76,6 +78,11 @@ class Renderer:
         if self._worker:
             self._worker.stop()
         self._worker = None
+
+    @property
+    def name(self) -> RendererName:
+        """What draws colour."""
+        return self._engine
 
     @property
     def pid(self) -> int | None:
@@ -122,7 +129,32 @@ class Renderer:
         assert isinstance(answer, Outlines)
         return answer.masks
 
-    def _ask_of(self, request: DrawRequest | Label | Outline) -> Answer:
+    def series(
+        self,
+        moments: Sequence[Sequence[PlacedObject]],
+        camera: Camera,
+        light: Illumination,
+        far: float,
+    ) -> tuple[Array, ...]:
+        """Pictures of loaded objects at several moments, uint8, each of shape (h, w, 3).
+
+        Much sooner than one by one. The bytes of each depend on its place in the series, too.
+
+        Args:
+            moments: What stands where in each.
+            camera: From where.
+            light: What falls on it.
+            far: How far the camera sees, metres.
+
+        Raises:
+            RenderFailed: The worker died twice on this request.
+            ValueError: An object isn't loaded.
+        """
+        drawn = self._ask_of(DrawSeries(tuple(map(tuple, moments)), camera, light, far))
+        assert isinstance(drawn, Pictures)
+        return drawn.rgb
+
+    def _ask_of(self, request: DrawRequest | DrawSeries | Label | Outline) -> Answer:
         loaded = self._load.meshes if self._load else {}
         missing = sorted({each.object_id for each in request.objects} - loaded.keys())
         if missing:
@@ -154,7 +186,7 @@ class Renderer:
 class _Worker:
     """One worker process and the socket to it."""
 
-    def __init__(self, engine: Engine, cache: Path | None) -> None:
+    def __init__(self, engine: RendererName, cache: Path | None) -> None:
         folder = [] if cache is None else [str(cache)]
         # The engines report their set-up on stdout and their faults on stderr.
         self._errors = tempfile.TemporaryFile("w+")  # noqa: SIM115 - closed in stop()
@@ -169,6 +201,12 @@ class _Worker:
 
     def ask(self, request: Request) -> Answer:
         self._process.send(request)
+        if isinstance(request, DrawSeries):
+            each = (cast(Pictures, self._receive()) for _ in request.moments)
+            return Pictures(tuple(one for answer in each for one in answer.rgb))
+        return self._receive()
+
+    def _receive(self) -> Answer:
         return cast(Answer, self._process.receive(self._timeout))
 
     def last_words(self) -> str:

@@ -28,12 +28,13 @@ _LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _SEARCH_PX = 64
 
 
-def illuminate(radiance: Array, yaw: float) -> Illumination:
+def illuminate(radiance: Array, yaw: float, sun_size: float = 1.0) -> Illumination:
     """Light of a panorama that is turned about the vertical.
 
     Args:
         radiance: Linear RGB, shape (h, 2 h, 3), at yaw 0 as Illumination has it.
         yaw: Radians, anticlockwise seen from above; to the nearest column.
+        sun_size: As a Sun has it.
     """
     width = radiance.shape[1]
     turned = np.roll(radiance.astype(np.float32), -round(yaw / (2 * np.pi) * width), axis=1)
@@ -45,7 +46,7 @@ def illuminate(radiance: Array, yaw: float) -> Illumination:
     facing = sun * scale / raised[2]
     return Illumination(
         _half(dimmed * scale),
-        Sun(raised, (float(facing[0]), float(facing[1]), float(facing[2]))),
+        Sun(raised, (float(facing[0]), float(facing[1]), float(facing[2])), sun_size),
         _half(turned * scale),
     )
 

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -26,11 +27,13 @@ from probe.render.protocol import (
     Answer,
     DrawReply,
     DrawRequest,
+    DrawSeries,
     Label,
     Labels,
     Load,
     Outline,
     Outlines,
+    Pictures,
     Request,
 )
 from probe.types import Array
@@ -110,16 +113,27 @@ def serve(client: Connection, painter: Painter) -> None:
                 loaded.stop()
             loaded = _Loaded(request, client)
             painter.load(request, loaded)
-            answer: Answer = None
+            client.send(None)
         elif loaded is None:
             raise ValueError("Draw before Load")
-        elif isinstance(request, DrawRequest):
-            answer = loaded.draw(request, painter)
-        elif isinstance(request, Label):
-            answer = loaded.labels(request)
         else:
-            answer = loaded.outlines(request)
-        client.send(answer)
+            for answer in _answers(request, loaded, painter):
+                client.send(answer)
+
+
+def _answers(
+    request: DrawRequest | DrawSeries | Label | Outline, loaded: _Loaded, painter: Painter
+) -> Iterator[Answer]:
+    """One answer, or one for each picture of a series."""
+    if isinstance(request, DrawSeries):
+        for picture in painter.series(request):
+            yield Pictures((picture,))
+    elif isinstance(request, DrawRequest):
+        yield loaded.draw(request, painter)
+    elif isinstance(request, Label):
+        yield loaded.labels(request)
+    else:
+        yield loaded.outlines(request)
 
 
 def _painter(client: Connection, engine: str, cache: str | None) -> Painter:

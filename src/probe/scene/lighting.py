@@ -10,7 +10,7 @@ class Lighting:
     """A kind of light.
 
     Attributes:
-        name: "ambient", or the surroundings whose picture lights the table.
+        name: "ambient", "day_room", or the surroundings whose picture lights the table.
         yaw: How far the surroundings are turned about the vertical, radians, anticlockwise seen
             from above; 0 shows the middle of their panorama to the front camera.
     """
@@ -21,6 +21,10 @@ class Lighting:
 
 AMBIENT = Lighting("ambient")
 """Even grey light from everywhere, no cast shadow."""
+
+
+ROOM = Lighting("day_room")
+"""Daylight from a window at the left, with soft shadows: what new scenes stand in."""
 
 
 def hdri(name: str, yaw: float = 0.0) -> Lighting:

@@ -7,9 +7,12 @@ the robot, y to its left. In the top camera's picture the right is +x and the to
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal
 
+from probe.assets.looks import NEWEST_LOOKS, Looks
 from probe.scene.cameras import CameraPlacement, View
+from probe.scene.lighting import AMBIENT, ROOM
 from probe.types import Camera, PictureScale, Pose, Vector3
 
 BASKET_CAMERA_HEIGHT = 1.2
@@ -25,9 +28,16 @@ FLOOR_DEPTH = 0.75
 """How far below the table's top the floor lies."""
 
 
+RendererName = Literal["filament", "blender"]
+"""What draws colour pictures; depth and labels are Filament's either way."""
+
+ArmName = Literal["ur5", "jaco"]
+"""The arms: Universal Robots' UR5, and Kinova's Jaco j2s6s300."""
+
+
 @dataclass(frozen=True)
 class ArmMount:
-    """Where the arm, a UR5, stands and waits.
+    """Which arm it is, and where it stands and waits.
 
     Attributes:
         base: world_from_base. By default the arm points along +x at shoulder pan 0; on its
@@ -35,6 +45,7 @@ class ArmMount:
             above, and standing on the table it would miss an eighth of them.
         parked: Joint angles at which it is out of every camera's view, radians. By default they
             keep the robot behind x = -0.42 m, hand down.
+        arm: Which one.
     """
 
     base: Pose = Pose((-0.5, 0.0, 0.2), (0.0, 0.0, 0.0, 1.0))
@@ -46,6 +57,7 @@ class ArmMount:
         -math.pi / 2,
         0.0,
     )
+    arm: ArmName = "ur5"
 
 
 @dataclass(frozen=True)
@@ -87,7 +99,7 @@ class Setup:
 
     Attributes:
         name: What people call it.
-        mount: The arm's place.
+        mount: The arm and its place.
         gripper: The hand's sizes.
         top: The camera that looks straight down. Whatever settles has to lie in its view.
         front: The oblique camera, before the edge that the top camera's picture shows below.
@@ -96,7 +108,11 @@ class Setup:
         work_area: Edge of the square around the origin in which objects are dropped.
         table_size: Extent of the table's top along x and y.
         picture_px: Edge of the pictures in pixels.
-        depth_noise: Standard deviation of the depth that cameras measure, at each pixel.
+        depth_noise: Standard deviation of the depth that cameras measure, at each pixel of one
+            picture; a look fuses several.
+        lighting: Name of the light that its pictures are taken in, unless a run says otherwise.
+        looks: How its table and things look.
+        renderer: What draws its pictures, unless a run says otherwise.
     """
 
     name: str = "ur5"
@@ -109,6 +125,9 @@ class Setup:
     table_size: tuple[float, float] = (1.6, 1.4)
     picture_px: int = 1024
     depth_noise: float = 0.0
+    lighting: str = AMBIENT.name
+    looks: Looks = 1
+    renderer: RendererName = "filament"
 
     @property
     def view_size(self) -> float:
@@ -135,6 +154,33 @@ class Setup:
 
 UR5_TABLE = Setup()
 """The set-up of the packaged suites."""
+
+
+def newest(
+    setup: Setup,
+    lighting: str | None = None,
+    looks: Looks = NEWEST_LOOKS,
+    renderer: RendererName = "filament",
+) -> Setup:
+    """A set-up as new scenes have it: with today's looks, in a light that casts shadows.
+
+    Args:
+        setup: Any.
+        lighting: Name of a light; by default the set-up's own, and the room's where that is even.
+        looks: How table and things look.
+        renderer: What draws them.
+    """
+    own = ROOM.name if setup.lighting == AMBIENT.name else setup.lighting
+    return replace(setup, lighting=lighting or own, looks=looks, renderer=renderer)
+
+
+def as_of_old(setup: Setup) -> Setup:
+    """A set-up whose pictures are taken like those of the packaged suites."""
+    return replace(setup, lighting=AMBIENT.name, looks=1, renderer="filament")
+
+
+ROOM_TABLE = newest(UR5_TABLE)
+"""The set-up of new scenes."""
 
 
 def picture_scale(setup: Setup, camera: Camera) -> PictureScale:

@@ -10,10 +10,20 @@ from typing import Annotated, Literal
 import numpy as np
 import pydantic
 
+from probe.assets.looks import Looks
 from probe.files import read_document
 from probe.scene.cameras import CameraPlacement, View
 from probe.scene.pose_document import Rotation
-from probe.scene.setup import UR5_TABLE, ArmMount, Basket, GripperSize, Setup
+from probe.scene.setup import (
+    UR5_TABLE,
+    ArmMount,
+    ArmName,
+    Basket,
+    GripperSize,
+    RendererName,
+    Setup,
+    as_of_old,
+)
 from probe.types import Pose
 
 MOST_PX = 4096
@@ -31,13 +41,23 @@ class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
 
 
 class MountDocument(_Document):
-    """Where the arm stands, and its joint angles when it is parked, radians."""
+    """Which arm it is, where it stands, and its joint angles when it is parked, radians."""
 
     position: _Place = UR5_TABLE.mount.base.position
     wxyz: Rotation = UR5_TABLE.mount.base.wxyz
     parked: tuple[float, ...] = pydantic.Field(
         default=UR5_TABLE.mount.parked, min_length=6, max_length=6
     )
+    # Left out where it is the usual one, as files of before there was another do.
+    arm: ArmName = pydantic.Field(
+        default=UR5_TABLE.mount.arm, exclude_if=lambda arm: arm == UR5_TABLE.mount.arm
+    )
+
+    @pydantic.model_validator(mode="after")
+    def _waits_where_it_says(self) -> MountDocument:
+        if self.arm != UR5_TABLE.mount.arm and "parked" not in self.model_fields_set:
+            raise ValueError(f"parked: say the joint angles at which the {self.arm} waits")
+        return self
 
 
 class GripperDocument(_Document):
@@ -89,7 +109,17 @@ class SetupDocument(_Document):
     work_area: float = pydantic.Field(default=UR5_TABLE.work_area, ge=0.2, le=1)
     table_size: tuple[_Length, _Length] = UR5_TABLE.table_size
     picture_px: int = pydantic.Field(default=UR5_TABLE.picture_px, ge=256, le=MOST_PX)
-    depth_noise: float = pydantic.Field(default=UR5_TABLE.depth_noise, ge=0, le=0.002)
+    depth_noise: float = pydantic.Field(default=UR5_TABLE.depth_noise, ge=0, le=0.003)
+    # Left out where they are the usual ones, as files of before there were others do.
+    lighting: str = pydantic.Field(
+        default=UR5_TABLE.lighting, exclude_if=lambda it: it == UR5_TABLE.lighting
+    )
+    looks: Looks = pydantic.Field(
+        default=UR5_TABLE.looks, exclude_if=lambda it: it == UR5_TABLE.looks
+    )
+    renderer: RendererName = pydantic.Field(
+        default=UR5_TABLE.renderer, exclude_if=lambda it: it == UR5_TABLE.renderer
+    )
 
     @pydantic.model_validator(mode="after")
     def _fits_together(self) -> SetupDocument:
@@ -97,7 +127,7 @@ class SetupDocument(_Document):
             raise ValueError("work_area: it is wider than what the top camera sees, top.width")
         if self.top.width > min(self.table_size):
             raise ValueError("top.width: the top camera sees beyond the table, table_size")
-        if self.name == UR5_TABLE.name and self.setup() != UR5_TABLE:
+        if self.name == UR5_TABLE.name and as_of_old(self.setup()) != UR5_TABLE:
             raise ValueError(f"name: {self.name} is the usual set-up's, and this one differs")
         if sees_basket(self.setup(), "top"):
             raise ValueError("basket: the top camera sees it; move one of them")
@@ -110,7 +140,10 @@ class SetupDocument(_Document):
         return SetupDocument(
             name=setup.name,
             mount=MountDocument(
-                position=mount.base.position, wxyz=mount.base.wxyz, parked=mount.parked
+                position=mount.base.position,
+                wxyz=mount.base.wxyz,
+                parked=mount.parked,
+                arm=mount.arm,
             ),
             gripper=GripperDocument(**asdict(setup.gripper)),
             top=TopDocument(height=top.eye[2], width=top.width),
@@ -120,6 +153,9 @@ class SetupDocument(_Document):
             table_size=setup.table_size,
             picture_px=setup.picture_px,
             depth_noise=setup.depth_noise,
+            lighting=setup.lighting,
+            looks=setup.looks,
+            renderer=setup.renderer,
         )
 
     def setup(self) -> Setup:
@@ -127,7 +163,7 @@ class SetupDocument(_Document):
         mount, front = self.mount, self.front
         return Setup(
             name=self.name,
-            mount=ArmMount(Pose(mount.position, mount.wxyz), mount.parked),
+            mount=ArmMount(Pose(mount.position, mount.wxyz), mount.parked, mount.arm),
             gripper=GripperSize(**self.gripper.model_dump()),
             top=CameraPlacement.above(self.top.height, self.top.width),
             front=CameraPlacement(front.eye, front.target, front.fov_deg),
@@ -136,6 +172,9 @@ class SetupDocument(_Document):
             table_size=self.table_size,
             picture_px=self.picture_px,
             depth_noise=self.depth_noise,
+            lighting=self.lighting,
+            looks=self.looks,
+            renderer=self.renderer,
         )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from probe.scene.lighting import AMBIENT, Lighting
-from probe.scene.setup import UR5_TABLE
+from probe.scene.setup import UR5_TABLE, RendererName
 from probe.types import Camera
 
 
@@ -16,7 +16,9 @@ class Viewpoint:
     Attributes:
         camera: The fixed one, or one that has strayed.
         lighting: Of colour pictures; depth and labels need none.
+        renderer: What draws them.
     """
 
     camera: Camera = field(default_factory=UR5_TABLE.camera)
     lighting: Lighting = AMBIENT
+    renderer: RendererName = "filament"

@@ -15,8 +15,12 @@ _FORMATS = (".hdr", ".exr")
 
 
 def environment_names(assets: Path | None) -> tuple[str, ...]:
-    """All surroundings: painted rooms, then the panoramas in the extra assets' folder hdris/."""
-    return (*rooms(), *sorted(_panoramas(assets)))
+    """Surroundings to draw from: painted rooms, then the panoramas in the assets' folder hdris/.
+
+    The room that new scenes stand in anyway isn't among them.
+    """
+    painted = (name for name, room in rooms().items() if not room.usual)
+    return (*painted, *sorted(_panoramas(assets)))
 
 
 @lru_cache(maxsize=2)
@@ -33,8 +37,13 @@ def load_environment(name: str, assets: Path | None) -> Array:
         return paint_room(rooms()[name])
     files = _panoramas(assets)
     if name not in files:
-        raise UnknownName("environment", name, list(environment_names(assets)))
+        raise UnknownName("environment", name, [*rooms(), *files])
     return read_panorama(files[name])
+
+
+def sun_size(name: str) -> float:
+    """How wide the brightest spot of surroundings is beside a usual one."""
+    return rooms()[name].sun_size if name in rooms() else 1.0
 
 
 def _panoramas(assets: Path | None) -> dict[str, Path]:

@@ -61,6 +61,8 @@ class Room(_Data):
         eye: Height of the panorama's middle above the floor: just over the table.
         walls: One colour, or four: front, right, back, left.
         pattern: What the floor is laid with, and how wide in metres.
+        sun_size: How wide its brightest spot is beside a usual one: what makes shadows soft.
+        usual: Whether new scenes stand in it; then it isn't drawn as another light.
     """
 
     id: str = Field(pattern=r"^[a-z0-9_]+$")
@@ -72,6 +74,8 @@ class Room(_Data):
     pattern: tuple[Literal["plain", "planks", "tiles"], float] = ("plain", 1.0)
     patches: tuple[WallPatch, ...]
     boxes: tuple[Furniture, ...] = ()
+    sun_size: float = Field(default=1.0, gt=0)
+    usual: bool = False
 
     @property
     def colours(self) -> tuple[Colour, ...]:

@@ -19,7 +19,8 @@ _SPECS = TypeAdapter(tuple[ObjectSpec, ...])
 
 def pack_body(body: Body) -> dict[str, Array]:
     mesh, corners = body.mesh, [piece.vertices for piece in body.pieces]
-    return {
+    maps = {"normal": mesh.surface.normal, "roughness_map": mesh.surface.roughness_map}
+    return {name: pixels for name, pixels in maps.items() if pixels is not None} | {
         "vertices": mesh.vertices,
         "normals": mesh.normals,
         "uvs": mesh.uvs,
@@ -33,7 +34,8 @@ def pack_body(body: Body) -> dict[str, Array]:
 
 def unpack_body(arrays: Mapping[str, Array]) -> Body:
     roughness, metallic = (float(v) for v in arrays["surface"])
-    surface = Material(arrays["texture"], roughness, metallic)
+    maps = arrays.get("normal"), arrays.get("roughness_map")
+    surface = Material(arrays["texture"], roughness, metallic, *maps)
     vertices, normals = arrays["vertices"], arrays["normals"]
     ends = np.cumsum(arrays["counts"])[:-1]
     parts = np.split(arrays["corners"], ends) if len(arrays["counts"]) else []

@@ -44,6 +44,21 @@ def own_specs(folder: Path) -> tuple[ObjectSpec, ...]:
     return tuple(entry.spec for entry in own_entries(folder))
 
 
+def own_key(object_id: str, folder: Path) -> str:
+    """The key of an object's body in the cache.
+
+    Raises:
+        UnknownName: The library holds no such object.
+        BadData: Its entry is broken.
+        BadMesh: Its mesh is missing.
+    """
+    home = folder / object_id
+    if not home.is_dir():
+        raise UnknownName("object of your own", object_id, [spec.id for spec in own_specs(folder)])
+    hollow = read_entry(home / ENTRY).hollow
+    return content_key("own body", VERSION, str(hollow), _bytes(home / MESH))
+
+
 def own_body(object_id: str, folder: Path, cache: Cache) -> Body:
     """Mesh and convex pieces of an object of a library.
 
@@ -53,11 +68,8 @@ def own_body(object_id: str, folder: Path, cache: Cache) -> Body:
         BadMesh: Its mesh is missing or can't be used.
         OutputFailed: The cache can't be written.
     """
-    home = folder / object_id
-    if not home.is_dir():
-        raise UnknownName("object of your own", object_id, [spec.id for spec in own_specs(folder)])
+    key, home = own_key(object_id, folder), folder / object_id
     hollow = read_entry(home / ENTRY).hollow
-    key = content_key("own body", VERSION, str(hollow), _bytes(home / MESH))
     stored = cache.load(key)
     if stored is not None:
         return unpack_body(stored)

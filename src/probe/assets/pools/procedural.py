@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from probe.assets.cache import Cache, content_key
+from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body
 from probe.assets.mesh.packing import LAYOUT, pack_body, pack_specs, unpack_body, unpack_specs
 from probe.assets.procedural import build, specs
@@ -23,17 +24,22 @@ def procedural_specs(cache: Cache) -> tuple[ObjectSpec, ...]:
     return found
 
 
-def procedural_body(object_id: str, cache: Cache) -> Body:
+def procedural_key(object_id: str, looks: Looks) -> str:
+    """The key of an object's body in the cache."""
+    return content_key("procedural body", LAYOUT, recipe(_PACKAGE), object_id, str(looks))
+
+
+def procedural_body(object_id: str, cache: Cache, looks: Looks = 1) -> Body:
     """Mesh and convex pieces of a procedural object.
 
     Raises:
         UnknownName: No procedural object has this id.
         OutputFailed: The cache can't be written.
     """
-    key = content_key("procedural body", LAYOUT, recipe(_PACKAGE), object_id)
+    key = procedural_key(object_id, looks)
     stored = cache.load(key)
     if stored is not None:
         return unpack_body(stored)
-    body = build(object_id)
+    body = build(object_id, looks)
     cache.store(key, pack_body(body))
     return body

@@ -36,6 +36,20 @@ def scan_specs(folder: Path, cache: Cache) -> tuple[ObjectSpec, ...]:
     return specs
 
 
+def scan_key(object_id: str, folder: Path) -> str:
+    """The key of a confirmed scan's body in the cache.
+
+    Raises:
+        UnknownName: No confirmed scan has this id.
+        BadMesh: Its file can't be read.
+    """
+    rows = _confirmed()
+    if object_id not in rows:
+        raise UnknownName("scan", object_id, list(rows))
+    row = rows[object_id]
+    return content_key("scan body", VERSION, f"{row.up} {row.hollow}", _bytes(folder, object_id))
+
+
 def scan_body(object_id: str, folder: Path, cache: Cache) -> Body:
     """Mesh and convex pieces of a confirmed scan.
 
@@ -44,12 +58,7 @@ def scan_body(object_id: str, folder: Path, cache: Cache) -> Body:
         BadMesh: Its file can't be used.
         OutputFailed: The cache can't be written.
     """
-    rows = _confirmed()
-    if object_id not in rows:
-        raise UnknownName("scan", object_id, list(rows))
-    row = rows[object_id]
-    content = _bytes(folder, object_id)
-    key = content_key("scan body", VERSION, f"{row.up} {row.hollow}", content)
+    key, row = scan_key(object_id, folder), _confirmed()[object_id]
     stored = cache.load(key)
     if stored is not None:
         return unpack_body(stored)

@@ -10,6 +10,9 @@ from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.paint.canvas import Canvas
 from probe.assets.procedural.paint.data import Paint
+from probe.assets.procedural.paint.refined import refined
+from probe.assets.procedural.paint.wear import worn
+from probe.assets.tabletops.noise import normals_of
 from probe.types import Array
 
 SIDE_PX = 1024
@@ -22,21 +25,51 @@ def paint(
     roughness: float,
     metallic: float,
     rng: np.random.Generator,
+    wear: np.random.Generator | None = None,
 ) -> TexturedMesh:
-    """Paint each surface and join all into one mesh, in their order."""
+    """Paint each surface and join all into one mesh, in their order.
+
+    Args:
+        sheets: Surfaces and what each is painted with.
+        roughness: Of the material; with wear, its mean.
+        metallic: Of the material.
+        rng: Source of what paints scatter.
+        wear: Source of the traces of use; None for a thing that looks new, without relief.
+    """
     extents = np.array([sheet.extent for sheet, _ in sheets])
     density, corners = _packed(extents)
     texture = np.full((SIDE_PX, SIDE_PX, 3), 128, dtype=np.uint8)
+    rough = np.full((SIDE_PX, SIDE_PX), _byte(roughness), dtype=np.uint8)
+    normal = np.full((SIDE_PX, SIDE_PX, 3), (128, 128, 255), dtype=np.uint8)
     uvs: list[Array] = []
     for (sheet, look), (x, y) in zip(sheets, corners, strict=True):
         width, height = _pixels(np.array(sheet.extent), density)
-        picture = look.draw(Canvas(sheet, int(width), int(height), density), rng)
-        bytes_ = (np.clip(picture, 0, 1) * 255 + 0.5).astype(np.uint8)
-        framed = np.pad(bytes_, ((GUTTER_PX,) * 2, (GUTTER_PX,) * 2, (0, 0)), mode="edge")
-        texture[y : y + framed.shape[0], x : x + framed.shape[1]] = framed
+        canvas = Canvas(sheet, int(width), int(height), density)
+        if wear is None:
+            _put(texture, _byte(look.draw(canvas, rng)), x, y)
+        else:
+            look = refined(look)
+            used = worn(look.draw(canvas, rng), look, canvas, wear)
+            _put(texture, _byte(used.colour), x, y)
+            _put(rough, _byte(np.maximum(roughness * used.roughness, 0.05)), x, y)
+            _put(normal, normals_of(used.height, 1.0), x, y)
         offset = np.array([x, y]) + GUTTER_PX
         uvs.append((offset + sheet.uvs.reshape(-1, 2) * [width, height]) / SIDE_PX)
-    return _joined([sheet for sheet, _ in sheets], uvs, Material(texture, roughness, metallic))
+    maps = () if wear is None else (normal, rough)
+    surface = Material(texture, roughness, metallic, *maps)
+    return _joined([sheet for sheet, _ in sheets], uvs, surface)
+
+
+def _byte(values: Array | float) -> Array:
+    """0 to 1 as 0 to 255."""
+    return (np.clip(values, 0, 1) * 255 + 0.5).astype(np.uint8)
+
+
+def _put(whole: Array, picture: Array, x: int, y: int) -> None:
+    """Put a picture into its frame, with its rim repeated around it; in place."""
+    rims = ((GUTTER_PX,) * 2, (GUTTER_PX,) * 2, (0, 0))[: picture.ndim]
+    framed = np.pad(picture, rims, mode="edge")
+    whole[y : y + framed.shape[0], x : x + framed.shape[1]] = framed
 
 
 def _joined(sheets: list[Sheet], uvs: list[Array], surface: Material) -> TexturedMesh:

@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 
+from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.assets.procedural.atlas import paint
 from probe.assets.procedural.form.sheet import Sheet
@@ -92,8 +93,8 @@ def specs() -> tuple[ObjectSpec, ...]:
     return tuple(_spec(entry, extents[entry.shape]) for entry in entries().values())
 
 
-def build(object_id: str) -> Body:
-    """Mesh and convex pieces of an object, the same bytes each time.
+def build(object_id: str, looks: Looks = 1) -> Body:
+    """Mesh and convex pieces of an object, the same bytes each time; shapes are alike in all looks.
 
     Raises:
         UnknownName: No procedural object has this id.
@@ -103,8 +104,9 @@ def build(object_id: str) -> Body:
         raise UnknownName("procedural object", object_id, list(known))
     entry = known[object_id]
     surfaces, pieces = assemble(entry)
-    looks = [(sheet, entry.paints[name]) for sheet, name in surfaces]
-    mesh = paint(looks, entry.roughness, entry.metallic, rng_of(entry.id))
+    painted = [(sheet, entry.paints[name]) for sheet, name in surfaces]
+    wear = None if looks == 1 else rng_of(f"{entry.id} in use")
+    mesh = paint(painted, entry.roughness, entry.metallic, rng_of(entry.id), wear)
     return Body(mesh, tuple(ConvexPiece(corners) for corners in pieces))
 
 

@@ -15,6 +15,7 @@ from probe.assets.tabletops.laid import SheetMetal, Tiles
 from probe.assets.tabletops.sheet import TableTile, Top
 from probe.assets.tabletops.stone import CastStone, Cork, Granite, Marble, Slate, Terrazzo
 from probe.assets.tabletops.wood import Planks
+from probe.assets.tabletops.worn import paint_worn
 from probe.errors import BadData
 from probe.files import fault
 
@@ -48,4 +49,4 @@ def _top(raw: dict[str, Any]) -> Top:
         raise BadData("tabletops.yaml", reason, "Correct it.") from error
 
 
-__all__ = ["TableTile", "Top", "tops"]
+__all__ = ["TableTile", "Top", "paint_worn", "tops"]

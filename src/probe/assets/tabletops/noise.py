@@ -92,10 +92,10 @@ def ramp(values: Array, low: float, high: float) -> Array:
 
 
 def normals_of(height: Array, texel: float) -> Array:
-    """Normal map in the OpenGL convention (green up), uint8, shape (SIZE, SIZE, 3).
+    """Normal map in the OpenGL convention (green up), uint8, shape (h, w, 3).
 
     Args:
-        height: Metres, periodic, shape (SIZE, SIZE).
+        height: Metres, periodic, shape (h, w).
         texel: Metres along a pixel's edge.
     """
     slope_u: Array = (np.roll(height, -1, axis=1) - np.roll(height, 1, axis=1)) / (2 * texel)

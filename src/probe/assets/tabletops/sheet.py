@@ -25,6 +25,7 @@ class TableTile:
         tile_size: Metres along an edge of the repeat.
         roughness: 0 (mirror) to 1 (chalk).
         metallic: 0, or 1 for bare metal.
+        roughness_map: Roughness where it differs from place to place, shape (SIZE, SIZE), or None.
     """
 
     colour: Array
@@ -32,6 +33,7 @@ class TableTile:
     tile_size: float
     roughness: float
     metallic: float = 0.0
+    roughness_map: Array | None = None
 
 
 class Top(BaseModel):

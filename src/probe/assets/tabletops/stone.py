@@ -39,6 +39,7 @@ class Marble(Top):
     Attributes:
         ground, clouds, vein: Their colours.
         veined: Strength of the veins.
+        softness: Factor on their width.
     """
 
     kind: Literal["marble"]
@@ -46,6 +47,7 @@ class Marble(Top):
     clouds: Colour
     vein: Colour
     veined: float = 1.0
+    softness: float = 1.0
     tile_size: float = 1.0
     roughness: float = 0.25
 
@@ -56,7 +58,9 @@ class Marble(Top):
             line = fractal(rng, slope=2.1, scale=2, stretch=(1.0, 1.8))
             line = line + 0.04 * fractal(rng, slope=1.3)
             where = ramp(fractal(rng, slope=1.8, scale=2), -0.2, 1.0)
-            veins = np.maximum(veins, strength * where * np.exp(-np.abs(line) / width))
+            veins = np.maximum(
+                veins, strength * where * np.exp(-np.abs(line) / (width * self.softness))
+            )
         base = blend(rgb(self.ground), rgb(self.clouds), ramp(clouds, -1.5, 3.0))
         colour = blend(base, rgb(self.vein), self.veined * veins)
         colour = colour + 1.2 * fractal(rng, slope=0.3, scale=60)[..., None]
