@@ -10,6 +10,7 @@ from probe.assets.library import Library
 from probe.episodes.circumstances import Circumstances
 from probe.episodes.episode import Episode
 from probe.episodes.noise import Noise, NoiseName, noise_of
+from probe.episodes.perceptions import used_by
 from probe.episodes.play import open_episode as _open_episode
 from probe.episodes.play import play as _play
 from probe.episodes.play import replay_afresh
@@ -112,8 +113,8 @@ def open_episode(
         UnknownName: The library lacks an object of the task.
     """
     with ExitStack() as started:
-        drawing = started.enter_context(running(renderer))
-        circumstances = Circumstances(run, noise_of(noise))
+        drawing = started.enter_context(running(renderer, task.setup.renderer))
+        circumstances = Circumstances(run, noise_of(noise), perception=used_by(perceiver))
         episode = _open_episode(task, "by hand", library, drawing, circumstances, perceiver)
         return OpenEpisode(task, episode, library, drawing, started.pop_all())
 
@@ -127,6 +128,7 @@ def play(
     noise: Noise | NoiseName = "none",
     run: int = 0,
     pictures: bool = True,
+    perceiver: Perceiver = ideal,
     renderer: Renderer | None = None,
 ) -> EpisodeRecord:
     """Run an agent on a task until it answers, stops, or has used its turns.
@@ -142,6 +144,7 @@ def play(
         noise: As in open_episode().
         run: As in open_episode().
         pictures: Whether the agent looks at any. Without, it is faster; the texts are the same.
+        perceiver: As in open_episode().
         renderer: One that is running already; by default one is started, and ended afterwards.
 
     Raises:
@@ -149,9 +152,18 @@ def play(
         UnknownName: The library lacks an object of the task.
     """
     called = name or type(agent).__name__
-    with running(renderer) as drawing:
-        circumstances = Circumstances(run, noise_of(noise))
-        return _play(task, agent, called, library, drawing, circumstances, pictures=pictures)
+    with running(renderer, task.setup.renderer) as drawing:
+        circumstances = Circumstances(run, noise_of(noise), perception=used_by(perceiver))
+        return _play(
+            task,
+            agent,
+            called,
+            library,
+            drawing,
+            circumstances,
+            pictures=pictures,
+            perceiver=perceiver,
+        )
 
 
 def score(
@@ -168,13 +180,18 @@ def score(
     Raises:
         OtherTask: The record is about another task.
     """
-    with running(renderer) as drawing:
-        load_scene(drawing, task.scene, library, library.table(task.scene.table))
+    with running(renderer, task.setup.renderer) as drawing:
+        load_scene(drawing, task.scene, library)
         return _score(task, record, drawing)
 
 
 def replay(
-    task: Task, record: EpisodeRecord, library: Library, *, renderer: Renderer | None = None
+    task: Task,
+    record: EpisodeRecord,
+    library: Library,
+    *,
+    perceiver: Perceiver = ideal,
+    renderer: Renderer | None = None,
 ) -> tuple[EpisodeRecord, list[str]]:
     """Repeat a record's calls on a fresh table.
 
@@ -182,6 +199,7 @@ def replay(
         task: What the record is about.
         record: Of an agent without a pointing model, on the task as it was frozen.
         library: Has the task's objects.
+        perceiver: What the tools saw with, if names came from an enrolment.
         renderer: One that is running already; by default one is started, and ended afterwards.
 
     Returns:
@@ -190,7 +208,8 @@ def replay(
 
     Raises:
         OtherTools: Tools of another version made the record.
+        PerceptionDiffers: Its names came from another enrolment.
     """
-    with running(renderer) as drawing:
-        again = replay_afresh(task, record, library, drawing)
+    with running(renderer, task.setup.renderer) as drawing:
+        again = replay_afresh(task, record, library, drawing, perceiver)
     return again, differences(record, again)

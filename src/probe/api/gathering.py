@@ -13,6 +13,7 @@ from probe.api.rows import rows_of
 from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
+from probe.report.clips import collect_clips
 from probe.report.episodes import ReportEpisode
 from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes, addresses
 from probe.report.scene_renderer import SceneRenderer
@@ -109,6 +110,7 @@ def gather(
             entry.row,
             id(entry.row) in counting,
             addresses([file_of(still, suite.objects) for still in entry.stills]),
+            collect_clips(entry.record, out, [run for run in runs if run != out]),
         )
         for entry in entries
     )
@@ -120,7 +122,7 @@ def _entries(
     found = grade_folder(run, suite, scene_renderer, track)
     rows = rows_of(run, identity_of(suite).title, found, setting)
     return [
-        _Entry(task, record, row, stills_of(task, record))
+        _Entry(task, record, row, stills_of(task, record, run))
         for (task, record, _), row in zip(found, rows, strict=True)
     ]
 

@@ -13,10 +13,10 @@ from probe.render.photograph import measure as _measure
 from probe.render.photograph import photograph as _photograph
 from probe.render.renderer import Renderer
 from probe.scene.cameras import View
-from probe.scene.lighting import AMBIENT, Lighting
+from probe.scene.lighting import Lighting
 from probe.scene.sampling import DEFAULT_COUNT
 from probe.scene.scene import Scene
-from probe.scene.setup import UR5_TABLE, Setup
+from probe.scene.setup import ROOM_TABLE, RendererName, Setup
 from probe.scene.visibility import Visibility
 from probe.types import Camera, Frame
 from probe.world.scenes import make_scene as _make_scene
@@ -28,7 +28,7 @@ def make_scene(
     *,
     objects: int = DEFAULT_COUNT,
     table: str | None = None,
-    setup: Setup = UR5_TABLE,
+    setup: Setup | None = None,
 ) -> Scene:
     """Drop objects on a table and let physics settle them.
 
@@ -37,7 +37,8 @@ def make_scene(
         library: What the objects are drawn from; see open_library().
         objects: How many.
         table: Id of a table's material; by default one is drawn.
-        setup: What stands around the objects; see read_setup().
+        setup: What stands around the objects; see read_setup(). By default the usual table, in the
+            light and with the looks of new scenes.
 
     Returns:
         The settled table: poses world_from_object in metres, rotations wxyz, the table's top at
@@ -47,7 +48,7 @@ def make_scene(
         Unsatisfiable: The objects don't come to rest; another seed or fewer objects may.
     """
     tables = (table,) if table else tables_for("all" if library.assets else "procedural")
-    return _make_scene(seed, library, tables, objects, setup=setup)
+    return _make_scene(seed, library, tables, objects, setup=setup or ROOM_TABLE)
 
 
 def photograph(
@@ -55,7 +56,7 @@ def photograph(
     library: Library,
     *,
     camera: Camera | View = "top",
-    lighting: Lighting | str = AMBIENT,
+    lighting: Lighting | str | None = None,
     renderer: Renderer | None = None,
 ) -> Frame:
     """A picture of a scene, with depth and labels.
@@ -64,7 +65,8 @@ def photograph(
         scene: What stands where.
         library: Has the scene's objects.
         camera: "top" or "front" of the scene's set-up, or a camera of your own.
-        lighting: "ambient", or the name of surroundings that light the table.
+        lighting: By default that of the scene's set-up. "ambient", "day_room", or the name of
+            surroundings that light the table.
         renderer: One that is running already; by default one is started, and ended afterwards.
 
     Returns:
@@ -76,9 +78,10 @@ def photograph(
         UnknownName: No surroundings have this name.
     """
     seen_from = scene.setup.camera(camera) if isinstance(camera, str) else camera
-    light = Lighting(lighting) if isinstance(lighting, str) else lighting
-    with running(renderer) as drawing:
-        load_scene(drawing, scene, library, library.table(scene.table))
+    light = lighting or scene.setup.lighting
+    light = Lighting(light) if isinstance(light, str) else light
+    with running(renderer, scene.setup.renderer) as drawing:
+        load_scene(drawing, scene, library)
         lit = light_of(light, library.assets)
         return _photograph(drawing, scene, camera=seen_from, light=lit)
 
@@ -107,15 +110,15 @@ def visibility(
     """
     seen_from = scene.setup.camera(camera) if isinstance(camera, str) else camera
     with running(renderer) as drawing:
-        load_scene(drawing, scene, library, library.table(scene.table))
+        load_scene(drawing, scene, library)
         return _measure(drawing, scene, seen_from)
 
 
 @contextmanager
-def running(renderer: Renderer | None) -> Generator[Renderer]:
-    """The renderer that is given, left running; or a fresh one, ended afterwards."""
+def running(renderer: Renderer | None, name: RendererName = "filament") -> Generator[Renderer]:
+    """The renderer that is given, left running; or a fresh one of a name, ended afterwards."""
     if renderer is not None:
         yield renderer
         return
-    with Renderer() as fresh:
+    with Renderer(engine=name) as fresh:
         yield fresh

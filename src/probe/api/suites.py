@@ -11,7 +11,7 @@ from probe.assets.library import Library
 from probe.generation.build import BuildResources, assemble, begin, fill, places_of
 from probe.generation.build_folder import BuildFolder
 from probe.render.renderer import Renderer
-from probe.scene.setup import UR5_TABLE, Setup
+from probe.scene.setup import ROOM_TABLE, Setup
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import check_new_name, find_suite
 from probe.tasks.task import QuestionType
@@ -34,7 +34,9 @@ def open_library(pool: Pool = "procedural") -> Library:
 
 
 def load_suite(name: str | Path) -> Suite:
-    """Load a suite of the package ("v1", "v1-scans", "v1-unfiltered", "behind", "demo") or a file.
+    """Load a suite: one that comes with the package, or a file.
+
+    The package has "v1", "v1.1", "v1-scans", "v1-unfiltered", "behind" and "demo".
 
     Raises:
         UnknownName: It is neither.
@@ -51,7 +53,7 @@ def build_suite(
     public: bool = False,
     first: int = 0,
     certified: bool = True,
-    setup: Setup = UR5_TABLE,
+    setup: Setup | None = None,
     track: Track = silent,
 ) -> Suite:
     """Make, check and freeze tasks; continues where an earlier call stopped.
@@ -64,7 +66,8 @@ def build_suite(
         public: Draw no salt: anyone can reproduce these tasks, and predict their answers.
         first: With `public`, number of the first episode of each type.
         certified: Keep only tasks that a scripted agent solves; this takes most of the time.
-        setup: The table that the tasks are for; see read_setup().
+        setup: The table that the tasks are for; see read_setup(). By default the usual one, in the
+            light and with the looks of new scenes.
         track: Watches the work.
 
     Raises:
@@ -72,13 +75,14 @@ def build_suite(
         BadData: The folder beside the file belongs to another suite, or the file's name looks like
             a packaged suite's.
     """
+    table = setup or ROOM_TABLE
     path = Path(out)
     check_new_name(path.stem, path)
     folder, library = BuildFolder(path.with_suffix(".parts")), open_library(pool)
     places = places_of(counts, first)
-    salt = begin(folder, pool, public=public, unchecked=not certified, setup=setup)
-    with Renderer() as renderer:
-        resources = BuildResources(library, tables_for(pool), renderer, not certified, salt, setup)
+    salt = begin(folder, pool, public=public, unchecked=not certified, setup=table)
+    with Renderer(engine=table.renderer) as renderer:
+        resources = BuildResources(library, tables_for(pool), renderer, not certified, salt, table)
         for place in track(places, "Building"):
             for _ in fill(place, folder, resources):
                 pass

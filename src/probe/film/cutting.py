@@ -1,0 +1,119 @@
+"""From footage to a list of shots: idle time cut, slow where fingers close. Knows no pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.film.footage import Footage
+from probe.film.watched_world import SAMPLE_TIME, TableMoment
+from probe.types import Array
+
+FPS = 25
+"""Frames a second of a film."""
+
+SLOW = 0.5
+"""Speed at which closing fingers are shown, of life's."""
+
+_STILL_RAD, _STILL_M = 2e-4, 2e-4
+"""What a joint, a finger or an object moves at most between two moments of rest."""
+
+_CLOSING_M = 3e-4
+"""What the pads approach each other at least between two moments while they close."""
+
+_AROUND = 0.35
+"""Simulated seconds before and after closing that are shown as slowly: it takes 0.1 s itself."""
+
+_BREATH = 0.2
+"""Simulated seconds of rest that are kept after each motion."""
+
+_QUIET_HOLD, _LONGEST_HOLD = 1.2, 5.0
+_SECONDS_A_SIGN = 0.025
+"""How long a caption stands: so long, and longer by its length."""
+
+
+@dataclass(frozen=True)
+class FilmShot:
+    """A picture of the film.
+
+    Attributes:
+        moment: Index into the footage's moments.
+        call: Number of the call that the captions are about, from 0; None before the first.
+        told: Whether the captions tell what came of it.
+        speed: Of life's; None where time stands still.
+        frames: How long it stands.
+    """
+
+    moment: int
+    call: int | None
+    told: bool
+    speed: float | None
+    frames: int = 1
+
+
+def cut(footage: Footage, speed: float, texts: Sequence[tuple[int, int]]) -> list[FilmShot]:
+    """All shots of a film, in order.
+
+    Args:
+        footage: What happened.
+        speed: Of motions other than closing fingers, of life's.
+        texts: Of each call, how many signs its captions have before and after it is done.
+    """
+    shots = [FilmShot(0, None, told=False, speed=None, frames=_hold(len(footage.question.text)))]
+    steady = _is_steady(footage.moments)
+    gripping = _is_gripping(footage.moments)
+    for number, (each, (before, after)) in enumerate(zip(footage.calls, texts, strict=True)):
+        shots.append(FilmShot(each.first, number, told=False, speed=None, frames=_hold(before)))
+        for moment, rate in _motion(each.first, each.last, steady, gripping, speed):
+            shots.append(FilmShot(moment, number, told=False, speed=rate))
+        shots.append(FilmShot(each.last, number, told=True, speed=None, frames=_hold(after)))
+    return shots
+
+
+def moments_in_motion(footage: Footage) -> list[int]:
+    """Indices of the moments after which something moves."""
+    return np.flatnonzero(~_is_steady(footage.moments)).tolist()
+
+
+def _hold(signs: int) -> int:
+    """Frames that a caption of so many signs stands."""
+    return round(FPS * min(_LONGEST_HOLD, _QUIET_HOLD + _SECONDS_A_SIGN * signs))
+
+
+def _motion(
+    first: int, last: int, steady: Array, gripping: Array, speed: float
+) -> Iterator[tuple[int, float]]:
+    """Moments to show, one a frame, and the speed of each."""
+    place, rest = float(first), 0.0
+    while round(place) < last:
+        index = round(place)
+        rest = rest + SAMPLE_TIME if steady[index] and not gripping[index] else 0.0
+        if rest > _BREATH:
+            place = index + 1.0
+            continue
+        rate = SLOW if gripping[index] else speed
+        yield index, rate
+        place += rate / FPS / SAMPLE_TIME
+
+
+def _is_steady(moments: Sequence[TableMoment]) -> Array:
+    """Whether nothing moves until the next moment, shape (n,)."""
+    joints = np.array([moment.joints for moment in moments])
+    turned = np.abs(np.diff(joints, axis=0)).max(axis=1, initial=0.0)
+    fingers = np.abs(np.diff([moment.opening for moment in moments]))
+    places = np.array(
+        [np.ravel([placed.pose.position for placed in moment.objects]) for moment in moments]
+    )
+    moved = np.abs(np.diff(places, axis=0)).max(axis=1, initial=0.0)
+    rest = (turned < _STILL_RAD) & (fingers < _STILL_M) & (moved < _STILL_M)
+    return np.append(rest, True)
+
+
+def _is_gripping(moments: Sequence[TableMoment]) -> Array:
+    """Whether the pads approach each other then or nearly then, shape (n,)."""
+    change = np.diff([moment.opening for moment in moments])
+    closing = np.flatnonzero(change < -_CLOSING_M)
+    away = np.abs(np.arange(len(moments))[:, None] - closing).min(axis=1, initial=len(moments))
+    return away * SAMPLE_TIME <= _AROUND
