@@ -52,14 +52,14 @@ def test_the_index_places_tasks_entrants_and_what_never_was():
     assert index["never"] == [{"task": 1, "entrant": 0, "run": 1}]
     assert index["tasks"][0]["truth"] == FIRST.answer
     assert index["tasks"][0]["options"][0] == ["A", FIRST.options[0].text]
-    assert index["picture_px"] == 1024
+    assert {it["picture_px"] for it in index["episodes"]} == {1024}
 
 
 def test_a_replay_has_a_picture_and_the_words_of_each_step():
     detail = detail_of(played(episode(FIRST, words="Hm.")))
-    assert detail["start"] == "pictures/0.jpg"
+    assert detail["start"] == "pictures/0.webp"
     assert [step["picture"] for step in detail["steps"]] == [
-        f"pictures/{n}.jpg" for n in range(1, 5)
+        f"pictures/{n}.webp" for n in range(1, 5)
     ]
     assert [step["status"] for step in detail["steps"]] == ["done", "failed", "malformed", "done"]
     first = detail["steps"][0]

@@ -19,7 +19,7 @@ def lifted(task: Task, *, moves: str = "done", right: bool = True, run: int = 0)
 def test_the_first_picture_the_thing_found_and_what_came_to_light():
     found = highlight_of([lifted(NAMED)])
     assert found is not None
-    assert [shot.picture for shot in found.shots] == [f"pictures/{n}.jpg" for n in range(3)]
+    assert [shot.picture for shot in found.shots] == [f"pictures/{n}.webp" for n in range(3)]
     assert "lifted into the basket" in found.shots[2].caption
 
 
@@ -32,3 +32,10 @@ def test_an_answer_that_names_something_comes_first():
 def test_nothing_is_made_up_where_nothing_worked():
     assert highlight_of([lifted(NAMED, right=False), lifted(NAMED, moves="failed")]) is None
     assert highlight_of([]) is None
+
+
+def test_a_film_stands_before_what_it_led_to():
+    found = highlight_of([replace(lifted(NAMED), clips=((2, "clips/a.webm"),))])
+    assert found is not None
+    assert [shot.clip for shot in found.shots] == [None, None, "clips/a.webm", None]
+    assert found.shots[2].caption == "It is lifted into the basket"

@@ -71,7 +71,7 @@ def test_the_policy_allows_no_network_and_exactly_these_scripts(tmp_path, single
     if single:
         (tmp_path / "pictures").mkdir()
         for number in range(5):
-            (tmp_path / "pictures" / f"{number}.jpg").write_bytes(b"picture")
+            (tmp_path / "pictures" / f"{number}.webp").write_bytes(b"picture")
     write_report(tmp_path / "page.html", report, single=single)
     text = (tmp_path / "page.html").read_text()
     page = Page(text)
@@ -85,6 +85,7 @@ def test_the_policy_allows_no_network_and_exactly_these_scripts(tmp_path, single
         "script-src": " ".join([*own, *(f"'{digest(it)}'" for it in scripts)]),
         "style-src": " ".join(f"'{digest(it)}'" for it in styles),
         "img-src": " ".join([*own, "data:"]),
+        "media-src": " ".join([*own, "data:"]),
         "base-uri": "'none'",
         "form-action": "'none'",
     }
@@ -99,8 +100,9 @@ def test_a_complete_run_has_a_headline_with_all_that_belongs_to_it(tmp_path):
     (row,) = [e.text for e in page.all("tr") if e.text.startswith("anna agentic 100.0 %")]
     # All six right: Wilson's lower limits for 2 of 2, 34.2 %, in each of three types.
     # Of three types Count has a naive ceiling of a third: (0.2 + 0.2 + 1 / 3) / 3 in all.
-    beyond = "100.0 % beyond guessing 100.0 %"
-    assert row == f"anna agentic 100.0 % 62 to 100 % 20 % 24 % {beyond} 6 12 unknown unknown"
+    assert row == "anna agentic 100.0 % 62 to 100 % 20 % 24 % 100.0 % 100.0 % 6 12"
+    (hidden,) = [e.text for e in page.all("tr") if e.text.startswith("anna (agentic) unknown")]
+    assert hidden == "anna (agentic) unknown unknown"  # the ICC and the gap, in a fold
     assert "naive ceiling 20 % 33 % 20 %" in page.section("scores")
     assert "n = 2" in page.section("scores")
     assert "find, letter alone" in page.section("scores")
@@ -136,8 +138,8 @@ def test_pairs_have_a_verdict_and_ties_are_groups(tmp_path):
     episodes = [played(episode(task, agent=who)) for task in DEMO.tasks for who in ("anna", "bert")]
     section = Page(write_page(tmp_path, episodes)).section("differences")
     assert "anna (agentic) less bert (agentic) 0.0" in section
-    assert "1.000 1.000 tie 6" in section
-    assert "Tie groups anna (agentic) · bert (agentic)" in section
+    assert "1.000 too few tasks to tell 6" in section
+    assert "Not told apart anna (agentic) · bert (agentic)" in section
 
 
 def test_settings_of_an_agent_are_a_family_of_their_own(tmp_path):
@@ -154,19 +156,20 @@ def test_settings_of_an_agent_are_a_family_of_their_own(tmp_path):
 def test_the_figure_has_numbers_and_words(tmp_path):
     episodes = [played(episode(task, right=task.question_type != "count")) for task in DEMO.tasks]
     page = Page(write_page(tmp_path, episodes))
-    (figure,) = [e for e in page.all("svg") if e.attributes.get("class") == "bars"]
+    (figure,) = page.all("div", class_="bars")
     assert figure.attributes["aria-label"] == (
         "beneath: 2 manipulated, right of 2. count: 2 manipulated, wrong of 2. "
         "find: 2 manipulated, right of 2. "
     )
-    numbers = [e.text for e in page.all("text")]
-    assert numbers == ["beneath", "2", "2", "count", "2", "2", "find", "2", "2"]
+    verdicts = {"beneath": "right", "count": "wrong", "find": "right"}
+    bars = [f"{name} {name}, manipulated, {verdict}: 2 2 2" for name, verdict in verdicts.items()]
+    assert figure.text == " ".join(bars)
 
 
 def test_every_field_has_a_name(tmp_path):
     page = Page(write_page(tmp_path, [played(episode(DEMO.tasks[0]))]))
     labels = " ".join(e.text for e in page.all("label"))
-    for name in ("Type", "Agent", "Result", "Outcome", "Search", "Beside"):
+    for name in ("Type", "Agent", "Result", "Outcome", "Search"):
         assert name in labels
     assert all(e.attributes.get("alt") for e in page.all("img"))
     assert all(e.attributes.get("aria-label") for e in page.all("svg", role="img"))

@@ -9,7 +9,7 @@ from PIL import Image
 from probe.assets.library import open_library
 from probe.errors import BadData
 from probe.report.scene_renderer import SceneRenderer
-from probe.report.stills import PICTURE_PX, Still, develop, file_of, stills_of
+from probe.report.stills import Still, develop, file_of, stills_of
 from probe.scene.viewpoint import Viewpoint
 from probe.scene.visibility import Visibility
 from probe.tasks.task import Mark
@@ -31,7 +31,7 @@ def nowhere() -> SceneRenderer:
 
 def test_an_agents_pictures_are_marked_at_the_start_and_outlined_where_it_found_something():
     marked = replace(TASK, marks=MARKS)
-    start, found, *rest = stills_of(marked, episode(TASK))
+    start, found, *rest = stills_of(marked, episode(TASK), Path())
     assert (start.marks, start.outline) == (MARKS, None)
     assert (found.marks, found.outline) == ((), (512, 256))
     assert {still.outline for still in rest} == {None}
@@ -56,15 +56,15 @@ def test_a_file_is_named_by_what_it_shows():
 
 def test_a_picture_that_another_folder_has_is_taken_over(tmp_path):
     (tmp_path / "b").mkdir()
-    (tmp_path / "b" / "x.jpg").write_bytes(b"drawn before")
-    develop(STILL, TASK, tmp_path / "c" / "x.jpg", nowhere(), [tmp_path / "a", tmp_path / "b"])
-    assert (tmp_path / "c" / "x.jpg").read_bytes() == b"drawn before"
+    (tmp_path / "b" / "x.webp").write_bytes(b"drawn before")
+    develop(STILL, TASK, tmp_path / "c" / "x.webp", nowhere(), [tmp_path / "a", tmp_path / "b"])
+    assert (tmp_path / "c" / "x.webp").read_bytes() == b"drawn before"
 
 
 def test_a_picture_that_cannot_be_read_is_named(tmp_path):
-    (tmp_path / "b" / "x.jpg").mkdir(parents=True)
-    with pytest.raises(BadData, match="x.jpg: is a folder, not a file. Delete it; it is"):
-        develop(STILL, TASK, tmp_path / "x.jpg", nowhere(), [tmp_path / "b"])
+    (tmp_path / "b" / "x.webp").mkdir(parents=True)
+    with pytest.raises(BadData, match="x.webp: is a folder, not a file. Delete it; it is"):
+        develop(STILL, TASK, tmp_path / "x.webp", nowhere(), [tmp_path / "b"])
 
 
 def test_grades_that_hang_on_no_view_need_no_drawing():
@@ -75,7 +75,7 @@ def test_grades_that_hang_on_no_view_need_no_drawing():
 
 
 @pytest.mark.slow
-def test_the_thing_found_is_outlined_in_a_small_picture(tmp_path, cache):
+def test_the_thing_found_is_outlined_in_its_picture(tmp_path, cache):
     seen = TASK.certificate.visibility
     clear = max(seen, key=lambda number: seen[number].visible_px)
     assert isinstance(seen[clear], Visibility)
@@ -87,13 +87,15 @@ def test_the_thing_found_is_outlined_in_a_small_picture(tmp_path, cache):
             drawn(tmp_path / name, room, still)
             for name, still in (("a", STILL), ("b", Still(TASK.scene, outline=(u, v))))
         )
-    assert plain.shape == found.shape == (PICTURE_PX, PICTURE_PX, 3)
+    assert plain.shape == found.shape == (1024, 1024, 3)
     changed = np.abs(plain.astype(int) - found).max(axis=2) > 60
-    around = np.pad(labels[::2, ::2] == clear, 8)
-    near = np.any([np.roll(around, (i, j), (0, 1)) for i in range(-8, 9) for j in range(-8, 9)], 0)
+    around = np.pad(labels == clear, 16)
+    near = np.any(
+        [np.roll(around, (i, j), (0, 1)) for i in range(-16, 17) for j in range(-16, 17)], 0
+    )
     assert changed.sum() > 100
-    # JPEG smears over blocks of eight pixels, so the outline itself is looked for nearby.
-    assert (changed & ~near[8:-8, 8:-8]).mean() < 0.001
+    # WebP smears over neighbouring pixels, so the outline itself is looked for nearby.
+    assert (changed & ~near[16:-16, 16:-16]).mean() < 0.001
 
 
 def drawn(path: Path, room: SceneRenderer, still: Still):

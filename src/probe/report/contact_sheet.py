@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from PIL import Image, ImageDraw, ImageFont
 
@@ -27,9 +27,21 @@ def one_a_category(specs: Iterable[ObjectSpec]) -> list[ObjectSpec]:
 
 
 def contact_sheet(
-    library: Library, specs: Sequence[ObjectSpec], *, named: bool, first: int = 1
+    library: Library,
+    specs: Sequence[ObjectSpec],
+    *,
+    named: bool,
+    first: int = 1,
+    watch: Callable[[Iterable[ObjectSpec]], Iterable[ObjectSpec]] = iter,
 ) -> Image.Image:
-    """One tile an object in rows, numbered from `first`, with names beneath if wanted.
+    """One tile an object in rows, with names beneath if wanted.
+
+    Args:
+        library: Has the objects.
+        specs: What to draw.
+        named: Write names, not numbers alone.
+        first: Number of the first.
+        watch: Goes through the objects as they are drawn, and may show how far that is.
 
     Raises:
         RenderFailed: The renderer died twice on one of them.
@@ -40,7 +52,7 @@ def contact_sheet(
     height = TILE_PX + CAPTION_PX
     sheet = Image.new("RGB", (columns * TILE_PX, rows * height), (255, 255, 255))
     pen, font = ImageDraw.Draw(sheet), ImageFont.load_default(13)
-    for k, (spec, tile) in enumerate(zip(specs, _tiles(library, specs), strict=True)):
+    for k, (spec, tile) in enumerate(zip(specs, _tiles(library, specs, watch), strict=True)):
         x, y = k % columns * TILE_PX, k // columns * height
         sheet.paste(tile, (x, y))
         caption = f"{first + k}  {spec.name}" if named else f"{first + k}"
@@ -48,10 +60,14 @@ def contact_sheet(
     return sheet
 
 
-def _tiles(library: Library, specs: Sequence[ObjectSpec]) -> Iterator[Image.Image]:
+def _tiles(
+    library: Library,
+    specs: Sequence[ObjectSpec],
+    watch: Callable[[Iterable[ObjectSpec]], Iterable[ObjectSpec]],
+) -> Iterator[Image.Image]:
     with Renderer() as renderer:
-        for start in range(0, len(specs), LOADED):
-            some = specs[start : start + LOADED]
-            renderer.load({spec.id: library.body(spec.id).mesh for spec in some}, GROUND)
-            for spec in some:
-                yield Image.fromarray(portrait(renderer, spec.id, spec.size, FRONT, TILE_PX))
+        for number, spec in enumerate(watch(specs)):
+            if number % LOADED == 0:
+                some = specs[number : number + LOADED]
+                renderer.load({it.id: library.body(it.id).mesh for it in some}, GROUND)
+            yield Image.fromarray(portrait(renderer, spec.id, spec.size, FRONT, TILE_PX))

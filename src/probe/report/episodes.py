@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from probe.episodes.record import EpisodeRecord
-from probe.scene.setup import UR5_TABLE
+from probe.report.truth_marks import truth_places
 from probe.scores.missing import Gap
 from probe.scores.row import Entrant, Row
 from probe.tasks.task import Task
@@ -25,6 +25,7 @@ class ReportEpisode:
         counts: Whether it is the one of its run that scores rest on; a failure of ours that was
             run again isn't.
         pictures: Addresses of its pictures: the start, and the table after each step.
+        clips: Addresses of films of its manipulations, by number of the step.
     """
 
     task: Task
@@ -32,6 +33,7 @@ class ReportEpisode:
     row: Row
     counts: bool
     pictures: tuple[str, ...]
+    clips: tuple[tuple[int, str], ...] = ()
 
     @property
     def verdict(self) -> str:
@@ -78,7 +80,6 @@ def index_of(
     ]
     keys = keys_of(played)
     return {
-        "picture_px": UR5_TABLE.picture_px,
         "entrants": [name_of(entrant) for entrant in entrants],
         "tasks": [{**_task(task), "picture": first[task.id]} for task in tasks],
         "episodes": [
@@ -126,6 +127,12 @@ def _episode(played: ReportEpisode, key: str, task: int, entrant: int) -> dict[s
         "counts": played.counts,
         "turns": row.turns,
         "manipulations": row.manipulations,
+        "picture_px": played.record.viewpoint.camera.width_px,
+        # The script draws these on the pictures of a wrong answer.
+        "true_places": truth_places(played.task, played.record)
+        if played.verdict == "wrong"
+        else [],
+        "clips": dict(played.clips),
     }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from probe.report.episodes import name_of
 from probe.scores.intervals import Interval
 from probe.scores.row import Entrant
+from probe.scores.scorecard import Figure
 
 UNKNOWN = "\N{EN DASH}"
 _THIN = "\N{NARROW NO-BREAK SPACE}"
@@ -26,6 +27,11 @@ def between(interval: Interval | None) -> str:
     if interval is None:
         return UNKNOWN
     return f"{_signed(100 * interval.low, 0)} to {_signed(100 * interval.high, 0)}{_THIN}%"
+
+
+def surest(figure: Figure) -> Interval | None:
+    """The interval to show: Wilson's of a type whose tasks were run once, which holds for few."""
+    return figure.wilson or figure.student
 
 
 def between_points(interval: Interval) -> str:
@@ -88,6 +94,7 @@ def _signed(value: float, digits: int, *, plus: bool = False) -> str:
 
 
 FILTERS = {
+    "surest": surest,
     "percent": percent,
     "points": points,
     "between": between,

@@ -7,16 +7,22 @@ from dataclasses import dataclass
 
 from probe.report.episodes import ReportEpisode
 from probe.tasks.task import LETTERS
-
-_MOVING = ("grasp_and_remove", "push")
+from probe.toolshed.result import MOVING
 
 
 @dataclass(frozen=True)
 class Shot:
-    """A picture and what it shows."""
+    """A picture and what it shows; perhaps a film of how that came about."""
 
     picture: str
     caption: str
+    clip: str | None = None
+
+    @property
+    def is_video(self) -> bool:
+        """Whether the film takes a player; the others are moving pictures."""
+        clip = self.clip or ""
+        return clip.endswith(".webm") or clip.startswith("data:video")
 
 
 @dataclass(frozen=True)
@@ -51,9 +57,12 @@ def _plainness(played: ReportEpisode) -> tuple[bool, int]:
 
 
 def _shots(played: ReportEpisode) -> tuple[Shot, ...]:
-    """Start, the thing found, the table once it is moved; nothing if there was no such thing."""
+    """Start, the thing found, the film if there is one, the table once it is moved.
+
+    Nothing if there was no such thing.
+    """
     steps = played.record.steps
-    done = [i for i, s in enumerate(steps) if s.call.name in _MOVING and s.status == "done"]
+    done = [i for i, s in enumerate(steps) if s.call.name in MOVING and s.status == "done"]
     if not done or played.verdict != "right":
         return ()
     last = done[-1]
@@ -61,9 +70,12 @@ def _shots(played: ReportEpisode) -> tuple[Shot, ...]:
     if ("find_object", "done") not in names:
         return ()
     found = last - 1 - names[::-1].index(("find_object", "done"))
-    moved = "lifted into the basket" if steps[last].call.name == _MOVING[0] else "pushed"
+    moved = "lifted into the basket" if steps[last].call.name == MOVING[0] else "pushed"
+    clip = dict(played.clips).get(last + 1)
+    film = (Shot(played.pictures[last], f"It is {moved}", clip),) if clip else ()
     return (
         Shot(played.pictures[0], "What the agent was shown"),
         Shot(played.pictures[found + 1], "What it asked for, found"),
+        *film,
         Shot(played.pictures[last + 1], f"After it was {moved}"),
     )

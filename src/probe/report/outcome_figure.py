@@ -18,8 +18,8 @@ CLASSES: tuple[tuple[str, str], ...] = (
 )
 """Fields of Outcomes in the order of the bar, and their words."""
 
-WIDTH = 600.0
-"""Of a whole bar, in the figure's units."""
+WIDTH = 100.0
+"""Of a whole bar, in percent."""
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,9 @@ from probe.report.build_log import Candidates
 from probe.report.episodes import ReportEpisode, detail_of, index_of, keys_of
 from probe.report.formats import FILTERS
 from probe.report.highlight import highlight_of
-from probe.report.outcome_figure import CLASSES, WIDTH, panels
+from probe.report.outcome_figure import CLASSES, panels
 from probe.report.rendering import digest, joined, script_json, write_page
+from probe.report.result_words import TOO_FEW, result_words
 from probe.report.suite_facts import suite_facts
 from probe.report.summary_tables import effort_table, missing_table, type_table, unknown_measures
 from probe.scores.summary import Scores
@@ -27,8 +28,14 @@ LARGEST_SINGLE = 20
 """Episodes that a single file may hold; each brings some half a megabyte of pictures."""
 
 PICTURES, EPISODES = "pictures", "episodes"
-_STYLES = ("base.css", "tables.css", "figure.css", "episodes.css", "replay.css", "print.css")
-_SCRIPTS = ("data.js", "cards.js", "filters.js", "panel.js", "replay.js", "keys.js")
+_STYLES = (
+    *("base.css", "chart.css", "tables.css", "figure.css", "episodes.css"),
+    *("replay.css", "timeline.css", "print.css"),
+)
+_SCRIPTS = (
+    *("data.js", "clips.js", "large.js", "cards.js", "filters.js", "timeline.js", "overlays.js"),
+    *("panel.js", "replay.js", "playing.js", "keys.js"),
+)
 
 
 class TooManyEpisodes(ProbeError):
@@ -109,6 +116,7 @@ def _policy(*, single: bool) -> dict[str, object]:
         f"style-src '{digest(style)}'",
         f"script-src {own}'{digest(script)}'",
         f"img-src {own}data:",
+        f"media-src {own}data:",
         "base-uri 'none'",
         "form-action 'none'",
     )
@@ -139,12 +147,13 @@ def _values(report: Report) -> dict[str, object]:
         ],
         "panels": panels(cards),
         "classes": CLASSES,
-        "bar_width": WIDTH,
         "highlight": highlight,
         "highlight_key": highlight and keys_of(played)[played.index(highlight.played)],
         "facts": suite_facts(report.suite.tasks),
         "candidates": report.candidates,
         "files": report.files,
+        "result": result_words(report.scores),
+        "too_few": TOO_FEW,
         "audits": report.audits,
         "played": played,
         "index": script_json(index_of(played, entrants, gaps)),
@@ -152,7 +161,11 @@ def _values(report: Report) -> dict[str, object]:
 
 
 def _inlined(played: ReportEpisode, folder: Path) -> ReportEpisode:
-    return replace(played, pictures=tuple(_data(folder / name) for name in played.pictures))
+    return replace(
+        played,
+        pictures=tuple(_data(folder / name) for name in played.pictures),
+        clips=tuple((number, _data(folder / name)) for number, name in played.clips),
+    )
 
 
 def _data(path: Path) -> str:
@@ -160,7 +173,8 @@ def _data(path: Path) -> str:
         content = contents(path)
     except OSError as error:
         raise BadData(path, error.strerror or str(error), "Write the report again") from error
-    return "data:image/jpeg;base64," + base64.b64encode(content).decode()
+    kind = "video/webm" if path.suffix == ".webm" else "image/webp"
+    return f"data:{kind};base64," + base64.b64encode(content).decode()
 
 
 def addresses(names: Sequence[str]) -> tuple[str, ...]:

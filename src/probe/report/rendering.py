@@ -22,7 +22,7 @@ def write_page(
     path: Path,
     template: str,
     values: Mapping[str, object],
-    filters: Mapping[str, Callable[..., str]] | None = None,
+    filters: Mapping[str, Callable[..., object]] | None = None,
 ) -> None:
     """Fill a template and write the page.
 

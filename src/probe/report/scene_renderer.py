@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import ExitStack
 from types import TracebackType
 
 import numpy as np
@@ -14,7 +13,9 @@ from probe.episodes.record import EpisodeRecord
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
+from probe.render.renderers import Renderers
 from probe.scene.scene import Scene
+from probe.scene.setup import RendererName
 from probe.scene.viewpoint import Viewpoint
 from probe.tasks.grading import Score
 from probe.tasks.suite import Suite, check_objects, part
@@ -33,10 +34,9 @@ class SceneRenderer:
     def __init__(self, suite: Suite, open_library: Callable[[], Library]) -> None:
         self._suite = suite
         self._open_library = open_library
-        self._open = ExitStack()
-        self._renderer: Renderer | None = None
+        self._renderers = Renderers()
         self._library: Library | None = None
-        self._task = ""
+        self._loaded_in: dict[str, str] = {}
         self._last: tuple[tuple[Scene, Viewpoint], Frame] | None = None
 
     def __enter__(self) -> SceneRenderer:
@@ -48,7 +48,7 @@ class SceneRenderer:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._open.close()
+        self._renderers.__exit__(kind, error, trace)
 
     def frame(self, task: Task, scene: Scene, viewpoint: Viewpoint, *, rgb: bool = True) -> Frame:
         """A task's table as it stood in a scene of a record and was seen; the last one is kept.
@@ -60,7 +60,7 @@ class SceneRenderer:
             kept = self._last[1]
             if kept.rgb is not None or not rgb:
                 return kept
-        renderer, library = self._loaded(task)
+        renderer, library = self._loaded(task, viewpoint.renderer if rgb else "filament")
         light = light_of(viewpoint.lighting, library.assets)
         found = photograph(renderer, scene, rgb=rgb, camera=viewpoint.camera, light=light)
         self._last = (scene, viewpoint), found
@@ -79,13 +79,12 @@ class SceneRenderer:
             labels = drawn
         return grade_episode(task, record, labels)
 
-    def _loaded(self, task: Task) -> tuple[Renderer, Library]:
-        if self._renderer is None or self._library is None:
+    def _loaded(self, task: Task, name: RendererName) -> tuple[Renderer, Library]:
+        if self._library is None:
             self._library = self._open_library()
-            self._renderer = self._open.enter_context(Renderer())
-        if self._task != task.id:
+        renderer = self._renderers[name]
+        if self._loaded_in.get(name) != task.id:
             check_objects(part(self._suite, task), self._library)
-            table = self._library.table(task.scene.table)
-            load_scene(self._renderer, task.scene, self._library, table)
-            self._task, self._last = task.id, None
-        return self._renderer, self._library
+            load_scene(renderer, task.scene, self._library)
+            self._loaded_in[name], self._last = task.id, None
+        return renderer, self._library

@@ -94,12 +94,11 @@ def _usage(record: EpisodeRecord) -> Usage:
 
 def under(setting: str, record: EpisodeRecord) -> str:
     """A setting's name with a record's conditions: under other conditions it is another setting."""
-    label = record.conditions.label
-    return f"{setting}, {label}" if label else setting
+    return f"{setting}, {record.label}" if record.label else setting
 
 
 def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, object]:
-    if not task.named:
+    if not task.named or record.frames:  # frames: of a real table no poses are known
         return {}
     found = fidelity(record, task.named)
     return {**asdict(found), "strict": score.correct and found.exact}

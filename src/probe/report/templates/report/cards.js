@@ -17,6 +17,11 @@ function neverRun(gap) {
   return make("span", { class: "run never missing", title: words, role: "img", "aria-label": words }, "∅");
 }
 
+/** The first episode of each agent, of four at most: as many as fit side by side. */
+function firstOfEach(episodes) {
+  return episodes.filter((each, place) => episodes.findIndex((other) => other.entrant === each.entrant) === place).slice(0, 4);
+}
+
 function cardOf(number, episodes, gaps) {
   const task = index.tasks[number];
   const rows = index.entrants.flatMap((name, entrant) => {
@@ -26,12 +31,13 @@ function cardOf(number, episodes, gaps) {
     return [make("div", {}, make("dt", {}, said(name)), make("dd", {}, ...mine, ...lacking))];
   });
   const picture = make("img", { loading: "lazy", width: 512, height: 512, src: task.picture, alt: "The table at the start" });
-  const first = episodes[0];
+  const [first, ...more] = firstOfEach(episodes);
   return make(
     "article",
     { class: "card" },
-    make("button", { type: "button", class: "shot", disabled: !first, "aria-label": `Replay: ${task.question}`,
-      click: () => openEpisode(first.key) }, picture),
+    make("button", { type: "button", class: "shot", disabled: !first,
+      title: more.length ? "Replay all agents side by side" : "Replay", "aria-label": `Replay: ${task.question}`,
+      click: () => openEpisode(first.key, more.map((each) => each.key)) }, picture),
     make("p", { class: "kind" }, make("span", {}, task.kind), make("code", {}, task.id)),
     make("h3", {}, said(task.question)),
     make("dl", {}, ...rows),

@@ -15,30 +15,26 @@ function counted(count, noun) {
   return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
 
-function ring(point, kind = "") {
-  const dot = make("span", { class: `ring ${kind}` });
-  dot.style.left = `${(100 * point[0]) / index.picture_px}%`;
-  dot.style.top = `${(100 * point[1]) / index.picture_px}%`;
-  return dot;
-}
-
 class Panel {
-  constructor(episode, detail) {
+  /** `choose` is called with a step that somebody chose here; the panel moves when it is told to. */
+  constructor(episode, detail, choose) {
     this.episode = episode;
     this.detail = detail;
     this.at = 0;
     this.last = detail.steps.length;
-    this.slider = make("input", { type: "range", min: 0, max: this.last, value: 0, step: 1,
-      "aria-label": `Step of ${nameOf(episode)}`, input: () => this.show(Number(this.slider.value)) });
-    this.count = make("output");
-    this.picture = make("div", { class: "picture" });
-    this.steps = make("ol", { class: "steps", "aria-label": "Steps" }, ...this.buttons());
+    this.timeline = new Timeline(nameOf(episode), detail.steps, choose);
+    this.picture = enlarging(make("div", { class: "picture", role: "button", tabindex: 0, title: "Show in full size" }));
+    this.film = make("div", { class: "film" });
     this.call = make("div");
     this.element = make("section", { class: "panel-of", "aria-label": nameOf(episode) },
-      this.header(), this.alert(),
-      make("div", {}, this.picture, make("div", { class: "slide" }, make("span", { class: "label" }, "Step"), this.slider, this.count)),
-      make("div", {}, this.steps, this.call));
+      this.header(),
+      make("div", { class: "seen" }, this.picture, this.timeline.element),
+      make("div", { class: "told-of" }, this.alert(), this.film, this.call));
     this.show(0);
+  }
+
+  get slider() {
+    return this.timeline.slider;
   }
 
   before() {
@@ -63,40 +59,28 @@ class Panel {
     return make("p", { class: "alert" }, detail.end === "out_of_turns" ? "It ran out of turns." : "It stopped without an answer.");
   }
 
-  buttons() {
-    const all = [null, ...this.detail.steps];
-    return all.map((step, number) => {
-      const moving = step && MOVING.has(step.tool) ? "moving" : "";
-      const amiss = step && step.status !== "done" ? "amiss" : "";
-      const name = step ? `${number} ${step.tool.slice(0, 40)}` : "start";
-      return make("li", {}, make("button", { type: "button", class: `${moving} ${amiss}`, click: () => this.show(number) }, name));
-    });
-  }
-
-  /** Show the table at the start (0) or after a step. */
+  /** Show the table at the start (0) or after a step; at the end if there are fewer steps. */
   show(number) {
     this.at = Math.max(0, Math.min(this.last, number));
     const step = this.detail.steps[this.at - 1];
     const words = step ? `step ${this.at} of ${this.last}, ${step.tool}, ${step.status}` : "start";
-    this.slider.value = this.at;
-    this.slider.setAttribute("aria-valuetext", words);
-    this.count.textContent = `${this.at} / ${this.last}`;
+    this.timeline.put(this.at, words);
     this.showPicture(step, words);
     this.call.replaceChildren(...(step ? this.said(step) : this.before()));
-    [...this.steps.children].forEach((item, place) => {
-      if (place === this.at) item.firstChild.setAttribute("aria-current", "step");
-      else item.firstChild.removeAttribute("aria-current");
-    });
     const next = this.detail.steps[this.at];
     if (next) new Image().src = next.picture;
   }
 
+  /** Whether a film belongs to the step that is shown. */
+  get filmed() {
+    return this.at in this.episode.clips;
+  }
+
   showPicture(step, words) {
-    const source = step ? step.picture : this.detail.start;
-    const rings = [];
-    if (step?.point && step.tool !== "find_object") rings.push(ring(step.point));
-    if (step?.tool === "answer_question" && this.detail.answer?.point) rings.push(ring(this.detail.answer.point, "answer"));
-    this.picture.replaceChildren(make("img", { src: source, width: 512, height: 512, alt: `The table from above: ${words}` }), ...rings);
+    const rings = overlaysOf(this.episode, this.detail, this.at).map(([kind, place]) => ring(place, kind));
+    this.picture.replaceChildren(make("img", { src: step ? step.picture : this.detail.start,
+      width: 1024, height: 1024, alt: `The table from above: ${words}` }), ...rings);
+    this.film.replaceChildren(...(this.filmed ? [clipOf(this.episode.clips[this.at], `Film of ${words}`)] : []));
   }
 
   said(step) {

@@ -1,4 +1,4 @@
-// The dialog: one episode, or two at the same task side by side.
+// The dialog: one episode, or several at the same task side by side.
 
 const dialog = document.getElementById("replay");
 const stage = document.getElementById("stage");
@@ -15,31 +15,34 @@ function others(episode) {
 
 async function panelOf(episode) {
   try {
-    return new Panel(episode, await detailOf(episode.key));
+    return new Panel(episode, await detailOf(episode.key), showAll);
   } catch (error) {
-    return { episode, element: make("p", { class: "notice" }, error.message), show() {}, slider: null, at: 0 };
+    const element = make("p", { class: "notice" }, error.message);
+    return { episode, element, detail: { steps: [] }, show() {}, slider: null, at: 0, last: 0, filmed: false };
   }
 }
 
-/** Open an episode; its address stays in the address bar. */
-async function openEpisode(key, other = "") {
+/** Open an episode and others beside it; their address stays in the address bar. */
+async function openEpisode(key, more = []) {
   const episode = byKey.get(key);
   if (!episode) return;
-  const second = byKey.get(other);
+  const wanted = [episode, ...more.map((each) => byKey.get(each)).filter(Boolean)];
   const opening = ++openings;
+  pause();
   current = episode;
-  const made = await Promise.all([episode, second].filter(Boolean).map(panelOf));
+  const made = await Promise.all(wanted.map(panelOf));
   if (opening !== openings) return;
   panels = made;
-  stage.className = second ? "two" : "";
+  stage.className = wanted.length > 1 ? "several" : "";
   stage.replaceChildren(...panels.map((panel) => panel.element));
+  document.getElementById("replay-legend").replaceChildren(...legendOf(panels));
   ask(episode);
-  listOthers(episode, other);
+  listOthers(episode);
   showPlace();
   if (!dialog.open) dialog.showModal();
   panels[0].slider?.focus({ preventScroll: true });
   dialog.scrollTop = 0;
-  history.replaceState(null, "", `#episode=${key}${second ? `+${other}` : ""}`);
+  history.replaceState(null, "", `#episode=${wanted.map((each) => each.key).join("+")}`);
 }
 
 function ask(episode) {
@@ -58,11 +61,23 @@ function ask(episode) {
   );
 }
 
-function listOthers(episode, other) {
-  const choices = others(episode).map((each) =>
-    make("option", { value: each.key, selected: each.key === other }, `${nameOf(each)} ${SIGNS[each.verdict]}`));
-  beside.replaceChildren(make("option", { value: "" }, "nothing"), ...choices);
-  beside.disabled = !choices.length;
+function keysBeside() {
+  return panels.slice(1).map((panel) => panel.episode.key);
+}
+
+/** A button for each other episode at the task, and one for all of them. */
+function listOthers(episode) {
+  const all = others(episode).map((each) => each.key);
+  const there = keysBeside();
+  const choices = all.map((key) => {
+    const { verdict } = byKey.get(key);
+    const left = there.includes(key) ? there.filter((each) => each !== key) : [...there, key];
+    return make("button", { type: "button", "aria-pressed": String(there.includes(key)), click: () => openEpisode(current.key, left) },
+      said(nameOf(byKey.get(key))), make("span", { class: `verdict ${verdict}` }, ` ${SIGNS[verdict]}`));
+  });
+  if (all.length > 1 && there.length < all.length)
+    choices.push(make("button", { type: "button", click: () => openEpisode(current.key, all) }, "all"));
+  beside.replaceChildren(...(all.length ? [make("span", { class: "label" }, "Beside it:"), ...choices] : []));
 }
 
 function showPlace() {
@@ -78,27 +93,24 @@ function go(by) {
   if (next && next !== current) openEpisode(next.key);
 }
 
-/** Put the next other episode at this task beside, and at last none. */
+/** Put the next other episode at this task beside; after the last, none. */
 function compareNext() {
-  const keys = ["", ...others(current).map((each) => each.key)];
-  openEpisode(current.key, keys[(keys.indexOf(beside.value) + 1) % keys.length]);
-}
-
-/** The panel that has the focus, else the first. */
-function panelInUse() {
-  return panels.find((panel) => panel.element.contains(document.activeElement)) ?? panels[0];
+  const there = keysBeside();
+  const next = others(current).find((each) => !there.includes(each.key));
+  openEpisode(current.key, next ? [...there, next.key] : []);
 }
 
 function openFromAddress() {
-  const [key, other] = (location.hash.match(/^#episode=(.*)$/)?.[1] ?? "").split("+");
-  if (key) openEpisode(key, other);
+  const [key, ...more] = (location.hash.match(/^#episode=(.*)$/)?.[1] ?? "").split("+");
+  if (key) openEpisode(key, more);
 }
 
-beside.addEventListener("change", () => openEpisode(current.key, beside.value));
 document.getElementById("previous").addEventListener("click", () => go(-1));
 document.getElementById("next").addEventListener("click", () => go(1));
 document.getElementById("close").addEventListener("click", () => dialog.close());
 dialog.addEventListener("close", () => {
   openings += 1;
+  pause();
+  stage.replaceChildren();
   history.replaceState(null, "", "#");
 });
