@@ -15,6 +15,7 @@ from probe.episodes.files import (
     set_aside_cut,
     write_records,
 )
+from probe.episodes.perceptions import PerceptionUsed
 from probe.episodes.turns import Call
 from probe.errors import BadData, OutputFailed
 from probe.perception.dials import Dials
@@ -37,6 +38,30 @@ def test_records_survive_the_disk(tmp_path, play):
     assert [f.name for f in path.parent.iterdir()] == ["records.jsonl"]
 
 
+def test_names_of_a_real_table_s_pictures_survive_the_disk(play):
+    record = play(Call.of("perceive_scene"))
+    filmed = replace(record, frames=("frames/demo-1-me-0/000", "frames/demo-1-me-0/001"))
+    assert record_of(line_of(filmed)) == filmed
+    assert b"frames" not in line_of(record)
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ["../000"],
+        ["frames/../x/000"],
+        ["/etc/000"],
+        ["frames/a/0"],
+        ["frames/a/b/000"],
+        ["frames/a/000", "frames/a/001"],
+    ],
+)
+def test_names_of_pictures_elsewhere_or_of_no_step_are_refused(play, names: list[str]):
+    told = json.loads(without_sum(line_of(play()))) | {"frames": names}
+    with pytest.raises(BadData, match="frames"):
+        record_of(json.dumps(told).encode())
+
+
 def test_conditions_and_sight_survive_the_disk(tmp_path, play):
     pose = Pose((0.01, -0.02, 1.18), (0.0, 1.0, 0.0, 0.0))
     record = replace(
@@ -48,6 +73,30 @@ def test_conditions_and_sight_survive_the_disk(tmp_path, play):
     )
     write_records(tmp_path / "records.jsonl", [record])
     assert read_records(tmp_path / "records.jsonl") == [record]
+
+
+def test_perception_survives_the_disk_and_is_not_written_where_it_is_the_usual(tmp_path, play):
+    used = PerceptionUsed("enrolled", 25, "0123456789ab")
+    record = replace(play(), perception=used)
+    write_records(tmp_path / "records.jsonl", [record])
+    assert read_records(tmp_path / "records.jsonl") == [record]
+    assert json.loads(line_of(record))["perception"]["objects"] == 25
+    assert "perception" not in json.loads(line_of(play()))
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        {"kind": "oracle", "objects": 0, "enrolment": ""},
+        {"kind": "enrolled", "objects": 0, "enrolment": ""},
+        {"kind": "segmenter", "objects": 25, "enrolment": "0123456789ab"},
+    ],
+)
+def test_a_perception_that_cannot_be_is_refused(play, said):
+    fields = json.loads(line_of(play()))
+    del fields["sum"]
+    with pytest.raises(BadData, match="perception"):
+        record_of(json.dumps({**fields, "perception": said}).encode())
 
 
 def test_records_of_before_there_were_conditions_are_read(tmp_path, play):

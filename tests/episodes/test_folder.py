@@ -21,7 +21,7 @@ def test_a_folder_belongs_to_one_suite(tmp_path):
     suite = demo_suite()
     start_folder(tmp_path, suite)
     start_folder(tmp_path, suite)
-    with pytest.raises(BadData, match="another suite. Choose another folder"):
+    with pytest.raises(BadData, match="another suite: 6 tasks of demo, not 1. Choose another"):
         start_folder(tmp_path, replace(suite, tasks=suite.tasks[:1]))
 
 

@@ -9,10 +9,11 @@ import pytest
 
 from probe.episodes.noise import NO_NOISE, HandErrors, Noise
 from probe.scene.setup import UR5_TABLE
+from probe.station.gripper import Gripper
 from probe.station.offset_station import OffsetStation
 from probe.station.station import Arm as UrArm
 from probe.station.station import Hand
-from probe.station.ur5 import Gripper, Ur5
+from probe.station.ur5 import Ur5
 from probe.types import Frame, Pose
 
 NOISE = Noise(grasp=0.01, push=0.02)

@@ -1,8 +1,11 @@
 """Tables of frozen tasks: what their tools take for an answer."""
 
+from dataclasses import replace
+
 import pytest
 
 from probe.api.resources import everything
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.play import open_episode, play, replay_afresh
 from probe.episodes.replay import differences
 from probe.episodes.turns import Call
@@ -35,6 +38,13 @@ def test_find_asks_for_its_point_and_is_replayed_with_that(things):
     assert [step.status for step in record.steps] == ["malformed", "done"]
     assert "point at something" in record.steps[0].text
     assert differences(record, replay_afresh(task, record, library, renderer)) == []
+
+
+def test_another_renderer_than_the_one_that_is_said_draws_nothing(things):
+    task, (library, renderer) = task_of("find"), things
+    blender = Circumstances(viewpoint=replace(task.viewpoint, renderer="blender"))
+    with pytest.raises(ValueError, match="blender is to draw"):
+        open_episode(task, "anna", library, renderer, blender)
 
 
 def test_size_has_two_letters(things):

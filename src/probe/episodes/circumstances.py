@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import NO_NOISE, Noise
+from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed
 from probe.scene.viewpoint import Viewpoint
 
 
@@ -18,12 +19,14 @@ class Circumstances:
         noise: How far the hand errs.
         conditions: The dials and the ideal hold; what they say of the table must be so already.
         viewpoint: From where and in which light the table is seen; None for how it was made.
+        perception: What the tools see with.
     """
 
     run: int = 0
     noise: Noise = NO_NOISE
     conditions: Conditions = AS_FROZEN
     viewpoint: Viewpoint | None = None
+    perception: PerceptionUsed = ORACLE_USED
 
 
 PLAIN_TRY = Circumstances()

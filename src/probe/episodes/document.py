@@ -7,9 +7,10 @@ from typing import Annotated, Literal
 
 import pydantic
 
-from probe.episodes.conditions import AS_FROZEN, Conditions
+from probe.episodes.conditions_document import ConditionsDocument
 from probe.episodes.noise import Noise
 from probe.episodes.participation_document import ParticipationDocument
+from probe.episodes.perception_document import PerceptionDocument, used_of
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question
 from probe.episodes.viewpoint_document import ViewpointDocument
@@ -20,6 +21,9 @@ from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.result import Answer, Status
 
 Pixel = Annotated[int, pydantic.Field(ge=0, lt=MOST_PX)]
+
+FrameName = Annotated[str, pydantic.Field(pattern=r"^frames/[A-Za-z0-9_-]+/[0-9]{3}$")]
+"""Of a picture in the run's folder, without an ending; it can't lead out of it."""
 
 
 class _Document(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
@@ -89,12 +93,22 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
     seconds: SecondsDocument | None
     noise: NoiseDocument
     # Records of before there were conditions are of none.
-    conditions: Conditions = AS_FROZEN
+    conditions: ConditionsDocument = ConditionsDocument()
     viewpoint: Annotated[ViewpointDocument | None, pydantic.Field(alias="sight")] = None
     # None of agents that are no models, and in records of before there were any.
     participation: Annotated[ParticipationDocument | None, pydantic.Field(alias="seat")] = None
     # Release 0.1 had version 1 and didn't say so; its records keep their bytes.
     tools: int = pydantic.Field(default=1, ge=1, le=10**6, exclude_if=lambda version: version == 1)
+    perception: PerceptionDocument | None = pydantic.Field(
+        default=None, exclude_if=lambda it: it is None
+    )
+    frames: tuple[FrameName, ...] = pydantic.Field(default=(), exclude_if=lambda names: not names)
+
+    @pydantic.model_validator(mode="after")
+    def _has_a_picture_of_each_step(self) -> EpisodeDocument:
+        if self.frames and len(self.frames) != len(self.steps) + 1:
+            raise ValueError(f"{len(self.frames)} frames don't go with {len(self.steps)} steps")
+        return self
 
     @pydantic.model_validator(mode="after")
     def _points_into_its_pictures(self) -> EpisodeDocument:
@@ -122,10 +136,12 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             fault=record.fault,
             seconds=SecondsDocument(agent=times.agent, tools=times.tools) if timed else None,
             noise=NoiseDocument(grasp=record.noise.grasp, push=record.noise.push),
-            conditions=record.conditions,
+            conditions=ConditionsDocument.of(record.conditions, record.viewpoint),
             viewpoint=ViewpointDocument.of(record.viewpoint),
             participation=record.participation and ParticipationDocument.of(record.participation),
             tools=record.tools,
+            perception=PerceptionDocument.of(record.perception),
+            frames=record.frames,
         )
 
     def record(self) -> EpisodeRecord:
@@ -143,10 +159,12 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             fault=self.fault,
             seconds=Seconds(times.agent, times.tools) if times else Seconds(),
             noise=Noise(self.noise.grasp, self.noise.push),
-            conditions=self.conditions,
+            conditions=self.conditions.conditions(),
             viewpoint=self.viewpoint.viewpoint() if self.viewpoint else Viewpoint(),
             participation=self.participation and self.participation.participation(),
             tools=self.tools,
+            perception=used_of(self.perception),
+            frames=self.frames,
         )
 
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Protocol
 
 from probe.episodes.noise import NO_NOISE, Noise
+from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call, Question, Turn
 from probe.errors import ProbeError
@@ -46,6 +48,9 @@ class Episode:
         run: Number of the run, for the record.
         noise: How far the hand errs, for the record.
         viewpoint: From where and in which light the table is seen, for the record.
+        perception: What the tools see with, for the record.
+        photograph: Keeps a picture of a real table and gives its name; None in simulation, where
+            poses are kept.
     """
 
     def __init__(
@@ -59,9 +64,12 @@ class Episode:
         run: int = 0,
         noise: Noise = NO_NOISE,
         viewpoint: Viewpoint | None = None,
+        perception: PerceptionUsed = ORACLE_USED,
+        photograph: Callable[[], str] | None = None,
     ) -> None:
         self._toolshed = toolshed
         self._state = state
+        self._photograph = photograph
         start = _table(state)
         # Replaced whole after each step, so that it is true whenever it is looked at.
         self._record = EpisodeRecord(
@@ -75,6 +83,8 @@ class Episode:
             "stopped",
             noise=noise,
             viewpoint=viewpoint or Viewpoint(),
+            perception=perception,
+            frames=(photograph(),) if photograph else (),
         )
         self._idle_since = time.perf_counter()
 
@@ -100,16 +110,24 @@ class Episode:
         asked = time.perf_counter()
         try:
             result = self._toolshed.call(call.name, call.values)
+            working = time.perf_counter() - asked
+            frames = (self._photograph(),) if self._photograph else ()
+            table = _table(self._state)
         except ProbeError as error:
             return Turn(call, self.fail(error))
-        self._add(call, result, asked - self._idle_since, time.perf_counter() - asked)
+        self._add(Step(call, result.status, result.text, result.point_px, table), frames)
+        self._add_seconds(asked - self._idle_since, working)
         self._idle_since = time.perf_counter()
         return Turn(call, result)
+
+    def restart_clock(self) -> None:
+        """Count the time to the next call from now on: only now is the question shown."""
+        self._idle_since = time.perf_counter()
 
     def take_times(self, seconds: Seconds) -> None:
         """Put the times of an earlier record of the same calls in place of these."""
         self._record = replace(self._record, seconds=seconds)
-        self._idle_since = time.perf_counter()
+        self.restart_clock()
 
     def fail(self, error: Exception) -> ToolResult:
         """End the episode as our fault, which is no answer and mustn't count as a wrong one."""
@@ -117,17 +135,20 @@ class Episode:
         self._record = replace(self._record, end="fault", fault=fault)
         return ToolResult(FAILED, ended=True, status="refused")
 
-    def _add(self, call: Call, result: ToolResult, thinking: float, working: float) -> None:
-        before, after = self._record, _table(self._state)
-        step = Step(call, result.status, result.text, result.point_px, after)
-        agent, tools = before.seconds.agent, before.seconds.tools
+    def _add(self, step: Step, frames: tuple[str, ...]) -> None:
+        before = self._record
         self._record = replace(
             before,
             steps=(*before.steps, step),
+            frames=(*before.frames, *frames),
             answer=self._toolshed.answer,
             end=_end(self._toolshed),
-            seconds=Seconds((*agent, thinking), (*tools, working)),
         )
+
+    def _add_seconds(self, thinking: float, working: float) -> None:
+        agent, tools = self._record.seconds.agent, self._record.seconds.tools
+        seconds = Seconds((*agent, thinking), (*tools, working))
+        self._record = replace(self._record, seconds=seconds)
 
 
 def _table(state: StateReader) -> TableState:

@@ -58,8 +58,17 @@ def check_suite(out: Path, suite: Suite) -> None:
     Raises:
         BadData: It is about another one.
     """
-    if (out / SUITE).exists() and read_suite(out / SUITE) != suite:
-        raise BadData(out / SUITE, "is another suite", "Choose another folder")
+    if not (out / SUITE).exists():
+        return
+    found = read_suite(out / SUITE)
+    if found == suite:
+        return
+    reason = "is another suite"
+    if found.name == suite.name and len(found.tasks) != len(suite.tasks):
+        reason = (
+            f"is another suite: {len(found.tasks)} tasks of {found.name}, not {len(suite.tasks)}"
+        )
+    raise BadData(out / SUITE, reason, "Choose another folder")
 
 
 def check_tools_of(path: Path, records: Iterable[EpisodeRecord]) -> None:

@@ -23,6 +23,16 @@ class OtherTask(ProbeError):
         )
 
 
+class NoPoses(ProbeError):
+    """A record of a real table was to be graded by where things lie."""
+
+    def __init__(self, task: str) -> None:
+        super().__init__(
+            f"{task} asks for a point, and a robot's record keeps pictures instead of poses: "
+            "whether a point is right can't be told. Leave such tasks out of a robot's folder."
+        )
+
+
 def question_of(task: Task, picture: Array | None = None) -> Question:
     """What an agent is told of a task: its words and options, and the first picture, marked."""
     if picture is not None:
@@ -48,7 +58,10 @@ def grade_episode(task: Task, record: EpisodeRecord, labels: Array) -> Score:
 
     Raises:
         OtherTask: The record is about something else.
+        NoPoses: It is of a real table, and its worth depends on where a thing lies.
     """
+    if record.frames and needs_labels(task, record):
+        raise NoPoses(task.id)
     if record.task != task.id or record.question != question_of(task):
         raise OtherTask(record.task, task.id)
     return grade(task, _answer(record), LastView(labels, record.scenes[-1]))

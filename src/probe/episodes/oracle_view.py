@@ -45,7 +45,7 @@ def oracle_view(
 ) -> OracleView:
     """Draw a task's evidence, as it was made or seen otherwise; replaces what was loaded before."""
     viewpoint = viewpoint or task.viewpoint
-    load_scene(renderer, task.scene, library, library.table(task.scene.table))
+    load_scene(renderer, task.scene, library)
     light = light_of(viewpoint.lighting, library.assets)
     first = photograph(renderer, task.scene, camera=viewpoint.camera, light=light)
     assert first.rgb is not None

@@ -10,11 +10,12 @@ from probe.episodes.circumstances import PLAIN_TRY, Circumstances
 from probe.episodes.conditions import NO_DIALS
 from probe.episodes.episode import Episode
 from probe.episodes.grading import answer_form, grade_episode, question_of
+from probe.episodes.perceptions import check_perception
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import check_tools, replay
 from probe.episodes.run import run_episode
 from probe.episodes.turns import Agent
-from probe.perception.choice import Perceiver, dialled, ideal
+from probe.perception.choice import Perceiver, dialled, ideal, segmented
 from probe.render.lighting import light_of
 from probe.render.photograph import labels_of, load_scene
 from probe.render.renderer import Renderer
@@ -34,6 +35,7 @@ def set_table(
     *,
     pictures: bool,
     perceiver: Perceiver = ideal,
+    world: World | None = None,
 ) -> tuple[Toolshed, SimulatedStation]:
     """A task's table, fresh, with the tools over it and the station that the record watches.
 
@@ -43,17 +45,27 @@ def set_table(
         renderer: Draws what the station sees; what was loaded in it is replaced.
         circumstances: Of the episode.
         pictures: Whether the tools show any.
-        perceiver: Makes what the tools see with.
+        perceiver: Makes what the tools see with; the circumstances must say the same.
+        world: The task's table brought to life, untouched, by whoever looks on; by default a new
+            one.
+
+    Raises:
+        PerceptionDiffers: They don't.
+        ValueError: The renderer isn't what the circumstances say draws.
     """
-    load_scene(renderer, task.scene, library, library.table(task.scene.table))
+    load_scene(renderer, task.scene, library)
     viewpoint = circumstances.viewpoint or task.viewpoint
+    if renderer.name != viewpoint.renderer:
+        raise ValueError(f"{viewpoint.renderer} is to draw, and this renderer is {renderer.name}'s")
     light = light_of(viewpoint.lighting, library.assets)
-    station = SimulatedStation(World(task.scene, library), renderer, viewpoint.camera, light)
+    alive = world or World(task.scene, library)
+    station = SimulatedStation(alive, renderer, viewpoint.camera, light)
     words = {item.instance: library[item.object_id] for item in task.scene.objects}
 
     def poses() -> dict[int, Pose]:
         return {placed.instance: placed.pose for placed in station.snapshot().objects}
 
+    check_perception(circumstances.perception, perceiver)
     perception = _perceiver(perceiver, circumstances, task, library)(words, poses)
     ideal_grasp = circumstances.conditions.ideal == "grasp"
     skills = ArmSkills(
@@ -71,6 +83,7 @@ def set_table(
         finder=perception.finder,
         teller=perception.teller,
         form=answer_form(task),
+        guessed=perception.guessed,
     )
     return tools, station
 
@@ -84,6 +97,7 @@ def play(
     circumstances: Circumstances = PLAIN_TRY,
     *,
     pictures: bool = False,
+    perceiver: Perceiver = ideal,
 ) -> EpisodeRecord:
     """Let an agent work on a task.
 
@@ -95,8 +109,11 @@ def play(
         renderer: Draws what the station sees; what was loaded in it is replaced.
         circumstances: Of the episode.
         pictures: Whether the agent looks at any; what the tools say doesn't depend on it.
+        perceiver: As in set_table().
     """
-    tools, station = set_table(task, library, renderer, circumstances, pictures=pictures)
+    tools, station = set_table(
+        task, library, renderer, circumstances, pictures=pictures, perceiver=perceiver
+    )
     asked, run = question_of(task, tools.first_picture() if pictures else None), circumstances.run
     record = run_episode(task.id, asked, agent, tools, station, agent_name=agent_name, run=run)
     return replace(record, viewpoint=task.viewpoint).under(circumstances)
@@ -124,8 +141,8 @@ def open_episode(
 ) -> Episode:
     """A fresh episode with pictures, for somebody who acts from outside; see play().
 
-    Its record tells of the noise alone, not of conditions and viewpoint: whoever keeps it adds
-    them.
+    Its record tells of noise and perception alone, not of conditions and viewpoint: whoever keeps
+    it adds them.
     """
     tools, station = set_table(
         task, library, renderer, circumstances, pictures=True, perceiver=perceiver
@@ -139,11 +156,16 @@ def open_episode(
         run=circumstances.run,
         noise=circumstances.noise,
         viewpoint=task.viewpoint,
+        perception=circumstances.perception,
     )
 
 
 def replay_afresh(
-    task: Task, record: EpisodeRecord, library: Library, renderer: Renderer
+    task: Task,
+    record: EpisodeRecord,
+    library: Library,
+    renderer: Renderer,
+    perceiver: Perceiver = ideal,
 ) -> EpisodeRecord:
     """Set a record's table as it stood at the start and do its calls again, without pictures.
 
@@ -152,13 +174,27 @@ def replay_afresh(
         record: Of an agent without a model that points.
         library: Has the task's objects.
         renderer: Draws what the station sees; what was loaded in it is replaced.
+        perceiver: What the tools saw with, where that was an enrolment.
 
     Raises:
         OtherTools: Tools of another version made it.
+        PerceptionDiffers: Names came from another enrolment, or from one that wasn't given.
     """
     check_tools(record)
-    tools, station = set_table(task, library, renderer, record.circumstances, pictures=False)
+    tools, station = set_table(
+        task,
+        library,
+        renderer,
+        record.circumstances,
+        pictures=False,
+        perceiver=perceiver_of(record, perceiver),
+    )
     return replay(record, tools, station)
+
+
+def perceiver_of(record: EpisodeRecord, enrolled: Perceiver = ideal) -> Perceiver:
+    """What a record's tools saw with; what was enrolled isn't in it and has to be given."""
+    return segmented if record.perception.kind == "segmenter" else enrolled
 
 
 def score(task: Task, record: EpisodeRecord, renderer: Renderer) -> Score:

@@ -9,11 +9,12 @@ from probe.episodes.circumstances import Circumstances
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import NO_NOISE, Noise
 from probe.episodes.participation import Participation
+from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed
 from probe.episodes.turns import Call, Question
 from probe.scene.scene import Scene
 from probe.scene.setup import picture_scale
 from probe.scene.viewpoint import Viewpoint
-from probe.toolshed.result import Answer, Status
+from probe.toolshed.result import MOVING, Answer, Status
 from probe.toolshed.version import TOOLS_VERSION
 from probe.types import PictureScale
 
@@ -76,6 +77,9 @@ class EpisodeRecord:
         viewpoint: Where the camera stood, and the light.
         participation: How a model took part, or how an agent's own process failed; else None.
         tools: Version of the tools.
+        perception: What the tools saw with.
+        frames: Of a real table the pictures at the start and after each step, by their names in
+            the run's folder (see film.py); its scenes hold the set-up alone. Empty in simulation.
     """
 
     task: str
@@ -93,6 +97,13 @@ class EpisodeRecord:
     viewpoint: Viewpoint = field(default_factory=Viewpoint)
     participation: Participation | None = None
     tools: int = TOOLS_VERSION
+    perception: PerceptionUsed = ORACLE_USED
+    frames: tuple[str, ...] = ()
+
+    @property
+    def label(self) -> str:
+        """In what it differs from its task and from the usual perception, in a few words."""
+        return ", ".join(filter(None, (self.conditions.label, self.perception.label)))
 
     @property
     def setting(self) -> str:
@@ -107,7 +118,7 @@ class EpisodeRecord:
     @property
     def circumstances(self) -> Circumstances:
         """Under which it came about."""
-        return Circumstances(self.run, self.noise, self.conditions, self.viewpoint)
+        return Circumstances(self.run, self.noise, self.conditions, self.viewpoint, self.perception)
 
     def under(self, circumstances: Circumstances) -> EpisodeRecord:
         """The record with what it says of its circumstances, the number of its run apart."""
@@ -116,6 +127,7 @@ class EpisodeRecord:
             noise=circumstances.noise,
             conditions=circumstances.conditions,
             viewpoint=circumstances.viewpoint or self.viewpoint,
+            perception=circumstances.perception,
         )
 
     @property
@@ -126,7 +138,7 @@ class EpisodeRecord:
     @property
     def manipulations(self) -> int:
         """Grasps and pushes that were carried out, failed ones included."""
-        moving = [s for s in self.steps if s.call.name in ("grasp_and_remove", "push")]
+        moving = [s for s in self.steps if s.call.name in MOVING]
         return sum(step.status in ("done", "failed") for step in moving)
 
     def untimed(self) -> EpisodeRecord:

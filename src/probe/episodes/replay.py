@@ -28,6 +28,7 @@ _FIELDS = (
     "viewpoint",
     "participation",
     "tools",
+    "perception",
 )
 _PARTS = ("call", "status", "text", "point_px", "after")
 
@@ -97,6 +98,11 @@ def replay(record: EpisodeRecord, toolshed: Toolshed, state: StateReader) -> Epi
         agent_name=record.agent,
         run=record.run,
     )
+    return as_told(again, record)
+
+
+def as_told(again: EpisodeRecord, record: EpisodeRecord) -> EpisodeRecord:
+    """A repetition with what a record says beside what happened: nothing of it can be repeated."""
     return replace(again.under(record.circumstances), participation=record.participation)
 
 

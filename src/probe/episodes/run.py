@@ -33,6 +33,11 @@ def run_episode(
         run: Number of the run, for the record.
     """
     episode = Episode(task, question, toolshed, state, agent_name=agent_name, run=run)
+    return act_out(episode, question, agent)
+
+
+def act_out(episode: Episode, question: Question, agent: Agent) -> EpisodeRecord:
+    """Let an agent work in a fresh episode; see run_episode."""
     history = list[Turn]()
     while not episode.ended:
         call = agent.act(question, tuple(history))

@@ -6,14 +6,14 @@ import pydantic
 
 from probe.scene.lighting import Lighting
 from probe.scene.pose_document import Position, Rotation
-from probe.scene.setup import UR5_TABLE
+from probe.scene.setup import UR5_TABLE, RendererName
 from probe.scene.setup_file import MOST_PX
 from probe.scene.viewpoint import Viewpoint
 from probe.types import Camera, Pose
 
 
 class ViewpointDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
-    """Pose of the camera (world_from_camera) and the light, if they weren't the usual ones.
+    """Pose of the camera (world_from_camera), light and renderer, if they weren't the usual ones.
 
     Field of view and size of the pictures are left out where they are those of the usual camera.
     """
@@ -27,6 +27,10 @@ class ViewpointDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False)
     )
     picture_px: int | None = pydantic.Field(
         default=None, ge=1, le=MOST_PX, exclude_if=lambda it: it is None
+    )
+
+    renderer: RendererName = pydantic.Field(
+        default="filament", exclude_if=lambda it: it == "filament"
     )
 
     @staticmethod
@@ -43,6 +47,7 @@ class ViewpointDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False)
             yaw=light.yaw,
             fov_deg=None if camera.fov_y_deg == usual.fov_y_deg else camera.fov_y_deg,
             picture_px=None if camera.width_px == usual.width_px else camera.width_px,
+            renderer=viewpoint.renderer,
         )
 
     def viewpoint(self) -> Viewpoint:
@@ -50,4 +55,4 @@ class ViewpointDocument(pydantic.BaseModel, extra="forbid", allow_inf_nan=False)
         usual = UR5_TABLE.camera()
         size = self.picture_px or usual.width_px
         camera = Camera(Pose(self.position, self.wxyz), size, size, self.fov_deg or usual.fov_y_deg)
-        return Viewpoint(camera, Lighting(self.lighting, self.yaw))
+        return Viewpoint(camera, Lighting(self.lighting, self.yaw), self.renderer)

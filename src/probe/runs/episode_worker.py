@@ -25,9 +25,11 @@ from probe.perception.choice import Perceiver, ideal, pointing
 from probe.perception.points import Convention
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
+from probe.render.renderers import Renderers
+from probe.runs.live import LiveTable
 from probe.runs.plan import Job, RunOrder
 from probe.runs.stills import stills
-from probe.runs.viewpoints import circumstances_of, viewpoint_of
+from probe.runs.viewpoints import circumstances_of, renderer_of, viewpoint_of
 from probe.runs.work import failed
 from probe.runs.worker_messages import (
     CallResult,
@@ -57,8 +59,10 @@ class EpisodeWorkerSetup:
         order: Who acts, and under which conditions.
         library: Opens the objects; a value that can be sent to another process.
         cache: Folder for prepared light.
-        asking: The way to a model that points; None for perception by the oracle.
+        asking: The way to a model that points; None for a perceiver that asks nobody.
         convention: How that model writes points down.
+        perceiver: Makes what the tools see with, without a model; the order says the same.
+        tables: Folder of this machine in which a page looks what happens; None for nobody.
     """
 
     order: RunOrder
@@ -66,26 +70,30 @@ class EpisodeWorkerSetup:
     cache: Path | None = None
     asking: Connection | None = None
     convention: Convention = "pixels"
+    perceiver: Perceiver = ideal
+    tables: Path | None = None
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[Request], Response]]:
-        """Open the library and start a renderer; gives what does a request."""
+        """Open the library and renderers; gives what does a request."""
         things = self.library()
-        with Renderer(self.cache) as renderer:
-            yield EpisodeWorker(self, things, renderer).do
+        with Renderers(self.cache) as renderers:
+            renderers.require(self.order.conditions.renderer)
+            yield EpisodeWorker(self, things, renderers).do
 
 
 class EpisodeWorker:
     """One table after another; between Sit and Leave there is one."""
 
-    def __init__(self, place: EpisodeWorkerSetup, things: Library, renderer: Renderer) -> None:
+    def __init__(self, place: EpisodeWorkerSetup, things: Library, renderers: Renderers) -> None:
         self._place = place
         self._order = place.order
         self._things = things
-        self._renderer = renderer
+        self._renderers = renderers
         self._setting: Setting = setting_named(place.order.setting)
         self._job: Job | None = None
         self._episode: Episode | None = None
+        self._live = LiveTable(place.tables) if place.tables else None
 
     def do(self, request: Request) -> Response:
         """Do one request; whatever goes wrong costs this table alone."""
@@ -108,8 +116,11 @@ class EpisodeWorker:
         if self._setting != "agentic":
             return EpisodeStarted(tuple(map(jpeg, self._stills(job))))
         self._episode = self._open(job)
-        picture = self._episode.record.question.picture
+        question = self._episode.record.question
+        picture = question.picture
         assert picture is not None
+        if self._live:
+            self._live.begin(job.task.id, job.run, question)
         return EpisodeStarted((jpeg(picture),))
 
     def _open(self, job: Job) -> Episode:
@@ -118,7 +129,7 @@ class EpisodeWorker:
             task,
             order.agent,
             self._things,
-            self._renderer,
+            self._renderer(task),
             circumstances_of(order, job, self._things.assets),
             self._perceiver(),
         )
@@ -126,11 +137,16 @@ class EpisodeWorker:
     def _stills(self, job: Job) -> Sequence[Array]:
         """What a model without tools is shown."""
         viewpoint = viewpoint_of(job.task, self._order.conditions, self._things.assets)
-        return stills(self._setting, job.task, viewpoint, self._things, self._renderer)
+        return stills(self._setting, job.task, viewpoint, self._things, self._renderer(job.task))
 
     def _call(self, call: Call) -> CallResult | EpisodeFailed:
         assert self._episode is not None, "a call needs a table that is set"
-        result = self._episode.step(call).result
+        if self._live:
+            self._live.call(call)
+        turn = self._episode.step(call)
+        if self._live:
+            self._live.result(turn)
+        result = turn.result
         record = self._episode.record
         if record.end == "fault":
             return EpisodeFailed(record.fault or "unknown")
@@ -148,9 +164,13 @@ class EpisodeWorker:
             return None
         if not needs_labels(task, record):
             return grade_episode(task, record, np.zeros((0, 0), np.int32))
-        table = self._things.table(task.scene.table)
-        load_scene(self._renderer, task.scene, self._things, table)
-        return score(task, record, self._renderer)
+        renderer = self._renderer(task)
+        load_scene(renderer, task.scene, self._things)
+        return score(task, record, renderer)
+
+    def _renderer(self, task: Task) -> Renderer:
+        """What draws a task's pictures under the order's conditions."""
+        return self._renderers[renderer_of(task, self._order.conditions)]
 
     def _record(self, job: Job, leave: FinishEpisode) -> EpisodeRecord:
         order = self._order
@@ -166,7 +186,7 @@ class EpisodeWorker:
 
     def _perceiver(self) -> Perceiver:
         if self._place.asking is None:
-            return ideal
+            return self._place.perceiver
         return pointing(self._ask, convention=self._place.convention)
 
     def _ask(self, images: Sequence[Array], text: str) -> str:

@@ -93,6 +93,8 @@ def _check(
     """Refuse a record that doesn't go with those before it; note it otherwise."""
     if (record.noise, record.conditions) != (first.noise, first.conditions):
         raise BadData(part, "was run under other conditions", "Merge runs under the same ones")
+    if record.perception != first.perception:
+        raise BadData(part, "was run with another perception", "Merge runs with the same one")
     if record.tools != first.tools:
         reason = f"was run with version {record.tools} of the tools, others with {first.tools}"
         raise BadData(part, reason, "Merge runs of one version; `probe report` takes several")

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import NO_NOISE, Noise
 from probe.episodes.participation import Points
+from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed
 from probe.tasks.task import Task
 from probe.types import Shard
 
@@ -37,6 +38,7 @@ class RunOrder:
         shard: Which part of them.
         setting: How a model is allowed to answer; empty for other agents.
         points: How a model counts places in pictures.
+        perception: What the tools see with.
     """
 
     agent: str
@@ -46,6 +48,7 @@ class RunOrder:
     shard: Shard = Shard()
     setting: str = ""
     points: Points = "pixels"
+    perception: PerceptionUsed = ORACLE_USED
 
     def jobs(
         self, tasks: Sequence[Task], done: Collection[tuple[str, str, str, int]] = ()

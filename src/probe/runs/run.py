@@ -15,6 +15,7 @@ from probe.episodes.folder import RECORDS, add_line, check_suite, check_tools_of
 from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
+from probe.files import check_writable
 from probe.runs.plan import Job, RunOrder
 from probe.runs.work import WorkerSetup, failed
 from probe.tasks.suite import Suite
@@ -49,8 +50,7 @@ def begun(out: Path, suite: Suite, order: RunOrder) -> Generator[RunStart]:
             another run is at work there.
         OutputFailed: It can't be written.
     """
-    check_suite(out, suite)
-    check_settings(out / RECORDS, _earlier(out), order)
+    check_folder(out, suite, order)
     with occupied(out, suite):
         cut = set_aside_cut(out / RECORDS)
         note_ordered(out, order.agent, order.setting, order.runs)
@@ -60,6 +60,18 @@ def begun(out: Path, suite: Suite, order: RunOrder) -> Generator[RunStart]:
         yield RunStart(
             name_of(suite, order), tuple(jobs), len(order.jobs(suite.tasks)) - len(jobs), cut
         )
+
+
+def check_folder(out: Path, suite: Suite, order: RunOrder) -> None:
+    """See that a run can begin or go on in a folder; nothing is left there.
+
+    Raises:
+        BadData: It is about another suite, was run under other conditions, or can't be read.
+        OutputFailed: It can't be written.
+    """
+    check_suite(out, suite)
+    check_settings(out / RECORDS, _earlier(out), order)
+    check_writable(out)
 
 
 def name_of(suite: Suite, order: RunOrder) -> str:
@@ -105,6 +117,9 @@ def check_settings(path: Path, earlier: Sequence[EpisodeRecord], order: RunOrder
             was = record.conditions.label or "none"
             reason = f"was run under other conditions ({was})"
             raise BadData(path, reason, "Choose another folder")
+        if record.perception != order.perception:
+            was = record.perception.label or "perception oracle"
+            raise BadData(path, f"was run with {was}", "Choose another folder")
         if _counts_otherwise(record, order):
             raise BadData(path, "was run with other --points", "Choose another folder")
 

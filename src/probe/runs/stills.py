@@ -31,7 +31,7 @@ def stills(
     if setting == "oracle-view":
         frames = oracle_view(task, things, renderer, viewpoint).frames
         return tuple(frame.rgb for frame in frames if frame.rgb is not None)
-    load_scene(renderer, task.scene, things, things.table(task.scene.table))
+    load_scene(renderer, task.scene, things)
     light = light_of(viewpoint.lighting, things.assets)
     frame = photograph(renderer, task.scene, camera=viewpoint.camera, light=light)
     assert frame.rgb is not None

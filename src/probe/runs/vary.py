@@ -69,7 +69,7 @@ def _seen_anew(
 ) -> VariedTask:
     """Measured in the new view, with marks where they belong in it."""
     task, camera = made.task, camera_of(made.task, conditions.camera)
-    load_scene(renderer, task.scene, library, library.table(task.scene.table))
+    load_scene(renderer, task.scene, library)
     notes = [made.note, broken_rule(task, measure(renderer, task.scene, camera))]
     if task.marks:
         labels = labels_of(renderer, task.scene, camera)

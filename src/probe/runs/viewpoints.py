@@ -8,9 +8,9 @@ from probe.assets.environments import environment_names
 from probe.episodes.circumstances import Circumstances
 from probe.episodes.conditions import Conditions
 from probe.runs.plan import Job, RunOrder
-from probe.scene.lighting import AMBIENT
 from probe.scene.perturb import VIEW_RANGES, CameraName, any_lighting, moved_view
 from probe.scene.seeds import generator
+from probe.scene.setup import RendererName
 from probe.scene.viewpoint import Viewpoint
 from probe.tasks.task import Task
 from probe.types import Camera
@@ -18,16 +18,21 @@ from probe.types import Camera
 
 def viewpoint_of(task: Task, conditions: Conditions, assets: Path | None) -> Viewpoint:
     """Drawn from the task's seed: the same for all agents and runs, another one for each task."""
-    lighting = AMBIENT
+    lighting = task.viewpoint.lighting
     if conditions.lighting == "hdri":
         lighting = any_lighting(environment_names(assets), generator(task.seed, "lighting"))
-    return Viewpoint(camera_of(task, conditions.camera), lighting)
+    return Viewpoint(camera_of(task, conditions.camera), lighting, renderer_of(task, conditions))
+
+
+def renderer_of(task: Task, conditions: Conditions) -> RendererName:
+    """What draws a task's pictures under given conditions."""
+    return task.setup.renderer if conditions.renderer == "own" else conditions.renderer
 
 
 def circumstances_of(order: RunOrder, job: Job, assets: Path | None) -> Circumstances:
     """What an order's episode differs in from others of its task."""
     viewpoint = viewpoint_of(job.task, order.conditions, assets)
-    return Circumstances(job.run, order.noise, order.conditions, viewpoint)
+    return Circumstances(job.run, order.noise, order.conditions, viewpoint, order.perception)
 
 
 def camera_of(task: Task, name: CameraName) -> Camera:

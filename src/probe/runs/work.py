@@ -6,6 +6,7 @@ from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 
 from probe.agents.external.external_agent import ExternalAgent
 from probe.assets.library import Library
@@ -17,9 +18,12 @@ from probe.episodes.play import play
 from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.turns import Agent
 from probe.errors import OutputFailed
+from probe.perception.choice import Perceiver, ideal
 from probe.render.renderer import Renderer
+from probe.render.renderers import Renderers
+from probe.runs.live import LiveTable, Watched
 from probe.runs.plan import Job, RunOrder
-from probe.runs.viewpoints import circumstances_of
+from probe.runs.viewpoints import circumstances_of, renderer_of
 from probe.tasks.task import Task
 
 AgentOf = Callable[[str, Task, int, Library, Renderer], Agent]
@@ -37,21 +41,27 @@ class WorkerSetup:
         order: What is to be run.
         library: Opens the objects; a value that can be sent to another process.
         agent_of: Makes agents.
+        perceiver: Makes what the tools see with; the order says the same.
+        tables: Folder of this machine in which a page looks what happens; None for nobody.
     """
 
     order: RunOrder
     library: Callable[[], Library]
     agent_of: AgentOf
+    perceiver: Perceiver = ideal
+    tables: Path | None = None
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[Job], bytes]]:
-        """Open the library and start a renderer; gives what runs an episode to a record's line."""
+        """Open the library and renderers; gives what runs an episode to a record's line."""
         things = self.library()
-        with Renderer(things.light_cache) as renderer:
-            yield partial(self._line, things, renderer)
+        with Renderers(things.light_cache) as renderers:
+            renderers.require(self.order.conditions.renderer)
+            yield partial(self._line, things, renderers)
 
-    def _line(self, things: Library, renderer: Renderer, job: Job) -> bytes:
+    def _line(self, things: Library, renderers: Renderers, job: Job) -> bytes:
         """The record of an episode; one that failed on our side is begun again, TRIES times."""
+        renderer = renderers[renderer_of(job.task, self.order.conditions)]
         record = self._attempt(job, things, renderer)
         for _ in range(TRIES - 1):
             if record.end != "fault":
@@ -84,6 +94,9 @@ class WorkerSetup:
         pictures: bool = False,
     ) -> EpisodeRecord:
         order, task = self.order, job.task
+        if self.tables is not None:
+            table = LiveTable(self.tables)
+            agent = Watched(agent, table, task.id, job.run, pictures=pictures)
         return play(
             task,
             agent,
@@ -91,7 +104,8 @@ class WorkerSetup:
             things,
             renderer,
             circumstances_of(order, job, things.assets),
-            pictures=pictures,
+            pictures=pictures or self.tables is not None,
+            perceiver=self.perceiver,
         )
 
     def _attempt(self, job: Job, things: Library, renderer: Renderer) -> EpisodeRecord:
@@ -125,5 +139,6 @@ def stopped(job: Job, order: RunOrder) -> EpisodeRecord:
         end="stopped",
         noise=order.noise,
         conditions=order.conditions,
+        perception=order.perception,
         viewpoint=job.task.viewpoint,
     )

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from interfaces.human.painted_hall import Room, hall_in
+from interfaces.human.painted_hall import SUITE, Room, hall_in
 from probe.episodes.episode import FAILED, Episode
 from probe.episodes.files import read_records, write_records
 from probe.episodes.turns import Call
@@ -114,6 +114,74 @@ def test_a_table_that_comes_out_otherwise_counts_as_our_failure(tmp_path):
     state = settled(seat)
     assert (state.number, state.entries, state.trouble) == (1, (), None)
     sessions.close()
+
+
+def test_the_next_table_is_set_while_a_person_is_at_the_one_before(tmp_path):
+    room = Room()
+    sessions = hall_in(tmp_path, room)
+    seat = sessions.enter("Ada")
+    settled(seat)
+    wait_until(lambda: room.set == 2)
+    room.gate.clear()  # nothing more can be set
+    seat.call(ANSWER, 0)
+    settled(seat)
+    time.sleep(1.0)
+    seat.go_on()
+    assert settled(seat).number == 2
+    seat.stop(0)
+    settled(seat)
+    room.gate.set()
+    sessions.close()
+    assert room.set == 2 and room.open == 0
+
+
+def test_time_counts_from_when_a_prepared_table_is_shown(tmp_path):
+    room = Room()
+    sessions = hall_in(tmp_path, room)
+    seat = sessions.enter("Ada")
+    settled(seat)
+    wait_until(lambda: room.set == 2)
+    time.sleep(2.0)
+    seat.call(ANSWER, 0)
+    settled(seat)
+    seat.go_on()
+    settled(seat)
+    seat.call(Call.of("answer_question", {"choice": "A"}), 0)
+    settled(seat)
+    sessions.close()
+    first, second = read_records(tmp_path / "records.jsonl")
+    assert first.seconds.agent[0] >= 2.0 > second.seconds.agent[0]
+
+
+def test_a_table_that_could_not_be_prepared_is_set_when_it_is_needed(tmp_path, monkeypatch):
+    room = Room()
+    sessions = hall_in(tmp_path, room)
+    tries: list[str] = []
+
+    def set_table(task, name, run):
+        tries.append(task.id)
+        if tries.count(task.id) == 1 and task is not SUITE.tasks[0]:
+            raise NoGraphicsDriver("secret_mug_77 can't be drawn")
+        return Room.set_table(room, task, name, run)
+
+    monkeypatch.setattr(room, "set_table", set_table)
+    seat = sessions.enter("Ada")
+    settled(seat)
+    seat.call(ANSWER, 0)
+    settled(seat)
+    seat.go_on()
+    state = settled(seat)
+    assert state.trouble and "secret" not in state.trouble
+    seat.go_on()
+    assert settled(seat).number == 2 and seat.state.trouble is None
+    sessions.close()
+
+
+def wait_until(holds):
+    limit = time.monotonic() + 20
+    while not holds():
+        assert time.monotonic() < limit
+        time.sleep(0.005)
 
 
 def test_a_folder_of_agents_is_refused(tmp_path):

@@ -27,6 +27,7 @@ class Reply:
 class Visitor:
     port: int
     name: str = "Ada"
+    practice: bool = False
     heard: list[Reply] = field(default_factory=list[Reply])
 
     def send(self, method: str, path: str, body: bytes | None = None, **headers: str) -> Reply:
@@ -44,13 +45,13 @@ class Visitor:
         return self.send("GET", f"{path}?{urlencode(query)}" if query else path)
 
     def post(self, path: str, **said: object) -> Reply:
-        body = json.dumps({"name": self.name, **said}).encode()
+        body = json.dumps({"name": self.name, "practice": self.practice, **said}).encode()
         return self.send("POST", f"/seat/{path}", body, content_type="application/json")
 
     def state(self) -> dict[str, Any]:
         """The state once nothing is going on."""
         limit = time.monotonic() + PATIENCE
-        while (state := self.get("/seat/state", name=self.name).json).get("doing"):
+        while (state := self.look("state").json).get("doing"):
             assert time.monotonic() < limit
             time.sleep(0.01)
         return state
@@ -65,5 +66,12 @@ class Visitor:
         assert reply.status == 200, reply.body
         return self.state()
 
+    def look(self, path: str, **query: str) -> Reply:
+        who = {"name": self.name} | ({"practice": "1"} if self.practice else {})
+        return self.get(f"/seat/{path}", **who, **query)
+
     def picture(self, number: int) -> Reply:
-        return self.get("/seat/picture", name=self.name, number=str(number))
+        return self.look("picture", number=str(number))
+
+    def evidence(self, number: int) -> Reply:
+        return self.look("evidence", number=str(number))

@@ -32,9 +32,10 @@ _MOST_BYTES = 20_000
 
 
 class _Named(pydantic.BaseModel, extra="forbid"):
-    """Who asks."""
+    """Who asks, and whether to practise."""
 
     name: Annotated[str, pydantic.Field(max_length=200)]
+    practice: bool = False
 
 
 class _Calling(_Named):
@@ -69,14 +70,14 @@ Asked = TypeVar("Asked", bound=_Named)
 def app_of(sessions: SessionManager) -> Starlette:
     """The application; it leaves the hall open."""
     acts = [
-        _act("enter", _Named, lambda it: sessions.enter(it.name)),
+        _act("enter", _Named, lambda it: sessions.enter(it.name, practice=it.practice)),
         _act("next", _Named, _seated(sessions, _go_on)),
         _act("call", _Calling, _seated(sessions, _call)),
         _act("stop", _Stopping, _seated(sessions, _stop)),
         _act("remark", _Remarking, _seated(sessions, _remark)),
     ]
     return Starlette(
-        routes=[*page_routes(sessions.scale), *acts, *_sights(sessions)],
+        routes=[*page_routes(sessions.scale, sessions.practice), *acts, *_sights(sessions)],
         middleware=guards(_MOST_BYTES),
         exception_handlers={ProbeError: _told, Exception: _failed},
     )
@@ -104,15 +105,15 @@ def _seated(
     """To do something at the seat of whoever asks."""
 
     def at_seat(asked: Asked) -> HumanSession:
-        seat = _seat(sessions, asked.name)
+        seat = _seat(sessions, asked.name, practice=asked.practice)
         act(seat, asked)
         return seat
 
     return at_seat
 
 
-def _seat(sessions: SessionManager, name: str) -> HumanSession:
-    seat = sessions.seat(name)
+def _seat(sessions: SessionManager, name: str, *, practice: bool) -> HumanSession:
+    seat = sessions.seat(name, practice=practice)
     if seat is None:
         raise NotNow("You have no seat any more. Load the page again to get one.")
     return seat
@@ -135,18 +136,28 @@ def _act(path: str, kind: type[Asked], act: Callable[[Asked], HumanSession]) -> 
 def _sights(sessions: SessionManager) -> list[Route]:
     """What can be looked at without changing anything."""
 
+    def seat_of(request: Request) -> HumanSession:
+        said = request.query_params
+        return _seat(sessions, _said(said, "name"), practice=said.get("practice") == "1")
+
     def state(request: Request) -> Response:
-        return JSONResponse(as_json(_seat(sessions, _said(request.query_params, "name")).state))
+        return JSONResponse(as_json(seat_of(request).state))
 
-    def picture(request: Request) -> Response:
-        seat = _seat(sessions, _said(request.query_params, "name"))
-        number = _said(request.query_params, "number")
-        found = seat.picture(int(number)) if number.isdecimal() and len(number) < 4 else None
-        if found is None:
-            raise BadRequest("There is no such picture.")
-        return Response(found, media_type="image/png")
+    def shown(find: Callable[[HumanSession, int], bytes | None]) -> Callable[[Request], Response]:
+        def picture(request: Request) -> Response:
+            seat, number = seat_of(request), _said(request.query_params, "number")
+            found = find(seat, int(number)) if number.isdecimal() and len(number) < 4 else None
+            if found is None:
+                raise BadRequest("There is no such picture.")
+            return Response(found, media_type="image/png")
 
-    return [Route("/seat/state", state), Route("/seat/picture", picture)]
+        return picture
+
+    return [
+        Route("/seat/state", state),
+        Route("/seat/picture", shown(lambda seat, number: seat.picture(number))),
+        Route("/seat/evidence", shown(lambda seat, number: seat.evidence(number))),
+    ]
 
 
 def _said(parameters: Mapping[str, str], name: str) -> str:

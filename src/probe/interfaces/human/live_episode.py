@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
-from contextlib import AbstractContextManager
 
 from PIL import Image
 
@@ -13,17 +11,11 @@ from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import resume
 from probe.episodes.turns import Call, Turn
 from probe.files import encode
-from probe.interfaces.human.state import CallEntry, entry_of
+from probe.interfaces.human.call_entries import CallEntry, entry_of
 from probe.tasks.task import Task
 from probe.types import Array
 
 _log = logging.getLogger(__name__)
-
-SetTable = Callable[[Task, str, int], Episode]
-"""A fresh episode with pictures, of a task, for a person's run of that number."""
-
-Furnish = Callable[[], AbstractContextManager[SetTable]]
-"""What a seat needs for as long as it is taken: a place to draw, say."""
 
 
 class LiveEpisode:

@@ -45,10 +45,14 @@ class HumanProgress:
         """Number of the run that comes next; one that failed on our side is done again."""
         return self._ended[task.id]
 
-    def next(self) -> tuple[int, Task] | None:
-        """Place in the suite, from 0, and task of the first question that is still open."""
+    def next(self, after: Task | None = None) -> tuple[int, Task] | None:
+        """Place in the suite, from 0, and task of the first question that is still open.
+
+        Args:
+            after: The question that a person is at, which is open as well; None for no such.
+        """
         open_ones = (it for it in enumerate(self._tasks) if not self._is_done(it[1]))
-        return next(open_ones, None)
+        return next((it for it in open_ones if it[1] is not after), None)
 
     def _is_done(self, task: Task) -> bool:
         return self._ended[task.id] > 0 or self._faults[task.id] >= FAULTS

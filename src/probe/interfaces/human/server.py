@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import socket
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 
 import uvicorn
+from starlette.applications import Starlette
 
 from probe.errors import ProbeError
 from probe.interfaces.human.app import app_of
@@ -24,6 +27,50 @@ class PortTaken(ProbeError):
         super().__init__(f"Port {port} can't be used ({reason}). Choose another with --port.")
 
 
+@contextmanager
+def listening(port: int) -> Generator[socket.socket]:
+    """A socket that listens on this machine alone.
+
+    Args:
+        port: Where; 0 for any that is free.
+
+    Raises:
+        PortTaken: The port can't be used.
+    """
+    with socket.socket() as opened:
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            opened.bind((LOOPBACK, port))
+        except (OSError, OverflowError) as error:
+            raise PortTaken(port, str(error)) from error
+        opened.listen()
+        yield opened
+
+
+@contextmanager
+def served(app: Starlette, port: int) -> Generator[str]:
+    """Serve an application in a thread, as long as the block lasts; gives its address.
+
+    Args:
+        app: What is served.
+        port: Where to listen; 0 for any that is free.
+
+    Raises:
+        PortTaken: The port can't be used.
+    """
+    with listening(port) as opened:
+        config = uvicorn.Config(app, log_level="warning", ws="none", lifespan="off")
+        config.timeout_graceful_shutdown = 1
+        server = uvicorn.Server(config)
+        thread = threading.Thread(target=server.run, args=([opened],), name="page")
+        thread.start()
+        try:
+            yield f"http://{LOOPBACK}:{opened.getsockname()[1]}/"
+        finally:
+            server.should_exit = True
+            thread.join()
+
+
 def run(sessions: SessionManager, port: int, ready: Callable[[str], None]) -> None:
     """Serve until interrupted.
 
@@ -36,14 +83,8 @@ def run(sessions: SessionManager, port: int, ready: Callable[[str], None]) -> No
         PortTaken: The port can't be used.
         KeyboardInterrupt: Somebody pressed Ctrl-C.
     """
-    with socket.socket() as listening:
-        listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            listening.bind((LOOPBACK, port))
-        except (OSError, OverflowError) as error:
-            raise PortTaken(port, str(error)) from error
-        listening.listen()
-        ready(f"http://{LOOPBACK}:{listening.getsockname()[1]}/")
+    with listening(port) as opened:
+        ready(f"http://{LOOPBACK}:{opened.getsockname()[1]}/")
         config = uvicorn.Config(app_of(sessions), log_level="warning", ws="none", lifespan="off")
         config.timeout_graceful_shutdown = _PATIENCE
-        uvicorn.Server(config).run(sockets=[listening])
+        uvicorn.Server(config).run(sockets=[opened])

@@ -9,16 +9,22 @@ import logging
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack
 from dataclasses import replace
 
 from probe.episodes.replay import NotAsBefore
 from probe.episodes.turns import Call
 from probe.errors import ProbeError
-from probe.interfaces.human.live_episode import Furnish, LiveEpisode, SetTable
-from probe.interfaces.human.session_store import SessionStore
+from probe.interfaces.human.live_episode import LiveEpisode
+from probe.interfaces.human.session_store import Store
 from probe.interfaces.human.state import State, at_table, between
-from probe.interfaces.human.words import NOT_AS_BEFORE, NotNow, doing_words, trouble_words
+from probe.interfaces.human.table_places import Furnish, TablesAhead
+from probe.interfaces.human.words import (
+    EXPLAINING,
+    NOT_AS_BEFORE,
+    NotNow,
+    doing_words,
+    trouble_words,
+)
 from probe.tasks.task import Task
 
 _log = logging.getLogger(__name__)
@@ -32,16 +38,16 @@ class HumanSession:
     Args:
         store: Who sits there, and what they have done before.
         furnish: Opens what tables need.
+        practice: Whether the person is told after each question what was right, and why.
     """
 
-    def __init__(self, store: SessionStore, furnish: Furnish) -> None:
+    def __init__(self, store: Store, furnish: Furnish, *, practice: bool = False) -> None:
         self._store = store
-        self._furnish = furnish
+        self._tables = TablesAhead(furnish, store.name)
         self._thread = ThreadPoolExecutor(1, "seat")
-        self._stack = ExitStack()
-        self._set_table: SetTable | None = None
         self._lock = threading.Lock()
-        self._state = between(State(), store.progress)
+        self._practice = practice
+        self._state = between(State(practice=practice), store.progress)
         self._table: LiveEpisode | None = None
 
     @property
@@ -52,6 +58,12 @@ class HumanSession:
     def picture(self, number: int) -> bytes | None:
         """A picture of this question as PNG; None if there is none of that number."""
         pictures = self._table.pictures if self._table else ()
+        return pictures[number] if 0 <= number < len(pictures) else None
+
+    def evidence(self, number: int) -> bytes | None:
+        """A picture of what was right, as PNG; None if there is none of that number."""
+        feedback = self._state.feedback
+        pictures = feedback.pictures if feedback else ()
         return pictures[number] if 0 <= number < len(pictures) else None
 
     def go_on(self) -> None:
@@ -100,7 +112,7 @@ class HumanSession:
     def close(self) -> None:
         """Clear the table once what is going on has ended; the person may come back to it."""
         self._thread.shutdown(cancel_futures=True)
-        self._stack.close()
+        self._tables.close()
 
     def _check(self, turn: int) -> None:
         if self._state.doing is None and self._state.over:
@@ -138,19 +150,24 @@ class HumanSession:
         if found is not None:
             self._table = self._laid(*found)
             self._show(self._table)
+            self._prepare(self._table.task)
 
     def _laid(self, place: int, task: Task) -> LiveEpisode:
         """A table as at the start, or as the person left it."""
-        if self._set_table is None:
-            self._set_table = self._stack.enter_context(self._furnish())
         earlier, run = self._store.earlier(task)
-        episode = self._set_table(task, self._store.name, run)
+        episode = self._tables.take(task, run)
         try:
             return LiveEpisode(place, task, episode, earlier)
         except NotAsBefore as error:
             assert earlier is not None
             self._store.end(replace(earlier, end="fault", fault=str(error)))
             raise
+
+    def _prepare(self, task: Task) -> None:
+        """Begin with the table of the question after this one, while the person is at it."""
+        found = self._store.progress.next(after=task)
+        if found is not None:
+            self._tables.prepare(found[1], self._store.progress.run_of(found[1]))
 
     def _show(self, table: LiveEpisode) -> None:
         said = self._store.remarks.get(table.task.id)
@@ -181,6 +198,7 @@ class HumanSession:
                 self._store.keep(record)
         finally:
             self._update(self._table)
+        self._explain(self._table)
 
     def _stop(self) -> None:
         assert self._table is not None
@@ -189,4 +207,16 @@ class HumanSession:
         finally:
             with self._lock:
                 done = self._store.progress.done
-                self._state = replace(self._state, over=True, done=done)
+                self._state = replace(self._state, over=True, stopped=True, done=done)
+        self._explain(self._table)
+
+    def _explain(self, table: LiveEpisode) -> None:
+        """Say what was right, in practice alone, once a question is over by the person's doing."""
+        record = table.episode.record
+        if not self._practice or not self._state.over or record.end == "fault":
+            return
+        with self._lock:
+            self._state = replace(self._state, doing=EXPLAINING)
+        feedback = self._tables.explain(table.task, record)
+        with self._lock:
+            self._state = replace(self._state, feedback=feedback)

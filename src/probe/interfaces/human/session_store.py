@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Protocol
 
 from probe.episodes.files import line_of, read_records, write_records
 from probe.episodes.folder import RECORDS, add_line
@@ -15,6 +17,29 @@ from probe.tasks.task import Task
 
 UNFINISHED = "unfinished"
 """Folder beside the records, with a file for each person who is in the middle of a question."""
+
+
+class Store(Protocol):
+    """What a seat is told by and tells of one person; SessionStore says what each part does."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def progress(self) -> HumanProgress: ...
+
+    @property
+    def remarks(self) -> Mapping[str, Remark]: ...
+
+    def earlier(self, task: Task) -> tuple[EpisodeRecord | None, int]: ...
+
+    def keep(self, record: EpisodeRecord) -> None: ...
+
+    def end(self, record: EpisodeRecord) -> None: ...
+
+    def write(self) -> None: ...
+
+    def remark(self, task: Task, *, ambiguous: bool, note: str) -> None: ...
 
 
 class SessionStore:

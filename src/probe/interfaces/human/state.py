@@ -1,4 +1,4 @@
-"""What a person at a table may know, as a value and as JSON. Knows no table and no truth."""
+"""What a person at a table may know, as a value and as JSON; no table, no truth but feedback."""
 
 from __future__ import annotations
 
@@ -6,33 +6,13 @@ import json
 from dataclasses import dataclass, replace
 from typing import Any
 
-from probe.agents.reading import read_handles
 from probe.episodes.remarks import Remark
-from probe.episodes.turns import Call, Turn
+from probe.interfaces.human.call_entries import CallEntry, handles_of
+from probe.interfaces.human.feedback import Feedback
 from probe.interfaces.human.progress import HumanProgress
 from probe.tasks.task import Task
 from probe.tasks.type_rules import rules_of
-from probe.toolshed.result import Status
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
-
-
-@dataclass(frozen=True)
-class CallEntry:
-    """One call, what was told, and which picture was the newest then.
-
-    Attributes:
-        call: As it was sent.
-        status: How it went.
-        text: What the tool told.
-        picture: Number of the newest picture, 0 being the first.
-        fresh: Whether the picture came with this call.
-    """
-
-    call: Call
-    status: Status
-    text: str
-    picture: int
-    fresh: bool
 
 
 @dataclass(frozen=True)
@@ -52,7 +32,10 @@ class State:
         doing: What is going on, in words; None if it is the person's turn.
         trouble: What went wrong on our side, in words.
         over: Whether this question's episode has ended.
+        stopped: Whether the person ended it without an answer.
         ambiguous, note: What the person said of the question.
+        practice: Whether nothing of this counts.
+        feedback: In practice, what was right in the question that is over.
     """
 
     number: int = 0
@@ -67,19 +50,21 @@ class State:
     doing: str | None = None
     trouble: str | None = None
     over: bool = False
+    stopped: bool = False
     ambiguous: bool = False
     note: str = ""
-
-
-def entry_of(turn: Turn, picture: int, *, fresh: bool) -> CallEntry:
-    """The entry of a call that was done."""
-    return CallEntry(turn.call, turn.result.status, turn.result.text, picture, fresh)
+    practice: bool = False
+    feedback: Feedback | None = None
 
 
 def between(state: State, progress: HumanProgress) -> State:
     """No question: before the first, between two, and when all are done."""
     return State(
-        total=progress.total, done=progress.done, over=True, doing=state.doing, trouble=None
+        total=progress.total,
+        done=progress.done,
+        over=True,
+        doing=state.doing,
+        practice=state.practice,
     )
 
 
@@ -120,19 +105,22 @@ def as_json(state: State) -> dict[str, Any]:
         "doing": state.doing,
         "trouble": state.trouble,
         "over": state.over,
+        "stopped": state.stopped,
         "remark": {"ambiguous": state.ambiguous, "note": state.note},
+        "practice": state.practice,
+        "feedback": _feedback_json(state.feedback),
     }
 
 
-def handles_of(entries: tuple[CallEntry, ...]) -> list[dict[str, str]]:
-    """The object_ids that the tools gave out, the latest last, with what they called the things."""
-    called: dict[str, str] = {}
-    for entry in entries:
-        if entry.call.name in ("perceive_scene", "find_object"):
-            for handle, thing in read_handles(entry.text).items():
-                called.pop(handle, None)
-                called[handle] = thing
-    return [{"id": handle, "called": thing} for handle, thing in called.items()]
+def _feedback_json(feedback: Feedback | None) -> dict[str, Any] | None:
+    if feedback is None:
+        return None
+    return {
+        "correct": feedback.correct,
+        "verdict": feedback.verdict,
+        "reason": feedback.reason,
+        "pictures": len(feedback.pictures),
+    }
 
 
 def _entry_json(entry: CallEntry) -> dict[str, Any]:

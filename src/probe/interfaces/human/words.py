@@ -22,6 +22,9 @@ _DOING = {
     "answer_question": "Writing it down",
 }
 
+EXPLAINING = "Drawing what was right"
+"""What is going on once a practice question is over."""
+
 
 class NotNow(ProbeError):
     """What was asked for doesn't fit what is going on."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from probe.episodes.record import EpisodeRecord, Step, TableState
 from probe.scene.scene import Scene
@@ -35,7 +36,10 @@ def amiss_in_calls(record: EpisodeRecord, form: AnswerForm) -> Iterator[str]:
             refusal = form.refusal_of(request.choice, request.point, last=last)
             asked = asked or isinstance(refusal, PointMissing)
         possible = _possible(request if refusal is None else None, used)
-        for reason in (_of_status(step, possible), _of_table(step, before, moves=moves)):
+        known = (
+            replace(before, joints=step.after.joints) if _rests(record, step, before) else before
+        )
+        for reason in (_of_status(step, possible), _of_table(step, known, moves=moves)):
             if reason:
                 yield f"step {number} ({step.call.name[:20]}): {reason}"
         used += moves and step.status in ("done", "failed")
@@ -53,6 +57,11 @@ def request_of(step: Step, side_px: int) -> Request | None:
 def things_of(scene: Scene) -> list[tuple[int, str]]:
     """Which objects are there, whatever their poses."""
     return [(placed.instance, placed.object_id) for placed in scene.objects]
+
+
+def _rests(record: EpisodeRecord, step: Step, before: TableState) -> bool:
+    """Whether only joints differ that a real arm measured: they are never twice the same."""
+    return bool(record.frames) and len(step.after.joints) == len(before.joints)
 
 
 def _of_status(step: Step, possible: tuple[Status, ...]) -> str | None:

@@ -108,6 +108,11 @@ def _form_of(record: EpisodeRecord, task: Task) -> AnswerForm:
     return ANY_ANSWER if record.tools < ANSWERS_CHECKED else answer_form(task)
 
 
+def _circumstances(record: EpisodeRecord) -> object:
+    """What all records of a folder have in common."""
+    return record.noise, record.conditions, record.perception
+
+
 def _of_folder(records: Sequence[EpisodeRecord], out: Path) -> _Found:
     """What doesn't agree with the folder's notes, or with the other records."""
     ordered, variation = read_ordered(out), read_variation(out)
@@ -116,7 +121,7 @@ def _of_folder(records: Sequence[EpisodeRecord], out: Path) -> _Found:
         runs = ordered.get((record.agent, record.setting))
         if runs is not None and record.run >= runs:
             yield line, f"{runs} runs of each task were ordered, numbered from 0"
-        if (record.noise, record.conditions) != (records[0].noise, records[0].conditions):
+        if _circumstances(record) != _circumstances(records[0]):
             yield line, "its noise or its conditions aren't those of the first record"
         if record.tools != records[0].tools:
             yield line, "the version of its tools isn't that of the first record"

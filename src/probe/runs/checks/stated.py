@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.errors import UnknownName
 from probe.runs.checks.calls import things_of
 from probe.runs.viewpoints import camera_of
-from probe.scene.lighting import AMBIENT
+from probe.scene.lighting import Lighting
 from probe.scene.scene import Scene
 from probe.tasks.task import Task
 from probe.transcripts.prompts import check_setting
@@ -29,7 +30,9 @@ def amiss_beside_task(record: EpisodeRecord, task: Task) -> Iterator[str]:
         yield "its question isn't that of the suite"
     if record.question.options != asked.options:
         yield "its options aren't those of the suite"
-    if not _same_scene(record.start.scene, task.scene):
+    # Of a real table nobody knows where things are: its record tells the set-up alone.
+    there = replace(task.scene, objects=()) if record.frames else task.scene
+    if not _same_scene(record.start.scene, there):
         yield "its table at the start isn't that of the suite"
     camera = camera_of(task, record.conditions.camera)
     # What came to nothing may say nothing of how it would have been seen.
@@ -43,10 +46,17 @@ def amiss_as_stated(record: EpisodeRecord) -> Iterator[str]:
         yield "its agent has no name"
     if min(record.noise.grasp, record.noise.push) < 0:
         yield "its noise is below 0"
-    if record.conditions.lighting == "ambient" and record.viewpoint.lighting != AMBIENT:
-        yield "its light isn't that of its conditions"
+    yield from _of_pictures(record)
     yield from _of_times(record)
     yield from _of_seat(record)
+
+
+def _of_pictures(record: EpisodeRecord) -> Iterator[str]:
+    own, said, seen = record.start.scene.setup, record.conditions, record.viewpoint
+    if said.lighting == "own" and seen.lighting != Lighting(own.lighting):
+        yield "its light isn't that of its conditions"
+    if seen.renderer != (own.renderer if said.renderer == "own" else said.renderer):
+        yield "its renderer isn't that of its conditions"
 
 
 def _of_times(record: EpisodeRecord) -> Iterator[str]:

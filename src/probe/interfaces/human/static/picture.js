@@ -53,6 +53,8 @@ function choose(step) {
   part("told").scrollTop = 0;
   part("told-label").replaceChildren(...labelOf(entry));
   part("steps").replaceChildren(...[null, ...state.entries].map(button));
+  const current = part("steps").querySelector("[aria-current]");
+  part("steps").scrollTop = current.offsetTop - part("steps").offsetTop;
 }
 
 function labelOf(entry) {

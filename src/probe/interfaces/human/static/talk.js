@@ -1,23 +1,30 @@
 // Speaks with the server. What it says is only ever set as text, never as HTML.
 
-export const name = document.body.dataset.name;
+const name = document.body.dataset.name;
+export const practice = "practice" in document.body.dataset;
+const who = practice ? { name, practice: "1" } : { name };
 
 /** Ask for something to be done; gives the state that follows. */
 export function post(path, said = {}) {
   return reply(fetch(`/seat/${path}`, {
     method: "POST",
     headers: { "content-type": "application/json" },
-    body: JSON.stringify({ name, ...said }),
+    body: JSON.stringify({ name, practice, ...said }),
   }));
 }
 
 export function look() {
-  return reply(fetch(`/seat/state?${new URLSearchParams({ name })}`));
+  return reply(fetch(`/seat/state?${new URLSearchParams(who)}`));
 }
 
 /** Address of a picture of a question; the number of the question keeps it from being mixed up. */
 export function pictureAddress(question, number) {
-  return `/seat/picture?${new URLSearchParams({ name, question, number })}`;
+  return `/seat/picture?${new URLSearchParams({ ...who, question, number })}`;
+}
+
+/** Address of a picture of what was right in a practice question. */
+export function evidenceAddress(question, number) {
+  return `/seat/evidence?${new URLSearchParams({ ...who, question, number })}`;
 }
 
 async function reply(asked) {

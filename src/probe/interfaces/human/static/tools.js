@@ -15,7 +15,8 @@ export function onCall(call, end) {
 
 export function showTools(next) {
   const other = !state || state.number !== next.number;
-  const found = !state || other || state.objects.length !== next.objects.length;
+  const found = other || ids(state) !== ids(next);
+  const moved = !other && state.manipulationsLeft !== next.manipulationsLeft;
   state = next;
   part("question").textContent = state.question;
   part("manipulations").textContent = state.manipulationsLeft;
@@ -23,6 +24,7 @@ export function showTools(next) {
   part("controls").disabled = state.doing !== null;
   if (other) listOptions();
   if (found) listObjects();
+  if (moved) part("description").value = ""; // what was searched for may lie elsewhere now
   part("no-object").hidden = state.objects.length > 0;
   part("movers").hidden = state.objects.length === 0;
   showPoint();
@@ -35,10 +37,28 @@ function listOptions() {
       make("b", {}, letter), said(text))));
 }
 
+const ids = (of) => of.objects.map((each) => each.id).join();
+
+/** The newest first. Chosen is what a search has found, or what was, also under a new id, if it can still be moved. */
 function listObjects() {
+  const list = part("object");
   const newest = [...state.objects].reverse();
-  part("object").replaceChildren(...newest.map((each) =>
-    make("option", { value: each.id }, `${each.id}: ${each.called}`)));
+  const searched = state.entries.at(-1)?.tool === "find_object";
+  const known = [...list.options].map((each) => each.value);
+  const renamed = known.length > 0 && newest[0] && !known.includes(newest[0].id) && state.entries.at(-1)?.tool !== "perceive_scene";
+  const chosen = searched || renamed ? newest[0]?.id : newest.find((each) => each.id === list.value)?.id;
+  list.replaceChildren(
+    make("option", { value: "", hidden: true }, "Choose what to move"),
+    ...newest.map((each) => make("option", { value: each.id }, `${each.called} (${each.id})`)),
+  );
+  list.value = chosen ?? "";
+}
+
+/** Send a call about the thing that is chosen. */
+function sendMove(tool, more) {
+  const object_id = part("object").value;
+  if (object_id) send(tool, { object_id, ...more });
+  else part("object").focus();
 }
 
 function letter() {
@@ -75,11 +95,10 @@ part("find-form").addEventListener("submit", (event) => {
   if (description) send("find_object", { description });
   else part("description").focus();
 });
-part("grasp").addEventListener("click", () => send("grasp_and_remove", { object_id: part("object").value }));
+part("grasp").addEventListener("click", () => sendMove("grasp_and_remove", {}));
 part("move-form").addEventListener("submit", (event) => {
   event.preventDefault();
-  send("push", {
-    object_id: part("object").value,
+  sendMove("push", {
     direction: document.querySelector("input[name=direction]:checked").value,
     distance_cm: Number(part("distance").value),
   });
