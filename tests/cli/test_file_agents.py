@@ -32,7 +32,7 @@ def file(tmp_path):
 
 def test_agents_of_ours_go_by_name(tmp_path):
     assert who_acts("random", None, Sandbox(), "demo", tmp_path) == ("random", make_agent)
-    with pytest.raises(UnknownName, match=r"no agent called 'rnadom'. Known: scripted, random"):
+    with pytest.raises(UnknownName, match=r"no agent called 'rnadom'. Did you mean random"):
         who_acts("rnadom", None, Sandbox(), "demo", tmp_path)
 
 

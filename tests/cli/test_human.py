@@ -10,6 +10,7 @@ from probe.cli.human import SETTING, taken_up
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import RECORDS, claim_setting, setting_of_folder
 from probe.episodes.noise import NO_NOISE, NOISES
+from probe.episodes.perceptions import PerceptionUsed
 from probe.episodes.remarks import REMARKS, Remark, add_remark, read_remarks
 from probe.errors import BadData
 from probe.interfaces.human.session_store import UNFINISHED
@@ -64,6 +65,12 @@ def test_a_folder_has_one_suite_one_noise_and_people_alone(tmp_path):
     ):
         with pytest.raises(BadData, match=words), taken_up(tmp_path, suite, noise):
             pass
+    used = PerceptionUsed("segmenter")
+    with (
+        pytest.raises(BadData, match="another perception"),
+        taken_up(tmp_path, DEMO, NO_NOISE, used),
+    ):
+        pass
     append_record(tmp_path / "agents" / RECORDS, RECORD)
     with (
         pytest.raises(BadData, match="others have records"),

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from probe.cli.perception import PerceptionChoice
 from probe.cli.run import AgentChoice, ModelChoice, run
 from probe.episodes.conditions import Conditions
 from probe.errors import BadData
@@ -51,6 +52,27 @@ def carry_out(said: Mapping[str, Any], out: Path) -> None:
         (
             {"model": "m", "pointer": "n", "conditions": Conditions(dials=Dials(missed=0.1))},
             "--pointer: does nothing with --dials or --ideal",
+        ),
+        (
+            {"seeing": PerceptionChoice("segmenter"), "conditions": Conditions(ideal="perception")},
+            "--perception segmenter: does nothing with --dials or --ideal",
+        ),
+        (
+            {"seeing": PerceptionChoice("segmenter"), "model": "m", "pointer": "self"},
+            "--perception segmenter: does nothing with --pointer",
+        ),
+        (
+            {"seeing": PerceptionChoice("segmenter"), "model": "m", "setting": "direct"},
+            "does nothing with --setting direct",
+        ),
+        ({"seeing": PerceptionChoice("enrolled")}, "Say it with --enrolment FILE"),
+        (
+            {"seeing": PerceptionChoice(enrolment=Path("objects.yaml"))},
+            "--enrolment: does nothing with --perception oracle",
+        ),
+        (
+            {"seeing": PerceptionChoice("enrolled", Path("nowhere.yaml"))},
+            "nowhere.yaml: No such file",
         ),
     ],
 )

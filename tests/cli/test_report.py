@@ -3,20 +3,23 @@
 import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from pages import Page
 from probe.api.gathering import NoRuns, OtherSuite, gather, one_suite, short_names
 from probe.assets.library import open_library
-from probe.cli.report import write_run_report
+from probe.cli.report import report, write_run_report
 from probe.cli.rescore import rescore
 from probe.episodes.folder import RECORDS
+from probe.episodes.grading import NoPoses
 from probe.episodes.ordered import note_ordered
 from probe.errors import BadData
 from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes
 from probe.report.scene_renderer import SceneRenderer
 from probe.tasks.suite_file import write_suite
-from run_folders import DEMO, episode, write_run
+from run_folders import DEMO, episode, on_robot, write_run
 
 TABLES = ("rows.csv", "rows.jsonl", "scores.json")
 PLAIN = [task for task in DEMO.tasks if task.question_type != "find"]
@@ -152,7 +155,7 @@ def test_a_single_file_needs_no_other(tmp_path):
     details = data_of(page, "detail-data")
     assert set(details) == {each["key"] for each in data_of(page)["episodes"]}
     pictures = [detail["start"] for detail in details.values()]
-    assert all(picture.startswith("data:image/jpeg;base64,") for picture in pictures)
+    assert all(picture.startswith("data:image/webp;base64,") for picture in pictures)
     outside = [it for it in page.addresses() if not it.startswith(("data:", "#", *TABLES))]
     assert outside == []
 
@@ -211,3 +214,41 @@ def test_results_of_other_tools_stand_beside_in_words(tmp_path, capsys):
     assert words in " ".join(capsys.readouterr().out.split())
     alone = Page(write_run_report(folders[:1]).read_text())
     assert "versions of the tools" not in alone.section("scores")
+
+
+def test_a_robots_records_are_scored_and_shown_by_its_own_pictures(tmp_path):
+    """Nothing is drawn: there are no poses to draw from."""
+    out = tmp_path / "run"
+    records = [on_robot(episode(task, run=run), out) for task in PLAIN for run in range(2)]
+    write_run(out, records, replace(DEMO, tasks=tuple(PLAIN)), pictures=False)
+    rescore(out)
+    page = Page(write_run_report([out]).read_text())
+    index = data_of(page)
+    assert [each["verdict"] for each in index["episodes"]] == ["right"] * 8
+    greys = []
+    text = (out / "episodes" / f"{index['episodes'][0]['key']}.js").read_text()
+    detail = json.loads(text.removesuffix(");\n").split(", ", 1)[1])
+    for address in [detail["start"], *(step["picture"] for step in detail["steps"])]:
+        with Image.open(out / address) as picture:
+            greys.append(np.asarray(picture)[512, 512, 0])
+    assert greys == pytest.approx([0, 40, 80, 120, 160], abs=2)
+
+
+def test_a_point_on_a_robots_table_cant_be_graded(tmp_path):
+    (find,) = [task for task in DEMO.tasks if task.question_type == "find" and task.answer == "D"]
+    record = on_robot(episode(find), tmp_path)
+    write_run(tmp_path, [record], pictures=False)
+    with pytest.raises(NoPoses, match="pictures instead of poses"):
+        rescore(tmp_path)
+
+
+def test_a_page_is_shown_in_a_browser_if_one_is_here(tmp_path, monkeypatch, capsys):
+    out = write_run(tmp_path / "run", [episode(task, right=True) for task in PLAIN])
+    shown = []
+    for here in (True, False):
+        monkeypatch.setattr("webbrowser.open", lambda url, here=here: shown.append(url) or here)
+        report((out,), open=True)
+        assert shown.pop() == (out / "index.html").resolve().as_uri()
+        assert ("in a browser" in capsys.readouterr().out) is not here
+    report((out,))
+    assert shown == [] and "Open " in capsys.readouterr().out

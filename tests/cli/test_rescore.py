@@ -97,3 +97,9 @@ def test_both_floors_are_shown(folder, capsys):
     # Find, Count and Beneath, two of each: a fifth, and a third for Count.
     assert "│ 20% │ 24% │" in told and "│ 20% │ 33% │" in told
     assert "Chance is a blind guess; naive is a guess after counting" in told
+
+
+def test_a_setting_named_after_its_agent_is_told_once(folder, capsys):
+    rescore(folder)
+    said = capsys.readouterr().out
+    assert "scripted: n = " in said and "scripted (scripted)" not in said

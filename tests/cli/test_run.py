@@ -1,20 +1,27 @@
 """`probe run` short of an episode: folders that it leaves as they are."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
+from probe.api.agents import make_agent
+from probe.assets.library import Library
+from probe.cli.running import run_order
+from probe.engines.local import LocalEngine
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.noise import NOISES
 from probe.episodes.ordered import read_ordered
+from probe.episodes.perceptions import PerceptionUsed
 from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.turns import Question
-from probe.errors import BadData
+from probe.errors import BadData, OutputFailed
 from probe.runs.plan import RunOrder
-from probe.runs.run import begun
+from probe.runs.run import begun, check_folder
 from probe.scene.scene import Scene
+from probe.tasks.suite import selection
 from probe.tasks.suite_file import demo_suite, write_suite
 
 EMPTY = TableState(Scene(0, "oak", ()), (0.0,) * 6)
@@ -36,11 +43,36 @@ def test_a_folder_of_another_suite_is_refused(tmp_path):
     assert path.read_bytes() == before
 
 
+def test_another_part_of_the_same_suite_is_named_as_such(tmp_path):
+    write_suite(tmp_path / SUITE, selection(DEMO, DEMO.tasks[:2], "demo"))
+    with pytest.raises(BadData, match="another suite: 2 tasks of demo, not 6. Choose another"):
+        begin(tmp_path)
+
+
+def test_a_wrong_folder_is_refused_before_any_object_is_looked_at(tmp_path):
+    write_suite(tmp_path / SUITE, replace(DEMO, name="other"))
+    none = Library((), None, tmp_path / "cache")
+    with pytest.raises(BadData, match="another suite"):
+        run_order(DEMO, RunOrder("random"), make_agent, none, tmp_path, LocalEngine())
+
+
+def test_a_folder_that_cannot_be_made_is_refused_in_the_same_way(tmp_path):
+    none = Library((), None, tmp_path / "cache")
+    with pytest.raises(OutputFailed, match="/proc/run: .* No folder can be made there"):
+        run_order(DEMO, RunOrder("random"), make_agent, none, Path("/proc/run"), LocalEngine())
+
+
+def test_a_folder_that_will_do_is_left_as_it_was(tmp_path):
+    check_folder(tmp_path / "deep" / "out", DEMO, RunOrder("random"))
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize(
     ("order", "words"),
     [
         (RunOrder("random", noise=NOISES["paper"]), "another noise"),
         (RunOrder("random", conditions=Conditions(ideal="grasp")), r"other conditions \(none\)"),
+        (RunOrder("random", perception=PerceptionUsed("segmenter")), "perception oracle"),
     ],
 )
 def test_other_settings_are_refused_before_anything_is_written(tmp_path, order, words):

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from probe.cli.scene import PAGE, _check_gallery
+
 
 def probe(*arguments, **environment):
     return subprocess.run(
@@ -60,7 +62,9 @@ def test_light_and_camera_change_the_picture_alone(written, tmp_path):
     looks = ["--lighting", "cellar", "--camera", "front"]
     result = probe("scene", 5, "--objects", 6, *looks, "--out", tmp_path)
     assert result.returncode == 0, result.stderr
-    assert (tmp_path / "scene.json").read_bytes() == (written / "scene.json").read_bytes()
+    scenes = [json.loads((f / "scene.json").read_text()) for f in (tmp_path, written)]
+    assert [scene["setup"].pop("lighting") for scene in scenes] == ["cellar", "day_room"]
+    assert scenes[0] == scenes[1]
     pictures = [np.asarray(Image.open(f / "picture.png")) for f in (tmp_path, written)]
     assert pictures[0].shape == (1024, 1024, 3)
     assert (pictures[0] != pictures[1]).mean() > 0.9
@@ -84,3 +88,16 @@ def test_failures_are_one_line_with_a_remedy(tmp_path, arguments, environment, w
     assert words in result.stderr
     assert len(result.stderr.strip().splitlines()) == 1
     assert not (tmp_path / "out").exists()
+
+
+def test_a_gallery_of_other_scenes_is_left_alone(tmp_path):
+    for seed in (3, 4):
+        (tmp_path / str(seed)).mkdir()
+    (tmp_path / PAGE).write_text("a gallery")
+    for words in ((5,), (4, "--gallery", 2)):
+        refused = probe("scene", *words, "--out", tmp_path)
+        assert refused.returncode == 1
+        assert "holds a gallery of 2 other scenes. Say another --out" in refused.stderr
+    assert (tmp_path / PAGE).read_text() == "a gallery"
+    # The same gallery is drawn again, or taken further.
+    _check_gallery(tmp_path, range(3, 6))

@@ -33,7 +33,7 @@ def other(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "environment", "words"),
     [
-        (["--task", "beneath-0"], {}, "There is no task called 'beneath-0'. Known: beneath-2"),
+        (["--task", "beneath-0"], {}, "There is no task called 'beneath-0'. Did you mean beneath-"),
         (["--suite", "/nowhere.json"], {}, "/nowhere.json"),
         (["--suite", "v1", "--task", "demo-1"], {}, "There is no task called 'demo-1'"),
         (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),

@@ -9,10 +9,14 @@ import resource
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from importlib import import_module
 from typing import NoReturn
 
-from probe.errors import ProbeError
+from probe import __version__
+from probe.cli.overview import overview
+from probe.cli.screen import say, sign, warn
+from probe.errors import Misuse, ProbeError, UnknownName
 from probe.texts import visible
 
 
@@ -38,11 +42,16 @@ class _Command:
 
 
 COMMANDS: dict[str, _Command] = {
-    "demo": _Command("demo", "Run the scripted agent on the six demo tasks."),
+    "doctor": _Command("doctor", "See what is installed, what is missing, and how to get it."),
+    "demo": _Command("demo", "Run the scripted agent on a task of each question type."),
     "scene": _Command("scene", "Settle a cluttered table from a seed and photograph it."),
     "run": _Command("run", "Run an agent or a model on a suite."),
     "merge": _Command("merge", "Join folders of records that `probe run --shard` wrote."),
     "report": _Command("report", "Grade records and write a page of scores and replays."),
+    "report sim-real": _Command(
+        "sim_real", "Compare agents in simulation with the same agents on a robot."
+    ),
+    "film": _Command("film", "Film recorded episodes, with the arm that no agent sees."),
     "rescore": _Command("rescore", "Grade a run's records again and write rows and scores."),
     "audit": _Command("audit", "Check records, replay their episodes, sign a folder."),
     "robustness": _Command("robustness", "Compare runs of the same tasks under other conditions."),
@@ -59,6 +68,7 @@ COMMANDS: dict[str, _Command] = {
     ),
     "held-out": _Command("held_out", "Compare runs; untrained question types stand apart."),
     "human": _Command("human", "Serve a page on which people answer as agents do."),
+    "robot": _Command("robot", "Look at and move robots behind bridges, or a robot's twin.", True),
     "assets": _Command("assets", "List, check and add objects of the library.", True),
     "suite": _Command("suite", "Build, check and show frozen suites of tasks.", True),
     "tools": _Command("tools", "Measure how often the tools work on known targets.", True),
@@ -104,6 +114,9 @@ def main() -> None:
         sys.exit(1)
     except OSError as failure:
         _end(_words_of(failure))
+    except Misuse as failure:
+        warn(f"probe: {failure}")
+        sys.exit(2)
     except ProbeError as failure:
         _end(str(failure))
     except (MemoryError, ImportError) as failure:
@@ -143,22 +156,42 @@ def _check_addresses() -> None:
         _end(f"{needed} that anything works with. Raise the limit (ulimit -v).")
 
 
-def _run(arguments: list[str]) -> None:
-    import tyro
+_LISTED = "`probe --help` lists them all."
 
-    app = tyro.extras.SubcommandApp()
-    wanted = arguments[0] if arguments else ""
-    if wanted in COMMANDS:
+
+def _run(arguments: list[str]) -> None:
+    if " ".join(arguments[:2]) in COMMANDS:
+        arguments = [" ".join(arguments[:2]), *arguments[2:]]
+    wanted = arguments[0] if arguments else "--help"
+    if wanted in ("-h", "--help"):
+        say(*overview({name: command.words for name, command in COMMANDS.items()}))
+    elif wanted == "--version":
+        say(f"probe {__version__}")
+    elif wanted in COMMANDS or wanted.startswith("--tyro-"):
         _check_addresses()
+        with sign(f"probe {wanted} is starting ..."):
+            app = _app(wanted)
+        app(arguments)
+    elif wanted.startswith("-"):
+        raise Misuse(f"There is no option {wanted} here. `probe --help` lists the commands.")
+    else:
+        raise Misuse(str(UnknownName("command", wanted, list(COMMANDS), _LISTED)))
+
+
+def _app(wanted: str) -> Callable[[list[str]], None]:
+    """What runs a command; only its own module is imported, all of them to complete words."""
+    from probe.cli.command_app import CommandApp, call
+
+    app = CommandApp()
     for name, command in COMMANDS.items():
-        if name == wanted:
+        if name == wanted or wanted.startswith("--tyro-"):
             module = import_module(f"probe.cli.{command.module}")
             app.command(
                 module.app if command.nested else getattr(module, command.module), name=name
             )
         else:
-            app.command(name=name)(_named(command))
-    app.cli(prog="probe", description="A benchmark of questions about a cluttered table.")
+            app.command(_named(command), name=name)
+    return partial(call, app)
 
 
 def _named(command: _Command) -> Callable[[], None]:

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Annotated
-
-import tyro
+from functools import partial
 
 from probe.api.resources import Pool, library
-from probe.cli.screen import say
-from probe.errors import UnknownName
-from probe.files import encode, write_bytes
+from probe.cli.categories import of_category
+from probe.cli.metavars import File
+from probe.cli.screen import passing, say, sign
+from probe.files import check_writable, encode, write_bytes
 from probe.report.contact_sheet import contact_sheet, one_a_category
 
 
 def sheet(
-    out: Annotated[Path, tyro.conf.Positional],
+    out: File,
     pool: Pool = "procedural",
     named: bool = False,
     category: str | None = None,
@@ -28,12 +26,12 @@ def sheet(
         named: Write names below, not numbers alone (which suit asking a stranger).
         category: Draw all objects of this category instead.
     """
-    objects = library(pool)
+    with sign("Reading the catalogue of objects ..."):
+        objects = library(pool)
     specs = one_a_category(objects.specs)
     if category is not None:
-        known = [spec.category for spec in specs]
-        if category not in known:
-            raise UnknownName("category", category, known)
-        specs = [spec for spec in objects.specs if spec.category == category]
-    write_bytes(out, encode(contact_sheet(objects, specs, named=named), "PNG"))
+        specs = of_category(objects.specs, category)
+    check_writable(out.absolute().parent)
+    watch = partial(passing, words="Drawing")
+    write_bytes(out, encode(contact_sheet(objects, specs, named=named, watch=watch), "PNG"))
     say(f"{len(specs)} objects are on {out}")

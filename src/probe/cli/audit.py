@@ -6,9 +6,6 @@ import secrets
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
-from typing import Annotated
-
-import tyro
 
 from probe.api.resources import audit_key_file, opener
 from probe.audit.audit_file import audit_of, counted
@@ -19,6 +16,7 @@ from probe.audit.signing import sign as sign_manifest
 from probe.audit.signing import verify as verify_manifest
 from probe.cli.audit_words import tell_checks, tell_verdicts
 from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.metavars import RunFolder
 from probe.cli.numbers import check_numbers
 from probe.cli.option_conflicts import refuse_stray
 from probe.cli.screen import bar, say
@@ -54,7 +52,7 @@ class NotRepeated(ProbeError):
 
 
 def audit(
-    out: Annotated[Path, tyro.conf.Positional],
+    out: RunFolder,
     replay: str | None = None,
     workers: int = 1,
     sign: Path | None = None,

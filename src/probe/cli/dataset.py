@@ -4,21 +4,18 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
-from pathlib import Path
-from typing import Annotated
-
-import tyro
 
 from probe.api.resources import Pool, opener
 from probe.assets.cache import Cache
+from probe.cli.metavars import Folder
 from probe.cli.numbers import check_numbers
+from probe.cli.objects import check
 from probe.cli.screen import say, track
 from probe.engines.local import LocalEngine
 from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.files import check_new
 from probe.scene.setup import UR5_TABLE
-from probe.tasks.suite import check_objects
 from probe.train.choose.chosen import LoadedSelection, read_selection
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
@@ -28,8 +25,8 @@ _SMALLEST_PX = 32
 
 
 def dataset(
-    selected: Annotated[Path, tyro.conf.Positional],
-    out: Annotated[Path, tyro.conf.Positional],
+    selected: Folder,
+    out: Folder,
     points: Points | None = None,
     side: int = UR5_TABLE.picture_px,
     name: str = "PROBE, a teacher's episodes",
@@ -59,7 +56,7 @@ def dataset(
     chosen = read_selection(selected)
     opened = opener(pool)
     things = opened()
-    check_objects(chosen.suite, things)
+    check(chosen.suite, things)
     kept = out.with_name(f"{out.name}.pictures")
     worker = DrawingWorker(chosen.suite, opened, Cache(kept), side)
     drawn = draw(worker, chosen.episodes, LocalEngine(workers))

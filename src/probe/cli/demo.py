@@ -1,4 +1,4 @@
-"""`probe demo`: six frozen tasks, solved by a scripted agent that really manipulates."""
+"""`probe demo`: a frozen task of each type, solved by a scripted agent that really manipulates."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from probe.cli.running import check_whole, run_order
 from probe.cli.screen import say
 from probe.engines.local import LocalEngine
 from probe.runs.plan import RunOrder
-from probe.tasks.suite_file import demo_suite
+from probe.tasks.suite_file import packaged_suite
 
 
 def demo(out: Path = Path("outputs/demo")) -> None:
-    """Let the scripted agent solve the six demo tasks, and write a page of what it did.
+    """Let the scripted agent solve a task of each question type, and write a page of what it did.
 
     Args:
         out: Folder for the records, pictures and the page.
     """
-    suite = demo_suite()
+    suite = packaged_suite("tour")
     missing = run_order(suite, RunOrder("scripted"), make_agent, everything(), out, LocalEngine())
     say(f"Open {write_run_report([out])} in a browser.")
     check_whole(missing, len(suite.tasks))

@@ -5,26 +5,25 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated
 
-import tyro
-
-from probe.api.resources import cache_folder, everything
+from probe.api.resources import cache_folder
 from probe.assets.library import Library
 from probe.bench.dataset import CARD, TABLE, Row, row_of, write_dataset
+from probe.cli.metavars import Folder, SuiteName
+from probe.cli.objects import all_objects, check
 from probe.cli.screen import say, track
 from probe.episodes.participation import Points
 from probe.errors import BadData
-from probe.render.renderer import Renderer
+from probe.render.renderers import Renderers
 from probe.runs.stills import stills
-from probe.tasks.suite import Suite, check_objects
+from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.pictures import jpeg
 
 
 def export(
-    suite: Annotated[str, tyro.conf.Positional],
-    out: Annotated[Path, tyro.conf.Positional],
+    suite: SuiteName,
+    out: Folder,
     points: Points = "pixels",
 ) -> None:
     """Write a suite's pictures, questions and answers as a data set of Hugging Face's form.
@@ -35,8 +34,8 @@ def export(
         points: How coordinates are written in the texts.
     """
     _check_place(out)
-    asked, things = find_suite(suite), everything()
-    check_objects(asked, things)
+    asked, things = find_suite(suite), all_objects()
+    check(asked, things)
     count = write_dataset(out, asked.name, _rows(asked, things, points))
     say(f"{count} tasks are in {out}; the answers too, so keep its canary with every copy.")
 
@@ -60,7 +59,8 @@ def _check_place(out: Path) -> None:
 
 
 def _rows(suite: Suite, things: Library, points: Points) -> Iterator[Row]:
-    with Renderer(cache_folder() / "light") as renderer:
+    with Renderers(cache_folder() / "light") as renderers:
         for task in track(suite.tasks, "Drawing"):
+            renderer = renderers[task.setup.renderer]
             (picture,) = stills("direct", task, task.viewpoint, things, renderer)
             yield row_of(task, jpeg(picture), points)

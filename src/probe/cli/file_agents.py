@@ -13,6 +13,7 @@ from probe.agents.external.protocol import Confinement
 from probe.agents.external.sandbox import AgentFile, Sandbox
 from probe.api.agents import SETTINGS, make_agent
 from probe.assets.library import Library
+from probe.cli.installed_agents import file_of, installed_agents
 from probe.cli.screen import say
 from probe.episodes.turns import Agent
 from probe.errors import BadData, UnknownName
@@ -24,6 +25,7 @@ PRINTS = "agent.log"
 """File in the folder of records that holds what an agent of a file printed."""
 
 _OURS: Collection[str] = SETTINGS.keys()
+_YOURS = "Your own is FILE.py:ClassName."
 _NAME = re.compile(r"[A-Za-z0-9._-]{1,64}")
 
 
@@ -46,8 +48,9 @@ def who_acts(
     """Name of who acts, for the records, and what makes it.
 
     Args:
-        agent: A name of ours, "FILE.py" or "FILE.py:Name".
-        name: What an agent of a file is to be called; by default as its class.
+        agent: A name of ours, "FILE.py", "FILE.py:Name", or an installed package's name for one.
+        name: What an agent of a file is to be called; by default as its class, or as its package
+            calls it.
         sandbox: What such an agent is allowed.
         suite: What is run: its file, if it is one, is kept from the agent.
         out: Folder for the records, which is kept from it as well.
@@ -56,19 +59,23 @@ def who_acts(
         UnknownName: There is no such agent.
         BadData: There is none in the file, its name won't do, or an option does nothing.
     """
-    if ".py" not in agent:
+    installed = installed_agents()
+    if ".py" not in agent and (agent in _OURS or agent not in installed):
         if agent not in _OURS:
-            raise UnknownName("agent", agent, [*_OURS, "FILE.py:ClassName"])
+            raise UnknownName("agent", agent, [*_OURS, *installed], _YOURS)
         if name is not None or sandbox != Sandbox():
             what = "--sandbox" if name is None else "--agent-name"
             raise BadData(what, "does nothing with an agent of ours", "Leave it out")
         return agent, make_agent
     sandbox.check()
     hidden = (Path(suite), out)
-    invitation = FileAgentFactory(AgentFile.of(agent), sandbox, hidden, log=out / PRINTS)
+    offered = None if ".py" in agent else installed[agent]
+    file = AgentFile.of(agent) if offered is None else file_of(offered)
+    invitation = FileAgentFactory(file, sandbox, hidden, log=out / PRINTS)
     confined, ready = introduced(invitation)
     _tell(confined, sandbox, out)
-    called = _checked(ready.name if name is None else name)
+    usual = ready.name if offered is None else offered.name
+    called = _checked(usual if name is None else name)
     return called, FileAgents(replace(invitation, pictures=ready.pictures))
 
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
-from typing import Annotated
-
-import tyro
 
 from probe.agents.question_classifier import WEIGHTS, QuestionClassifier, read_learnt
 from probe.api.grading import graded
 from probe.api.rows import rows_of
 from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.metavars import RunFolders
 from probe.cli.screen import say, track
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
@@ -28,7 +26,7 @@ from probe.train.held_out import markdown, standings
 
 
 def held_out(
-    runs: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    runs: RunFolders,
     types: tuple[QuestionType, ...] = ("beneath",),
     learnt: Path | None = None,
     out: Path = Path("outputs/held-out.md"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -12,21 +12,30 @@ from typing import Annotated
 
 import tyro
 
-from probe.api.resources import cache_folder, everything
+from probe.api.resources import cache_folder
 from probe.assets.library import Library
+from probe.cli.metavars import SuiteName
 from probe.cli.numbers import check_numbers
+from probe.cli.objects import all_objects, check
+from probe.cli.perception import PerceptionChoice
 from probe.cli.screen import say
 from probe.episodes.circumstances import Circumstances
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
 from probe.episodes.folder import RECORDS, check_suite, check_tools_of, claim_setting, occupied
 from probe.episodes.noise import NOISES, Noise, NoiseName
+from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed, used_by
 from probe.episodes.play import open_episode
+from probe.episodes.record import EpisodeRecord
 from probe.episodes.remarks import REMARKS
 from probe.errors import BadData, MissingExtra
+from probe.interfaces.human.feedback import Feedback, explain
+from probe.interfaces.human.practice import practice_for
 from probe.interfaces.human.session_store import UNFINISHED
-from probe.render.renderer import Renderer
-from probe.tasks.suite import Suite, check_objects
+from probe.interfaces.human.table_places import TablePlace
+from probe.perception.choice import Perceiver, ideal
+from probe.render.renderers import Renderers
+from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
 from probe.tasks.task import Task
 
@@ -34,16 +43,17 @@ SETTING = "human"
 
 
 def human(
-    suite: Annotated[str, tyro.conf.Positional],
+    suite: SuiteName,
     out: Path = Path("outputs/human"),
     port: int = 8137,
     noise: NoiseName = "none",
     seats: int = 4,
+    seeing: Annotated[PerceptionChoice, tyro.conf.arg(name="")] = PerceptionChoice(),  # noqa: B008
 ) -> None:
     """Let people answer in a browser on this machine, with what agents see and can do.
 
-    Each person enters a name and goes through the suite in its order. Ctrl-C ends it; the same
-    command continues, with every table as it was left. See docs/how-to/human.md.
+    Each person enters a name, may practise, and goes through the suite in its order. Ctrl-C ends
+    it; the same command continues, with every table as it was left. See docs/how-to/human.md.
 
     Args:
         suite: "v1", "demo", or a file that `probe suite build` wrote.
@@ -51,21 +61,26 @@ def human(
         port: Where to listen; 0 for any that is free.
         noise: How far the hand errs, as in `probe run`; the same for all records of a folder.
         seats: Tables that may stand at once; each takes some memory.
+        seeing: What the tools see with, the same for all records of a folder; see
+            docs/reference/perception.md.
     """
     check_numbers({"--port": port, "--seats": seats})
+    perceiver = seeing.perceiver()
     try:
         from probe.interfaces.human.server import run
         from probe.interfaces.human.session_manager import SessionManager
     except ImportError as error:
         raise MissingExtra("The human seat", "human") from error
-    tasks, things = find_suite(suite), everything()
-    check_objects(tasks, things)
+    tasks, things = find_suite(suite), all_objects()
+    practice = practice_for(tasks)
+    for each in filter(None, (tasks, practice)):
+        check(each, things)
     # A polite end in any case: whoever is in the middle of a question can go on with it.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    resources = HumanResources(things, NOISES[noise])
+    resources = HumanResources(things, NOISES[noise], perceiver)
     with (
-        taken_up(out, tasks, NOISES[noise]),
-        closing(SessionManager(tasks, out, resources.furnish, seats)) as sessions,
+        taken_up(out, tasks, NOISES[noise], used_by(perceiver)),
+        closing(SessionManager(tasks, out, resources.furnish, seats, practice)) as sessions,
     ):
         try:
             run(sessions, port, _tell)
@@ -75,14 +90,16 @@ def human(
 
 
 @contextmanager
-def taken_up(out: Path, suite: Suite, noise: Noise) -> Generator[None]:
+def taken_up(
+    out: Path, suite: Suite, noise: Noise, perception: PerceptionUsed = ORACLE_USED
+) -> Generator[None]:
     """A folder that people's records are added to, by this process alone.
 
     A line that was cut off when an earlier one was killed is moved to a file beside it.
 
     Raises:
-        BadData: It is about another suite, has another noise, holds records of others or of tools
-            of another version, or another run is at work there.
+        BadData: It is about another suite, has another noise or perception, holds records of
+            others or of tools of another version, or another run is at work there.
         OutputFailed: It can't be written.
     """
     check_suite(out, suite)
@@ -92,17 +109,19 @@ def taken_up(out: Path, suite: Suite, noise: Noise) -> Generator[None]:
             cut = set_aside_cut(out / name)
             if cut is not None:
                 say(f"The last line of {name} was cut off: moved to {cut}.")
-        _check_earlier(out, noise)
+        _check_earlier(out, noise, perception)
         yield
 
 
-def _check_earlier(out: Path, noise: Noise) -> None:
+def _check_earlier(out: Path, noise: Noise, perception: PerceptionUsed) -> None:
     records = read_records(out / RECORDS) if (out / RECORDS).exists() else []
     check_tools_of(out / RECORDS, records)
     for path in sorted((out / UNFINISHED).glob("*.jsonl")):
         check_tools_of(path, read_records(path))
     if any(record.noise != noise for record in records):
         raise BadData(out, "holds records with another noise", "Choose another folder")
+    if any(record.perception != perception for record in records):
+        raise BadData(out, "holds records with another perception", "Choose another folder")
 
 
 def _tell(address: str) -> None:
@@ -116,20 +135,31 @@ class HumanResources:
     Attributes:
         things: Has the suite's objects; it isn't made for several threads.
         noise: How far the hand errs.
+        perceiver: What the tools see with.
     """
 
     things: Library
     noise: Noise
+    perceiver: Perceiver = ideal
     _lock: threading.Lock = field(default_factory=threading.Lock, init=False)
 
     @contextmanager
-    def furnish(self) -> Generator[Callable[[Task, str, int], Episode]]:
-        """A renderer for one seat, and a function that sets tables with it."""
-        with Renderer(cache_folder() / "light") as renderer:
+    def furnish(self) -> Generator[TablePlace]:
+        """Renderers for one place of a seat, and what is done with them."""
+        with Renderers(cache_folder() / "light") as renderers:
 
             def set_table(task: Task, name: str, run: int) -> Episode:
                 with self._lock:
-                    circumstances = Circumstances(run, self.noise)
-                    return open_episode(task, name, self.things, renderer, circumstances)
+                    used = used_by(self.perceiver)
+                    circumstances = Circumstances(run, self.noise, perception=used)
+                    renderer = renderers[task.setup.renderer]
+                    return open_episode(
+                        task, name, self.things, renderer, circumstances, self.perceiver
+                    )
 
-            yield set_table
+            def explained(task: Task, record: EpisodeRecord) -> Feedback:
+                with self._lock:
+                    renderer = renderers[task.setup.renderer]
+                    return explain(task, record, self.things, renderer)
+
+            yield TablePlace(set_table, explained)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import tyro
 
+from probe.cli.metavars import Folder
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say
 from probe.train.tune.tiny import make_tiny
@@ -16,8 +16,8 @@ _USUAL = Shape()
 
 
 def init_tiny(
-    dataset: Annotated[Path, tyro.conf.Positional],
-    out: Annotated[Path, tyro.conf.Positional],
+    dataset: Folder,
+    out: Folder,
     shape: Annotated[Shape, tyro.conf.arg(name="")] = _USUAL,
 ) -> None:
     """Make a very small, untrained model: to see that the recipe works, not to use.

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
-
-import tyro
 
 from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.metavars import RunFolders
 from probe.cli.screen import say
 from probe.errors import BadData
 from probe.runs.merge import merge_folders
 
 
-def merge(parts: Annotated[tuple[Path, ...], tyro.conf.Positional], out: Path) -> None:
+def merge(parts: RunFolders, out: Path) -> None:
     """Join folders of records that `probe run --shard` wrote.
 
     Args:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from probe.api.resources import cache_folder
@@ -14,14 +14,20 @@ from probe.bench.models import settings_of
 from probe.bench.plan import ModelRunPlan
 from probe.bench.prices import Price, Prices, read_prices
 from probe.cli.address import check_address
-from probe.cli.screen import say
+from probe.cli.listening import check_listening
+from probe.cli.objects import check
+from probe.cli.screen import say, sign
 from probe.cli.variation import varied
+from probe.cli.watching import watching
 from probe.episodes.conditions import Conditions
+from probe.episodes.folder import check_suite
 from probe.episodes.noise import Noise
 from probe.episodes.participation import Points
 from probe.errors import BadData, MissingExtra
+from probe.files import check_writable
+from probe.perception.choice import Perceiver, ideal
 from probe.runs.vary import changes_scenes
-from probe.tasks.suite import Suite, check_objects
+from probe.tasks.suite import Suite
 from probe.tasks.task import Task
 from probe.transcripts.prompts import Setting
 from probe.types import Shard
@@ -33,6 +39,7 @@ class ModelRunOptions:
 
     Attributes:
         library: Opens the objects; a value that can be sent to another process.
+        watch: Whether a page shows the tables as long as it lasts.
     """
 
     library: Callable[[], Library]
@@ -47,6 +54,8 @@ class ModelRunOptions:
     conditions: Conditions
     shard: Shard
     workers: int
+    perceiver: Perceiver = ideal
+    watch: bool = False
 
     @property
     def counting(self) -> Points:
@@ -73,18 +82,25 @@ def run_model(suite: Suite, options: ModelRunOptions, out: Path, *, plain: bool 
     Raises:
         MissingExtra: The harness isn't installed.
         BadData: The folder is about something else, prices can't be read, or nobody has the model.
+        ModelFailed: Nobody answers at its address.
     """
     check_asked(options)
     price = price_of(options.prices, options.model)
     for name in {options.model, options.pointer} - {"oracle", "self"}:
         if options.endpoint is None:
             _check_served(name)
-    things = options.library()
-    check_objects(suite, things)
+    check_listening(options.model, options.endpoint)
+    if not changes_scenes(options.conditions):
+        check_suite(out, suite)
+    check_writable(out)
+    with sign("Reading the catalogue of objects ..."):
+        things = options.library()
+    check(suite, things)
     if changes_scenes(options.conditions):
         suite = varied(suite, options.conditions, things, out)
     try:
-        from probe.bench.evaluation import Participants, evaluate
+        with sign("Loading the harness for models ..."):
+            from probe.bench.evaluation import Participants, evaluate
     except ImportError as error:
         raise MissingExtra("A model in the seat", "bench") from error
     plan = plan_of(suite, options, out, price)
@@ -92,7 +108,10 @@ def run_model(suite: Suite, options: ModelRunOptions, out: Path, *, plain: bool 
     pointer = settings_of(options.pointer).id if plan.pointer == "role" else None
     its_price = price_of(options.prices, options.pointer) if pointer else None
     chosen = Participants(settings_of(options.model).id, options.endpoint, key, pointer, its_price)
-    return evaluate(plan, chosen, "rich" if sys.stdout.isatty() and not plain else "plain")
+    total = len(plan.tasks) * plan.epochs
+    with watching(out, suite, options.model, options.setting, total, on=options.watch) as tables:
+        plan = replace(plan, tables=tables)
+        return evaluate(plan, chosen, "rich" if sys.stdout.isatty() and not plain else "plain")
 
 
 def price_of(path: Path | None, name: str) -> Price | None:
@@ -158,4 +177,5 @@ def plan_of(suite: Suite, options: ModelRunOptions, out: Path, price: Price | No
         workers=options.workers,
         prices={options.model: price} if price else {},
         called=options.model,
+        perceiver=options.perceiver,
     )

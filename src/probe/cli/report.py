@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import webbrowser
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
@@ -10,17 +11,19 @@ import tyro
 
 from probe.api import reports
 from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.metavars import RunFolders
 from probe.cli.rescore import headline_line
 from probe.cli.screen import say, track
 from probe.toolshed.version import tools_words
 
 
 def report(
-    runs: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    runs: RunFolders,
     out: Path | None = None,
     setting: Annotated[str | None, tyro.conf.arg(aliases=["--arm"])] = None,
     build_log: Path | None = None,
     single_file: bool = False,
+    open: bool = False,
 ) -> None:
     """Grade records, without physics, and write a page of scores and replays.
 
@@ -30,9 +33,11 @@ def report(
         setting: How the agents were allowed to answer; as in `probe rescore`.
         build_log: The log that `probe suite build` wrote beside the suite, for its yield.
         single_file: Write one file, report.html, that holds everything; for up to 20 episodes.
+        open: Show the page in a browser.
     """
     page = write_run_report(runs, out, setting=setting, build_log=build_log, single=single_file)
-    say(f"Open {page} in a browser.")
+    if not (open and webbrowser.open(page.resolve().as_uri())):
+        say(f"Open {page} in a browser.")
 
 
 def write_run_report(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Annotated
 
 import tyro
@@ -13,9 +12,10 @@ from probe.api.resources import audit_key_file
 from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES
 from probe.audit.audit_file import audit_of
 from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.metavars import RunFolder
 from probe.cli.screen import ScreenTable, say, track
 from probe.episodes.folder import SUITE
-from probe.scores.row import Entrant
+from probe.report.episodes import name_of
 from probe.scores.scorecard import Figure, Scorecard
 from probe.scores.summary import AGENTIC, DIRECT, Scores
 from probe.tasks.identity import identity_of
@@ -28,7 +28,7 @@ _FLOORS = (
 
 
 def rescore(
-    out: Annotated[Path, tyro.conf.Positional],
+    out: RunFolder,
     setting: Annotated[str | None, tyro.conf.arg(aliases=["--arm"])] = None,
 ) -> None:
     """Grade a run's records again, without physics, and write rows.csv, rows.jsonl, scores.json.
@@ -56,12 +56,12 @@ def headline_line(card: Scorecard) -> str:
     """One entrant's headline in a line."""
     _, tasks, runs, right, interval, chance, naive, _ = _cells(card.macro)
     sizes = f"n = {tasks} tasks, {runs} of {card.macro.headline.rows} runs"
-    return f"{_name(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}, naive {naive}"
+    return f"{name_of(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}, naive {naive}"
 
 
 def _table(card: Scorecard) -> ScreenTable:
     columns = ("", "tasks", "runs", "right", "95 % interval", "chance", "naive", "beyond")
-    table = ScreenTable(*columns, title=_name(card.entrant), left=True)
+    table = ScreenTable(*columns, title=name_of(card.entrant), left=True)
     for figure in (card.macro, *card.question_types, *card.parts):
         table.add(*_cells(figure))
     return table
@@ -75,13 +75,14 @@ def _lines(scores: Scores) -> Iterator[str]:
         if card.detectable is not None and card.detectable > 1:
             gap = "none, with so few tasks"
         yield (
-            f"{_name(card.entrant)}: n = {card.macro.tasks} tasks; ICC of runs {resemblance}; "
+            f"{name_of(card.entrant)}: n = {card.macro.tasks} tasks; ICC of runs {resemblance}; "
             f"detectable difference from an unrelated agent {gap}; {len(card.gaps)} rows missing"
         )
     for pair in scores.all_pairs:
         verdict = "a tie" if pair.tie else "different"
+        names = f"{name_of(pair.first)} less {name_of(pair.second)}"
         yield (
-            f"{_name(pair.first)} less {_name(pair.second)}: {100 * pair.difference:+.1f} points "
+            f"{names}: {100 * pair.difference:+.1f} points "
             f"({100 * pair.student.low:+.0f} to {100 * pair.student.high:+.0f}), n = {pair.tasks}, "
             f"p = {pair.p:.2g}, corrected {pair.adjusted:.2g}: {verdict}"
         )
@@ -90,10 +91,6 @@ def _lines(scores: Scores) -> Iterator[str]:
             f"{AGENTIC} against {DIRECT} over {scores.settings.agents} agents: "
             f"p = {scores.settings.p:.2g} (plain CMH {scores.settings.plain_p:.2g})"
         )
-
-
-def _name(entrant: Entrant) -> str:
-    return f"{entrant.agent} ({entrant.setting})"
 
 
 def _cells(figure: Figure) -> tuple[str, ...]:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated
 
 import pydantic
-import tyro
 
 from probe.api.grading import graded
 from probe.api.rows import rows_of
 from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.metavars import RunFolder, RunFolders
 from probe.cli.screen import ScreenTable, say, track
 from probe.episodes.folder import SUITE
 from probe.errors import BadData
@@ -25,8 +24,8 @@ from probe.toolshed.version import tools_words
 
 
 def robustness(
-    plain: Annotated[Path, tyro.conf.Positional],
-    others: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    plain: RunFolder,
+    others: RunFolders,
     out: Path = Path("outputs/robustness.json"),
 ) -> None:
     """Compare a run with runs of the same tasks under other conditions.
@@ -68,7 +67,7 @@ def _graded(folder: Path) -> tuple[str, list[Row]]:
     name = read_suite(folder / SUITE).name
     found = graded(folder, track)
     tell_unsummed(folder)
-    labels = {record.conditions.label for _, record, _ in found}
+    labels = {record.label for _, record, _ in found}
     if len(labels) != 1:
         raise BadData(folder, f"holds runs under {len(labels)} conditions", "Name another folder")
     return labels.pop(), rows_of(folder, name, found)

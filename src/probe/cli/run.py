@@ -9,23 +9,30 @@ from typing import Annotated
 import tyro
 
 from probe.agents.external.sandbox import Sandbox
-from probe.api.agents import AgentName
-from probe.api.resources import everything, opener
+from probe.api.resources import opener
 from probe.cli.dry_run import would_ask
 from probe.cli.engines import EngineChoice
 from probe.cli.file_agents import who_acts
+from probe.cli.metavars import SuiteName
 from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.numbers import check_numbers
+from probe.cli.objects import all_objects
 from probe.cli.option_conflicts import check_pointer, refuse_stray
+from probe.cli.perception import PerceptionChoice
+from probe.cli.run_summary import RunSummary, only_json, tell
 from probe.cli.running import check_whole, run_order
-from probe.cli.screen import say
 from probe.cli.shards import parse_shard
+from probe.cli.task_choice import TaskChoice
 from probe.engines.plan import Engine
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
 from probe.episodes.noise import NOISES, NoiseName
 from probe.episodes.participation import Points
+from probe.episodes.perceptions import used_by
+from probe.errors import BadData
+from probe.perception.choice import Perceiver
 from probe.runs.plan import RunOrder
+from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.prompts import Setting
 
@@ -53,13 +60,13 @@ class ModelChoice:
         dry_run: Send nothing; only count replies, pictures and tokens.
     """
 
-    model: str | None = None
+    model: Annotated[str | None, tyro.conf.arg(metavar="MODEL")] = None
     setting: Annotated[Setting | None, tyro.conf.arg(aliases=["--arm"])] = None
-    epochs: int | None = None
+    epochs: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     points: Points | None = None
-    pointer: str | None = None
-    endpoint: str | None = None
-    prices: Path | None = None
+    pointer: Annotated[str | None, tyro.conf.arg(metavar="MODEL")] = None
+    endpoint: Annotated[str | None, tyro.conf.arg(metavar="URL")] = None
+    prices: Annotated[Path | None, tyro.conf.arg(metavar="FILE")] = None
     dry_run: bool = False
 
 
@@ -68,83 +75,128 @@ class AgentChoice:
     """Who acts without a model.
 
     Attributes:
-        agent: Who acts, without a model; by default "scripted". "FILE.py:ClassName" for your
-            own agent, which runs in a separate process: see docs/reference/agents.md.
+        agent: Who acts, without a model: scripted (the default), random, always-A to always-E,
+            always-none, middle-number, question-only, smallest, largest; or your own agent, which
+            runs in a separate process (docs/reference/agents.md): "FILE.py:ClassName", or the
+            name under which an installed package offers it (entry points "probe.agents").
         agent_name: The name in records of an agent in a file; by default its class's.
         sandbox: What an agent in a file is allowed.
         runs: Episodes of each task, without a model; by default 1.
     """
 
-    agent: AgentName | str | None = None
-    agent_name: str | None = None
+    agent: Annotated[str | None, tyro.conf.arg(metavar="AGENT")] = None
+    agent_name: Annotated[str | None, tyro.conf.arg(metavar="NAME")] = None
     sandbox: Sandbox = Sandbox()
-    runs: int | None = None
+    runs: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
 
 
 def run(
-    suite: Annotated[str, tyro.conf.Positional],
+    suite: SuiteName,
     acting: Annotated[AgentChoice, tyro.conf.arg(name="")] = AgentChoice(),  # noqa: B008
     asked: Annotated[ModelChoice, tyro.conf.arg(name="")] = ModelChoice(),  # noqa: B008
-    out: Path = Path("outputs/run"),
+    chosen: Annotated[TaskChoice, tyro.conf.arg(name="")] = TaskChoice(),  # noqa: B008
+    out: Annotated[Path, tyro.conf.arg(metavar="FOLDER")] = Path("outputs/run"),
     noise: NoiseName = "none",
-    workers: int | None = None,
-    shard: str = "0/1",
+    workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
+    shard: Annotated[str, tyro.conf.arg(metavar="I/N")] = "0/1",
+    watch: bool = False,
     where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     conditions: Annotated[Conditions, tyro.conf.arg(name="")] = AS_FROZEN,
+    seeing: Annotated[PerceptionChoice, tyro.conf.arg(name="")] = PerceptionChoice(),  # noqa: B008
+    json: bool = False,
 ) -> None:
-    """Run an agent on every task of a suite; continues where an earlier run stopped.
+    """Run an agent on the tasks of a suite; continues where an earlier run stopped.
 
     Args:
         suite: "v1", "demo" or a file that `probe suite build` wrote.
         acting: Who acts, without a model.
         asked: The model that acts instead.
+        chosen: Which tasks; by default all.
         out: Folder for the records.
         noise: How far the hand errs; "paper" fails as often as the paper's.
         workers: Processes that run episodes; by default 1, for a model 4, and on a cluster one on
             each core.
         where: On which machines.
+        watch: Serve a page that shows what the agent sees, calls and is told, as it happens.
         shard: "0/2" and "1/2" on two machines share the work; `probe merge` joins their folders.
         conditions: In what episodes differ from their tasks; see docs/how-to/run.md.
+        seeing: What the tools see with; see docs/reference/perception.md.
+        json: Print one line of JSON at the end, and all else to standard error.
     """
     part = parse_shard(shard)
     check_numbers({"--runs": acting.runs, "--epochs": asked.epochs, "--workers": workers})
     check_numbers({"--pose-jitter": conditions.pose_jitter})
     if asked.model is not None:
         where.refuse_for_models()
+    if watch and where.on != "local":
+        reason = "shows tables of this machine alone"
+        raise BadData("--watch", reason, "Leave it out, or run without --on")
+    seeing.check(conditions)
+    tasks, perceiver = chosen.of(find_suite(suite)), seeing.perceiver()
     order = RunOrder("", acting.runs or 1, NOISES[noise], conditions, part)
-    if asked.model is None:
-        missing, total = _run_agent(suite, acting, asked, order, out, where.engine(out, workers))
-    elif asked.dry_run:
-        would_ask(find_suite(suite), _options_of(acting, asked, order, workers), out)
-        return
-    else:
-        options = _options_of(acting, asked, order, workers)
-        tasks = find_suite(suite)
-        missing = run_model(tasks, options, out)
-        total = len(options.tasks_of(tasks)) * options.epochs
-    say(f"Records are in {out / RECORDS}; `probe report {out}` shows them.")
+    with only_json(json):
+        if asked.model is None:
+            order = replace(order, perception=used_by(perceiver))
+            engine = where.engine(out, workers)
+            missing, total = _run_agent(
+                tasks, suite, acting, asked, order, out, engine, perceiver, watch=watch
+            )
+        elif asked.dry_run:
+            would_ask(tasks, _options_of(acting, asked, order, workers, seeing), out)
+            return
+        else:
+            options = _options_of(acting, asked, order, workers, seeing)
+            options = replace(options, perceiver=perceiver, watch=watch)
+            missing = run_model(tasks, options, out)
+            total = len(options.tasks_of(tasks)) * options.epochs
+    records = str(out / RECORDS)
+    tell(RunSummary(tasks.name, len(tasks.tasks), total, missing, records), out, as_json=json)
     check_whole(missing, total)
 
 
 def _run_agent(
-    suite: str, acting: AgentChoice, asked: ModelChoice, order: RunOrder, out: Path, engine: Engine
+    tasks: Suite,
+    suite: str,
+    acting: AgentChoice,
+    asked: ModelChoice,
+    order: RunOrder,
+    out: Path,
+    engine: Engine,
+    perceiver: Perceiver,
+    *,
+    watch: bool,
 ) -> tuple[int, int]:
-    """Episodes that are missing by our fault, and all that there are to be."""
+    """Episodes that are missing by our fault, and all that there are to be.
+
+    Args:
+        tasks: What is run.
+        suite: Its file, if it is one: it is kept from an agent in a file.
+        acting: Who acts.
+        asked: Nothing may be said of a model.
+        order: How; who acts is added.
+        out: Folder for the records.
+        engine: Does the episodes.
+        perceiver: What the tools see with.
+        watch: Whether a page shows it as it happens.
+    """
     refuse_stray("without --model", {
         "--setting": asked.setting, "--epochs": asked.epochs, "--points": asked.points,
         "--pointer": asked.pointer, "--endpoint": asked.endpoint, "--prices": asked.prices,
         "--dry-run": asked.dry_run or None,
     })  # fmt: skip
-    tasks, things = find_suite(suite), everything()
     agent = "scripted" if acting.agent is None else acting.agent
     name, agent_of = who_acts(agent, acting.agent_name, acting.sandbox, suite, out)
     order = replace(order, agent=name)
-    missing = run_order(tasks, order, agent_of, things, out, engine)
+    missing = run_order(tasks, order, agent_of, all_objects(), out, engine, perceiver, watch=watch)
     return missing, len(order.jobs(tasks.tasks))
 
 
 def _options_of(
-    acting: AgentChoice, asked: ModelChoice, order: RunOrder, workers: int | None
+    acting: AgentChoice,
+    asked: ModelChoice,
+    order: RunOrder,
+    workers: int | None,
+    seeing: PerceptionChoice,
 ) -> ModelRunOptions:
     """How a model's run is to be.
 
@@ -170,4 +222,5 @@ def _options_of(
         workers=workers or _TABLES,
     )
     check_pointer(options.pointer, options.setting, options.conditions)
+    seeing.check_model(options.pointer, options.setting)
     return options

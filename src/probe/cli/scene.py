@@ -4,49 +4,49 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
-
-import tyro
 
 from probe.api.resources import Pool, assets_folder, cache_folder, library
 from probe.assets.library import Library
+from probe.assets.looks import NEWEST_LOOKS, Looks
 from probe.assets.tables import table_ids
+from probe.cli.metavars import Seed
 from probe.cli.numbers import check_numbers
-from probe.cli.screen import say, track
+from probe.cli.screen import say, sign, track
 from probe.errors import BadData
 from probe.files import encode, write_bytes, write_picture
 from probe.render.illumination import Illumination
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, measure, photograph
-from probe.render.protocol import Engine
 from probe.render.renderer import Renderer
 from probe.report.gallery import GalleryEntry, write_gallery
 from probe.report.pictures import depth_image, label_image
 from probe.scene.cameras import View
 from probe.scene.document import write_scene
-from probe.scene.lighting import AMBIENT, Lighting
+from probe.scene.lighting import Lighting
 from probe.scene.sampling import DEFAULT_COUNT, TIGHT, PileSettings
 from probe.scene.scene import Scene
-from probe.scene.setup import UR5_TABLE, Setup
+from probe.scene.setup import UR5_TABLE, RendererName, Setup, newest
 from probe.scene.setup_file import read_setup
 from probe.scene.visibility import Visibility
 from probe.world.scenes import SettledScene, draw_scene
 
+PAGE = "index.html"
 _MANY = 40
 """Objects that take so long to settle that it has to be said."""
 
 
 def scene(
-    seed: Annotated[int, tyro.conf.Positional],
+    seed: Seed,
     out: Path = Path("outputs/scene"),
     pool: Pool = "procedural",
     objects: int = DEFAULT_COUNT,
     reach: float = TIGHT.reach,
     buried: int = TIGHT.buried,
     gallery: int = 0,
-    lighting: str = AMBIENT.name,
+    lighting: str | None = None,
+    looks: Looks = NEWEST_LOOKS,
     camera: View = "top",
-    renderer: Engine = "filament",
+    renderer: RendererName = "filament",
     setup: Path | None = None,
 ) -> None:
     """Settle a cluttered table from a seed and photograph it.
@@ -62,8 +62,10 @@ def scene(
         buried: How many of the smallest objects are put down first, each with a larger one right
             over it; at most half of the objects.
         gallery: If above 0, write this many scenes, from this seed on, and a page of them.
-        lighting: "ambient", or surroundings that light the table: a painted room
+        lighting: By default the set-up's, or "day_room" where that is even. "ambient" is even
+            light without shadows; other surroundings are a painted room
             (docs/reference/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
+        looks: How what is made by formula looks; 1 as in the suite v1, clean, or 2, used.
         camera: From above, or obliquely from the front.
         renderer: What draws colour; blender needs the extra of that name, and more time.
         setup: File of another set-up (docs/how-to/extend/add-a-setup.md); the scene keeps it.
@@ -72,15 +74,19 @@ def scene(
     if 2 * buried > objects:
         reason = f"of {objects} objects, {buried} can't lie under others"
         raise BadData("--buried", reason, "Say at most half of --objects")
-    things, around = library(pool), read_setup(setup) if setup else UR5_TABLE
+    _check_gallery(out, range(seed, seed + gallery))
+    around = newest(read_setup(setup) if setup else UR5_TABLE, lighting, looks, renderer)
+    with sign("Reading the catalogue of objects ..."):
+        things = library(pool)
     recipe = _Recipe(things, objects, PileSettings(reach, buried), around)
     with Renderer(cache_folder() / "light", renderer) as drawing:
-        studio = _Studio(drawing, camera, light_of(Lighting(lighting), things.assets))
+        studio = _Studio(drawing, camera, light_of(Lighting(around.lighting), things.assets))
         if gallery == 0:
             if objects > _MANY:
                 say(f"Settling {objects} objects; over {_MANY} may take minutes.")
-            drawn = [recipe.settle(seed)]
-            _write(out, drawn[0].scene, things, studio)
+            with sign(f"Settling {objects} objects and drawing them ..."):
+                drawn = [recipe.settle(seed)]
+                _write(out, drawn[0].scene, things, studio)
             say(f"Picture, depth, labels and scene are in {out}")
         else:
             drawn = _gallery(out, range(seed, seed + gallery), recipe, studio)
@@ -88,6 +94,19 @@ def scene(
     again = sum(each.restless > 0 for each in drawn)
     if again:
         say(f"Drawn again, because something moved on the rebuilt table: {again} of {len(drawn)}")
+
+
+def _check_gallery(out: Path, wanted: range) -> None:
+    """See that no gallery of other scenes is in the folder.
+
+    Raises:
+        BadData: One is.
+    """
+    if not (out / PAGE).exists():
+        return
+    there = {int(it.name) for it in out.iterdir() if it.is_dir() and it.name.isdecimal()}
+    if not there <= set(wanted):
+        raise BadData(out, f"holds a gallery of {len(there)} other scenes", "Say another --out")
 
 
 @dataclass(frozen=True)
@@ -121,14 +140,14 @@ def _gallery(out: Path, seeds: range, recipe: _Recipe, studio: _Studio) -> list[
         drawn.append(recipe.settle(seed))
         shares = _write(out / str(seed), drawn[-1].scene, recipe.things, studio)
         entries.append(_entry(drawn[-1].scene, shares, recipe.things))
-    write_gallery(out / "index.html", entries)
+    write_gallery(out / PAGE, entries)
     return drawn
 
 
 def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> dict[int, Visibility]:
     """Draw one scene and write its files; the scene comes last and so marks a complete folder."""
     renderer, camera = studio.renderer, settled.setup.camera(studio.camera)
-    load_scene(renderer, settled, things, things.table(settled.table))
+    load_scene(renderer, settled, things)
     frame = photograph(renderer, settled, camera=camera, light=studio.light)
     assert frame.rgb is not None and frame.labels is not None
     write_picture(folder / "picture.png", frame.rgb)

@@ -7,8 +7,10 @@ them is shown as the signs that it consists of. Nothing else in this program pri
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator, Sized
-from typing import TypeVar
+from collections.abc import Generator, Iterable, Iterator, Sized
+from contextlib import contextmanager
+from threading import Event, Thread
+from typing import TextIO, TypeVar
 
 from rich import table as rich_table
 from rich.console import Console
@@ -27,7 +29,19 @@ from rich.text import Text
 
 from probe.texts import line, visible
 
-__all__ = ["Column", "ScreenTable", "bar", "download_bar", "say", "say_above", "track", "warn"]
+__all__ = [
+    "Column",
+    "ScreenTable",
+    "bar",
+    "download_bar",
+    "passing",
+    "say",
+    "say_above",
+    "sign",
+    "standard_error",
+    "track",
+    "warn",
+]
 
 Item = TypeVar("Item")
 _HOUR = 3600.0
@@ -65,11 +79,29 @@ class ScreenTable(rich_table.Table):
             console.width = narrowest
         console.print(self)
 
+    def show_paged(self, narrowest: int) -> None:
+        """Print it; on a terminal with fewer lines, by way of the pager ($PAGER, less).
+
+        Args:
+            narrowest: As of `show`.
+        """
+        console = _console()
+        if not console.is_terminal or self.row_count < console.height:
+            self.show(narrowest)
+            return
+        with console.pager():
+            console.print(self)
+
 
 def say(*lines: object) -> None:
     """Print lines."""
     for each in lines:
         print(line(str(each)), flush=True)
+
+
+def standard_error() -> TextIO:
+    """Where what isn't a result goes."""
+    return sys.stderr
 
 
 def warn(*lines: object) -> None:
@@ -78,13 +110,51 @@ def warn(*lines: object) -> None:
         print(line(str(each)), file=sys.stderr, flush=True)
 
 
+@contextmanager
+def sign(words: str) -> Generator[None]:
+    """Show a line on a terminal while something goes on that prints nothing; then take it away.
+
+    It goes to standard error and counts the seconds; where that isn't a terminal, nothing shows.
+    """
+    if not sys.stderr.isatty():
+        yield
+        return
+    _put(f"{line(words)}\r")
+    over = Event()
+    counting = Thread(target=_count, args=(line(words), over), daemon=True)
+    counting.start()
+    try:
+        yield
+    finally:
+        over.set()
+        counting.join()
+        _put("\r\x1b[2K")
+
+
+def _count(words: str, over: Event) -> None:
+    """Show words and how many seconds it has been, every second."""
+    seconds = 0
+    while not over.wait(1.0):
+        seconds += 1
+        _put(f"{words} {seconds} s\r")
+
+
+def _put(text: str) -> None:
+    sys.stderr.write(text)
+    sys.stderr.flush()
+
+
 def say_above(progress: Progress, text: str) -> None:
     """Print a line above a bar."""
     progress.console.print(Text(line(text)), soft_wrap=True)
 
 
-def bar() -> Progress:
-    """A bar with words, counts, time spent and time left."""
+def bar(*, transient: bool = False) -> Progress:
+    """A bar with words, counts, time spent and time left.
+
+    Args:
+        transient: Take it away at the end; where there is no terminal, show none.
+    """
     return Progress(
         _Words(),
         BarColumn(),
@@ -94,6 +164,8 @@ def bar() -> Progress:
         TimeRemainingColumn(),
         # The harness replaces rich's global console, which ends what is shown there.
         console=_console(),
+        transient=transient,
+        disable=transient and not _console().is_terminal,
         # Episodes and tasks take minutes; a rate over half a minute would know of none.
         speed_estimate_period=_HOUR,
     )
@@ -122,6 +194,12 @@ def track(
         total = len(items)
     with bar() as progress:
         yield from progress.track(items, total=total, description=words)
+
+
+def passing(items: Iterable[Item], words: str) -> Iterator[Item]:
+    """Go through things with a bar that is gone when they are done."""
+    with bar(transient=True) as progress:
+        yield from progress.track(items, description=words)
 
 
 class _Words(ProgressColumn):

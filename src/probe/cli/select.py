@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated
-
-import tyro
 
 from probe.api.resources import cache_folder, everything
 from probe.assets.mesh.fingerprint import Fingerprint
 from probe.assets.pools.split import read_split
 from probe.cli.checksum_notice import tell_unsummed
+from probe.cli.metavars import RunFolders
 from probe.cli.near_duplicates import near_groups, those_here
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import ScreenTable, say
@@ -33,7 +31,7 @@ _SHOWN = 5
 
 
 def select(
-    collected: Annotated[tuple[Path, ...], tyro.conf.Positional],
+    collected: RunFolders,
     out: Path = Path("outputs/selected"),
     counts: dict[QuestionType, int] | None = None,
     direct_share: float = 0.5,

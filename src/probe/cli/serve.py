@@ -4,21 +4,28 @@ from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
+from typing import Annotated
 
-from probe.api.resources import everything
+import tyro
+
 from probe.assets.library import Library
 from probe.cli.numbers import check_numbers
+from probe.cli.objects import all_objects, check
+from probe.cli.perception import PerceptionChoice
 from probe.cli.screen import warn
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.episode import Episode
 from probe.episodes.folder import start_folder
 from probe.episodes.grading import question_of
+from probe.episodes.perceptions import used_by
 from probe.episodes.play import open_episode
 from probe.errors import MissingExtra, UnknownName
 from probe.interfaces.session import Session
 from probe.interfaces.words import question_text
+from probe.perception.choice import Perceiver
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
-from probe.tasks.suite import Suite, check_objects, part
+from probe.tasks.suite import Suite, part
 from probe.tasks.suite_file import find_suite
 from probe.tasks.task import Task
 
@@ -29,6 +36,7 @@ def serve(
     seed: int = 0,
     out: Path = Path("outputs/serve"),
     agent: str = "mcp",
+    seeing: Annotated[PerceptionChoice, tyro.conf.arg(name="")] = PerceptionChoice(),  # noqa: B008
 ) -> None:
     """Let another program use the tools on one task, over MCP on standard input and output.
 
@@ -40,18 +48,20 @@ def serve(
         seed: Chooses a task.
         out: Folder that the record is added to; `probe report` shows it.
         agent: Who acts, for the record.
+        seeing: What the tools see with; see docs/reference/perception.md.
     """
     try:
         from probe.interfaces.mcp_server import serve as serve_mcp
     except ImportError as error:
         raise MissingExtra("Serving the tools", "serve") from error
     check_numbers({"--seed": seed})
+    perceiver = seeing.perceiver()
     tasks = find_suite(suite)
     chosen = _chosen(tasks, task, seed)
-    things = everything()
-    with Renderer() as renderer:
+    things = all_objects()
+    with Renderer(engine=chosen.setup.renderer) as renderer:
         start_folder(out, tasks)
-        opening = partial(_open, part(tasks, chosen), things, renderer, agent)
+        opening = partial(_open, part(tasks, chosen), things, renderer, agent, perceiver)
         session = Session(opening, out)
         question = question_of(chosen)
         # Standard output is the protocol's. Some clients show no instructions to their model.
@@ -71,8 +81,11 @@ def _chosen(suite: Suite, task: str | None, seed: int) -> Task:
     return tasks[task]
 
 
-def _open(suite: Suite, things: Library, renderer: Renderer, agent: str) -> Episode:
+def _open(
+    suite: Suite, things: Library, renderer: Renderer, agent: str, perceiver: Perceiver
+) -> Episode:
     """Set the table of a suite's only task."""
-    check_objects(suite, things)
+    check(suite, things)
     (task,) = suite.tasks
-    return open_episode(task, agent, things, renderer)
+    circumstances = Circumstances(perception=used_by(perceiver))
+    return open_episode(task, agent, things, renderer, circumstances, perceiver)

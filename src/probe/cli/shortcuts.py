@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
-
-import tyro
 
 from probe.api.resources import cache_folder, everything
+from probe.cli.metavars import SuiteNames
 from probe.cli.screen import say, track
 from probe.errors import BadData
 from probe.files import write_text
@@ -22,7 +20,7 @@ from probe.tasks.suite_file import find_suite
 
 
 def shortcuts(
-    suites: Annotated[tuple[str, ...], tyro.conf.Positional],
+    suites: SuiteNames,
     out: Path = Path("outputs/shortcuts.md"),
     rules_only: bool = False,
 ) -> None:
@@ -51,7 +49,7 @@ def shortcuts(
 
 
 def learn(
-    suites: Annotated[tuple[str, ...], tyro.conf.Positional],
+    suites: SuiteNames,
     out: Path = Path("outputs/question_only.json"),
 ) -> None:
     """Train the question-only classifier on tasks of the training pool.

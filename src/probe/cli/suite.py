@@ -11,8 +11,11 @@ import tyro
 
 from probe.api.resources import Pool, library, opener, tables_for
 from probe.assets.library import Library
+from probe.assets.looks import NEWEST_LOOKS, Looks
+from probe.cli.command_app import CommandApp
 from probe.cli.engines import EngineChoice
 from probe.cli.feasibility import Incomplete, show_possible
+from probe.cli.metavars import SuiteFile, SuiteName
 from probe.cli.numbers import check_numbers
 from probe.cli.running import AGAIN
 from probe.cli.screen import ScreenTable, bar, say, say_above
@@ -35,13 +38,15 @@ from probe.generation.feasibility import possibilities
 from probe.generation.making import TaskMaker, make_tasks
 from probe.generation.plan import ATTEMPTS
 from probe.generation.salt import Salt
+from probe.render.lighting import light_of
 from probe.report.build_log import count_candidates
-from probe.scene.setup import UR5_TABLE
+from probe.scene.lighting import Lighting
+from probe.scene.setup import UR5_TABLE, RendererName, newest
 from probe.scene.setup_file import read_setup
 from probe.tasks.suite_file import check_new_name, find_suite
 from probe.tasks.task import QUESTION_TYPES, QuestionType
 
-app = tyro.extras.SubcommandApp()
+app = CommandApp()
 app.command(shortcuts)
 app.command(learn)
 app.command(verify)
@@ -53,7 +58,7 @@ _UNSOLVED_MOST = 50
 
 @app.command
 def build(
-    out: Annotated[Path, tyro.conf.Positional],
+    out: SuiteFile,
     counts: dict[QuestionType, int] = _NONE,
     pool: Pool = "procedural",
     public: bool = False,
@@ -64,6 +69,9 @@ def build(
     unchecked: bool = False,
     unsolved: Path | None = None,
     setup: Path | None = None,
+    lighting: str | None = None,
+    looks: Looks = NEWEST_LOOKS,
+    renderer: RendererName = "filament",
 ) -> None:
     """Make, check and freeze tasks; continues where an earlier run stopped.
 
@@ -87,12 +95,18 @@ def build(
         unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
         setup: File of another set-up (docs/how-to/extend/add-a-setup.md); tasks keep it.
+        lighting: Of the tasks' pictures, as for `probe scene`; tasks keep it.
+        looks: How what is made by formula looks, as for `probe scene`; tasks keep it.
+        renderer: What draws the tasks' pictures; tasks keep it. blender needs the extra of that
+            name, and more time.
     """
     check_numbers({"--workers": workers})
     places = _asked(counts, first, public=public)
     check_new_name(out.stem, out)
     parts, things = BuildFolder(out.with_suffix(".parts")), library(pool)
-    part, table = parse_shard(shard), read_setup(setup) if setup else UR5_TABLE
+    part = parse_shard(shard)
+    table = newest(read_setup(setup) if setup else UR5_TABLE, lighting, looks, renderer)
+    light_of(Lighting(table.lighting), things.assets)  # refuses a name that nothing has
     salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table)
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt)
@@ -133,17 +147,21 @@ def _asked(counts: Mapping[QuestionType, int], first: int, *, public: bool) -> l
 
 
 @app.command
-def show(suite: Annotated[str, tyro.conf.Positional]) -> None:
+def show(suite: SuiteName) -> None:
     """List a suite's questions. Answers are shown: don't paste this to a model.
 
     Args:
         suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
     """
     table = ScreenTable("task", "type", "question", "options", "answer")
-    for task in find_suite(suite).tasks:
+    tasks = find_suite(suite).tasks
+    for task in tasks:
         options = "\n".join(f"{option.letter} {option.text}" for option in task.options)
         table.add(task.id, task.question_type, task.question, options, task.answer)
     table.show()
+    taken = {(it.setup.lighting, it.setup.looks, it.setup.renderer) for it in tasks}
+    for lighting, looks, renderer in sorted(taken):
+        say(f"Pictures: light {lighting}, looks {looks}, drawn by {renderer}")
 
 
 def _hopeless(

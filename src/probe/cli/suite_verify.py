@@ -10,17 +10,19 @@ from typing import Annotated
 
 import tyro
 
-from probe.api.resources import Pool, everything, opener, tables_for
+from probe.api.resources import Pool, opener, tables_for
 from probe.assets.library import Library
 from probe.cli.engines import EngineChoice
+from probe.cli.metavars import SuiteName
 from probe.cli.numbers import check_numbers
+from probe.cli.objects import all_objects, check
 from probe.cli.running import AGAIN
 from probe.cli.screen import ScreenTable, bar, say, say_above
 from probe.cli.shards import parse_shard
 from probe.cli.suite_salt import origins_by
 from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.errors import ProbeError, Unfinished
-from probe.tasks.suite import Suite, check_objects, spaced
+from probe.tasks.suite import Suite, spaced
 from probe.tasks.suite_file import digest_of, find_suite
 from probe.tasks.task import Task
 from probe.verification.balance import balances
@@ -42,7 +44,7 @@ class Unverified(ProbeError):
 
 
 def verify(
-    suite: Annotated[str, tyro.conf.Positional],
+    suite: SuiteName,
     out: Path | None = None,
     solve: bool = True,
     histories: int = 0,
@@ -69,9 +71,9 @@ def verify(
             more without.
     """
     check_numbers({"--histories": histories, "--rebuild": rebuild, "--workers": workers})
-    frozen, things = find_suite(suite), everything()
+    frozen, things = find_suite(suite), all_objects()
     known = origins_by(frozen, salt, rebuild)
-    check_objects(frozen, things)
+    check(frozen, things)
     folder = out or Path("outputs") / f"verify-{frozen.name}"
     part = parse_shard(shard)
     played = {task.id for task in spaced(frozen.tasks, histories)}

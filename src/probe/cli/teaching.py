@@ -45,7 +45,7 @@ class TeachingSetup:
     pool: Pool = "procedural"
     split: Path | None = None
     noise: NoiseName = "none"
-    lighting: LightKind = "ambient"
+    lighting: LightKind = "own"
     workers: int | None = None
 
     @property
@@ -85,7 +85,8 @@ class TeachingSetup:
             split=mark,
             points=self.counting,
             noise=self.noise,
-            lighting=self.lighting,
+            # As it was called before a task could stand in another light than an even one.
+            lighting="ambient" if self.lighting == "own" else self.lighting,
             shard=shard,
             first=first,
             tools=TOOLS_VERSION,

@@ -9,6 +9,7 @@ import tyro
 
 from probe.api.resources import Pool, library, opener
 from probe.assets.library import Library
+from probe.cli.command_app import CommandApp
 from probe.cli.engines import EngineChoice
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import ScreenTable, bar, say
@@ -27,7 +28,7 @@ from probe.tool_bench.work import (
 )
 from probe.toolshed.version import TOOLS_VERSION
 
-app = tyro.extras.SubcommandApp()
+app = CommandApp()
 PAGE = "index.html"
 
 

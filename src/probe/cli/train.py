@@ -8,6 +8,7 @@ from typing import Annotated
 
 import tyro
 
+from probe.cli.metavars import Folder
 from probe.cli.screen import say
 from probe.tasks.task import QuestionType
 from probe.train.tune.fine_tuning import train as trained
@@ -19,7 +20,7 @@ _PAPER = Tuning()
 
 
 def train(
-    dataset: Annotated[Path, tyro.conf.Positional],
+    dataset: Folder,
     out: Path = Path("outputs/trained"),
     model: str = "Qwen/Qwen3-VL-8B-Instruct",
     types: tuple[QuestionType, ...] = (),

@@ -1,0 +1,65 @@
+"""`probe film`: an episode as a film, with the arm that no agent sees."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated
+
+import tyro
+
+from probe.api.films import clipped, filmed
+from probe.cli.screen import say, track
+from probe.film.encoding import FilmFormat
+
+
+def film(
+    records: Annotated[Path, tyro.conf.Positional],
+    task: str | None = None,
+    run: int | None = None,
+    agent: str | None = None,
+    out: Path | None = None,
+    format: FilmFormat = "mp4",
+    speed: float = 1.0,
+    clips: bool = False,
+) -> None:
+    """Film recorded episodes: the calls are done again, and what comes out otherwise isn't filmed.
+
+    A film that is there already is kept; the same command goes on with those that are missing.
+
+    Args:
+        records: Folder that `probe run` wrote to.
+        task: Id of a task; by default all.
+        run: Number of a run of it; by default all.
+        agent: Name of an agent, as in the records; by default all.
+        out: Folder for the films; by default "films" in that of the records.
+        format: Of the files.
+        speed: How many times as fast as life the arm moves; closing fingers are shown at half
+            of life's speed.
+        clips: Make no films but a short loop of each manipulation, which `probe report` shows.
+    """
+    if clips:
+        _clips(records, task, run, agent)
+        return
+    say("Each episode is done again and compared first; the bar then counts pictures.")
+    for facts in filmed(
+        records, out, task=task, run=run, agent=agent, form=format, speed=speed, watch=_watch
+    ):
+        if facts.drawn:
+            rate = 60 * facts.seconds / facts.cpu_seconds
+            took = f"{facts.drawn} pictures drawn, {rate:.1f} s of film a CPU minute"
+            say(f"{facts.path}: {facts.seconds:.0f} s; {took}.")
+        else:
+            say(f"{facts.path} is there already.")
+
+
+def _clips(records: Path, task: str | None, run: int | None, agent: str | None) -> None:
+    say("Each episode is done again and compared first; that takes about 20 s a manipulation.")
+    for record, made in clipped(records, task=task, run=run, agent=agent):
+        found = f"{made} clips made" if made else "its clips are there already"
+        say(f"{record.task}, {record.agent}, run {record.run}: {found}.")
+    say(f"`probe report {records}` shows them.")
+
+
+def _watch(numbers: Iterable[int], count: int) -> Iterable[int]:
+    return track(numbers, "Filming", count)

@@ -1,0 +1,1 @@
+"""What `probe doctor` looks at: one file for each kind of thing that may be missing."""
