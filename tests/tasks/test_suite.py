@@ -7,6 +7,7 @@ import pytest
 from probe.assets.library import open_library
 from probe.errors import BadData
 from probe.scene.scene import PlacedObject, Scene
+from probe.scene.setup import ROOM_TABLE
 from probe.tasks.suite import check_objects, freeze
 from probe.types import Pose
 from task_examples import FIND
@@ -24,3 +25,14 @@ def test_a_library_that_differs_is_refused(cache):
         check_objects(replace(suite, objects={"proc_lime": (*lime[:-1], 0.9)}), library)
     with pytest.raises(BadData, match="there is no proc_unicorn here"):
         check_objects(replace(suite, objects={"proc_unicorn": ()}), library)
+
+
+def test_a_suite_knows_its_objects_by_its_own_looks(cache):
+    library = open_library("procedural", None, cache)
+    old = replace(FIND, scene=SCENE, targets=(2,))
+    new = replace(old, scene=replace(SCENE, setup=ROOM_TABLE))
+    suites = [freeze("small", (task,), library) for task in (old, new)]
+    for suite in suites:
+        check_objects(suite, library)
+    with pytest.raises(BadData, match="proc_lime has changed since"):
+        check_objects(replace(suites[1], objects=suites[0].objects), library)

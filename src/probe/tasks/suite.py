@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
 from probe.assets.library import Library
+from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, same
 from probe.errors import BadData, UnknownName
 from probe.tasks.task import Task
@@ -44,8 +45,17 @@ class Suite:
 
 def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
     """A suite of these tasks, with the fingerprints of their objects as they are now."""
-    ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
-    return Suite(name, tasks, {id: library.fingerprint(id) for id in ids})
+    looks = _looks_of(tasks)
+    return Suite(name, tasks, {id: library.fingerprint(id, looks[id]) for id in sorted(looks)})
+
+
+def _looks_of(tasks: Sequence[Task]) -> dict[str, Looks]:
+    """How each object looks, by id; where tasks differ in that, as in the first of them."""
+    looks: dict[str, Looks] = {}
+    for task in tasks:
+        for placed in task.scene.objects:
+            looks.setdefault(placed.object_id, task.setup.looks)
+    return looks
 
 
 def part(suite: Suite, task: Task) -> Suite:
@@ -65,16 +75,25 @@ def spaced(tasks: Sequence[_Item], count: int) -> tuple[_Item, ...]:
     return tuple(tasks[number * len(tasks) // count] for number in range(count))
 
 
-def check_objects(suite: Suite, library: Library) -> None:
+def check_objects(
+    suite: Suite, library: Library, watch: Callable[[Iterable[str]], Iterable[str]] = iter
+) -> None:
     """Refuse a library whose objects aren't those that the suite was made with.
+
+    Args:
+        suite: Its fingerprints are compared.
+        library: Has its objects.
+        watch: Goes through their ids and may show how far it is: new ones take a while.
 
     Raises:
         BadData: An object is missing or differs.
     """
+    looks = _looks_of(suite.tasks)
     remedy = "Use the assets and the release that the suite was made with, or build it again"
-    for object_id, frozen in suite.objects.items():
+    for object_id in watch(suite.objects):
+        frozen = suite.objects[object_id]
         try:
-            found = library.fingerprint(object_id)
+            found = library.fingerprint(object_id, looks.get(object_id, 1))
         except UnknownName as error:
             raise BadData(f"suite {suite.name}", f"there is no {object_id} here", remedy) from error
         if not same(found, frozen):

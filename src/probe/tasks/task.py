@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, get_args
 
 from probe.scene.cameras import View
+from probe.scene.lighting import Lighting
 from probe.scene.scene import Scene
 from probe.scene.setup import Setup, picture_scale
 from probe.scene.viewpoint import Viewpoint
@@ -127,8 +128,9 @@ class Task:
 
     @property
     def viewpoint(self) -> Viewpoint:
-        """From where, and in which light, it is seen as it was made."""
-        return Viewpoint(self.setup.camera(self.camera))
+        """From where, in which light and by which renderer, it is seen as it was made."""
+        setup = self.setup
+        return Viewpoint(setup.camera(self.camera), Lighting(setup.lighting), setup.renderer)
 
     @property
     def scale(self) -> PictureScale:

@@ -1,0 +1,23 @@
+"""The suite of the demo: a task of each type, none of which is new."""
+
+from probe.tasks.suite_file import TaskDocument, packaged_suite
+from probe.tasks.task import QUESTION_TYPES
+
+TOUR = packaged_suite("tour")
+
+
+def test_each_question_type_has_a_task():
+    assert sorted(task.question_type for task in TOUR.tasks) == sorted(QUESTION_TYPES)
+
+
+def test_its_tasks_are_those_of_frozen_suites_to_the_byte():
+    frozen = {
+        task.id: (TaskDocument.of(task).digest(), packaged_suite(name).objects)
+        for name in ("demo", "v1.1", "behind")
+        for task in packaged_suite(name).tasks
+    }
+    for task in TOUR.tasks:
+        digest, objects = frozen[task.id]
+        assert TaskDocument.of(task).digest() == digest
+        for placed in task.scene.objects:
+            assert TOUR.objects[placed.object_id] == objects[placed.object_id]
