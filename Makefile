@@ -7,7 +7,7 @@ WORKERS ?= 2
 .DELETE_ON_ERROR:
 
 help:
-	@echo "make demo       a scripted agent solves six tasks; outputs/demo/index.html"
+	@echo "make demo       a scripted agent solves a task of each of seven types; outputs/demo/index.html"
 	@echo "make test       the fast tests"
 	@echo "make test-slow  the slow ones; installs PyTorch, Blender, Ray and a Chromium"
 	@echo "make docs       the pages as a site; outputs/site/index.html"
@@ -23,10 +23,10 @@ demo: .venv/.ready driver
 test test-slow: export OMP_NUM_THREADS = 1
 
 test: .venv/.ready driver
-	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS)
+	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS) --dist loadgroup --no-loadscope-reorder
 
 test-slow: .venv/.ready driver browser .venv/.blender .venv/.docs .venv/.ray .venv/.torch
-	$(BIN)/pytest -m "slow and not gpu" --durations 15 -n $(WORKERS)
+	$(BIN)/pytest -m "slow and not gpu" --durations 40 -n $(WORKERS) --dist loadgroup --no-loadscope-reorder
 
 check: .venv/.ready
 	$(BIN)/ruff format --check

@@ -41,41 +41,10 @@ step "question-only learns from the same tasks"
 [ -e "$OUT/question_only.json" ] ||
     $probe suite learn "$OUT"/collected/batches/*/suite.json --out "$OUT/question_only.json"
 
-# Whether something listens at the port.
-taken() { (: < "/dev/tcp/127.0.0.1/$PORT") 2>/dev/null; }
-
-# Whether a server there has a model of this name.
-serves() {
-    { printf 'GET /v1/models HTTP/1.0\r\n\r\n' >&3; grep -q "\"id\":\"$1\"" <&3; } \
-        2>/dev/null 3<> "/dev/tcp/127.0.0.1/$PORT"
-}
-
-# Serves a model for as long as it is evaluated: evaluate NAME FOLDER
-evaluate() {
-    if taken; then
-        echo "Something else listens at port $PORT and would answer for $1: set PORT to a free one." >&2
-        exit 1
-    fi
-    $probe serve-model "$2" --name "$1" --port "$PORT" &
-    server=$!
-    trap 'kill $server 2>/dev/null || true' EXIT
-    until serves "$1"; do
-        kill -0 "$server" || exit 1
-        sleep 0.5
-    done
-    kill -0 "$server" || exit 1
-    for arm in $ARMS; do
-        $probe run "$SUITE" --model "$1" --endpoint "http://127.0.0.1:$PORT/v1" --setting "$arm" \
-            --points 0-1000 --epochs 1 --workers "$WORKERS" --out "$OUT/runs/$1-$arm"
-    done
-    kill "$server"
-    wait "$server" || true
-    trap - EXIT
-}
-
 step "serve and evaluate: untrained and trained, the teacher beside them"
-evaluate untrained "$OUT/untrained"
-evaluate trained "$OUT/trained/model"
+export SUITE ARMS WORKERS PORT OUT PROBE="$probe"
+runs/serve_and_run.sh untrained "$OUT/untrained"
+runs/serve_and_run.sh trained "$OUT/trained/model"
 $probe run "$SUITE" --agent scripted --out "$OUT/runs/scripted" --workers "$WORKERS"
 
 step "in one table, what nobody learnt apart"

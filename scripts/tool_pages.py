@@ -15,8 +15,8 @@ import numpy as np
 import tyro
 from PIL import Image
 
+from probe.agents.reading import read_handle
 from probe.api.resources import library
-from probe.assets.tables import load_table
 from probe.episodes.play import set_table
 from probe.files import encode, write_bytes
 from probe.render.renderer import Renderer
@@ -73,26 +73,28 @@ def pictures() -> dict[str, Array]:
     """What a few calls show, side by side with the table before."""
     task = next(task for task in demo_suite().tasks if task.id == TASK)
     things, shown = library("procedural"), dict[str, Array]()
-    table = load_table(task.scene.table, None)
     with Renderer() as renderer:
-        tools, _ = set_table(task, things, table, renderer, pictures=True)
-        start = _called(tools, "perceive_scene", {})
+        tools, _ = set_table(task, things, renderer, pictures=True)
+        _, start = _called(tools, "perceive_scene", {})
         shown["perceive_scene"] = start
-        shown["find_object"] = _beside(start, _called(tools, "find_object", {"description": COVER}))
-        taken = _called(tools, "grasp_and_remove", {"object_id": "object_1"})
+        cover, found = _called(tools, "find_object", {"description": COVER})
+        shown["find_object"] = _beside(start, found)
+        _, taken = _called(tools, "grasp_and_remove", {"object_id": cover})
         shown["grasp_and_remove"] = _beside(start, taken)
-        tools, _ = set_table(task, things, table, renderer, pictures=True)
-        _called(tools, "find_object", {"description": COVER})
-        way = {"object_id": "object_1", "direction": "left", "distance_cm": 10}
-        shown["push"] = _beside(start, _called(tools, "push", way))
+        tools, _ = set_table(task, things, renderer, pictures=True)
+        cover, _ = _called(tools, "find_object", {"description": COVER})
+        way = {"object_id": cover, "direction": "left", "distance_cm": 10}
+        _, pushed = _called(tools, "push", way)
+        shown["push"] = _beside(start, pushed)
     return shown
 
 
-def _called(tools: Toolshed, name: str, arguments: Mapping[str, object]) -> Array:
+def _called(tools: Toolshed, name: str, arguments: Mapping[str, object]) -> tuple[str, Array]:
+    """The first id that the reply names, and its picture."""
     result = tools.call(name, arguments)
     print(f"{name}: {result.text.splitlines()[0]}")
     assert result.picture is not None
-    return result.picture
+    return read_handle(result.text) or "", result.picture
 
 
 def _beside(one: Array, other: Array) -> Array:

@@ -9,6 +9,7 @@ import numpy as np
 import trimesh
 
 from probe.assets.library import Library
+from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.assets.spec import ObjectSpec
 from probe.types import Pose
@@ -62,12 +63,15 @@ def at(x: float, y: float, z: float = 0.0) -> Pose:
 class _Shelf(Library):
     """A library of a test's own items."""
 
-    def body(self, object_id: str) -> Body:
-        return self._kept[object_id]
+    def body(self, object_id: str, looks: Looks = 1) -> Body:
+        return self._kept[object_id, 1]
+
+
+_CACHE = Path(__file__).resolve().parents[1] / ".cache" / "probe"
 
 
 def shelf(items: Sequence[Item]) -> Library:
     """A library that holds these items and nothing else."""
-    library = _Shelf(tuple(item.spec for item in items), None, Path())
-    library._kept.update({item.spec.id: item.body for item in items})
+    library = _Shelf(tuple(item.spec for item in items), None, _CACHE)
+    library._kept.update({(item.spec.id, 1): item.body for item in items})
     return library

@@ -9,6 +9,7 @@ from tempfile import gettempdir
 from typing import Any
 
 from probe.assets.library import Library
+from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject, Scene
@@ -25,7 +26,7 @@ class BoxLibrary(Library):
 
     bodies: Mapping[str, Body] = field(default_factory=dict[str, Body])
 
-    def body(self, object_id: str) -> Body:
+    def body(self, object_id: str, looks: Looks = 1) -> Body:
         return self.bodies[object_id]
 
 

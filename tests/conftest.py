@@ -23,6 +23,31 @@ assert probe.SUMS_BOUND, (
 
 ROOT = Path(__file__).resolve().parents[1]
 
+LONGEST = (
+    "test_golden.py",
+    "test_packaged.py",
+    "test_on_ray.py",
+    "test_ray.py",
+    "test_distill.py",
+    "test_tutorials.py",
+    "test_attacks.py",
+    "test_catalogue.py",
+    "test_compare.py",
+)
+"""Files whose tests take minutes, the longest first."""
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Hand workers whole files, so that what a file's tests share is made once.
+
+    The longest begin first, so that no worker is left with them at the end.
+    """
+    items.sort(key=lambda item: (*LONGEST, item.path.name).index(item.path.name))
+    for item in items:
+        if item.get_closest_marker("xdist_group") is None:
+            item.add_marker(pytest.mark.xdist_group(item.path.name))
+
 
 @pytest.fixture(scope="session", autouse=True)
 def own_data(tmp_path_factory: pytest.TempPathFactory) -> Generator[Path]:

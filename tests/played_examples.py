@@ -26,7 +26,7 @@ def played(
     right = said == task.answer
     score = Score(right, right, "right" if right else "wrong" if said else "unanswered")
     row = row_of(task, record, score, suite=DEMO.name, setting=setting)
-    pictures = tuple(f"pictures/{number}.jpg" for number in range(len(record.steps) + 1))
+    pictures = tuple(f"pictures/{number}.webp" for number in range(len(record.steps) + 1))
     return ReportEpisode(task, record, row, counts, pictures)
 
 

@@ -10,8 +10,9 @@ import numpy as np
 from probe.assets.spec import ObjectSpec
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.setup import BASKET_CAMERA_HEIGHT, UR5_TABLE
+from probe.station.gripper import Gripper
 from probe.station.station import Arm, Hand
-from probe.station.ur5 import Gripper, Ur5
+from probe.station.ur5 import Ur5
 from probe.types import Array, Camera, Frame, Pose
 
 

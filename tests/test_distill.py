@@ -17,7 +17,7 @@ from probe.tasks.suite_file import demo_suite, write_suite
 
 ROOT = Path(__file__).resolve().parents[1]
 SMALL = {
-    "SETTINGS": "direct",
+    "ARMS": "direct",
     "COUNTS": "--counts.count 1 --counts.find 0 --counts.size 0 --counts.reduce 0 "
     "--counts.compare 0",
     "SELECT": "--slack 9 --no-near",
@@ -27,10 +27,11 @@ SMALL = {
 }
 
 
-def distilled(folder: Path, port: str) -> subprocess.CompletedProcess[str]:
+def script(folder: Path, port: str, *words: str) -> subprocess.CompletedProcess[str]:
     settings = {"SUITE": str(folder / "one.json"), "OUT": str(folder / "out"), "PORT": port}
+    name, *arguments = words
     return subprocess.run(
-        [str(ROOT / "runs/distill.sh")],
+        [str(ROOT / "runs" / name), *arguments],
         env={**os.environ, **SMALL, **settings},
         capture_output=True,
         text=True,
@@ -55,7 +56,7 @@ def test_the_recipe(tmp_path):
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = str(free.getsockname()[1])
-    done = distilled(tmp_path, port)
+    done = script(tmp_path, port, "distill.sh")
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
     out = tmp_path / "out"
     table = (out / "table.md").read_text()
@@ -69,11 +70,13 @@ def test_the_recipe(tmp_path):
 
 
 def nobody_else_answers(folder: Path) -> None:
-    """The same again, where a stranger listens who says something to everybody."""
+    """The model again, where a stranger listens who says something to everybody."""
     shutil.rmtree(folder / "out/runs")
     with serving(lambda number, body: Reply("ANSWER: A")) as stranger:
         port = stranger.url.rpartition(":")[2].removesuffix("/v1")
-        done = distilled(folder, port)
+        done = script(
+            folder, port, "serve_and_run.sh", "trained", str(folder / "out/trained/model")
+        )
     assert done.returncode == 1
     assert f"Something else listens at port {port}" in done.stderr
     assert stranger.requests == 0 and not (folder / "out/runs").exists()

@@ -110,6 +110,14 @@ def test_the_rows_in_the_readme_are_those_of_the_results():
     assert len(rows) == 4 and set(rows) <= set(results)
 
 
+def test_the_readme_counts_the_library():
+    specs = probe.open_library().specs
+    text = " ".join((ROOT / "README.md").read_text("utf-8").split())
+    categories = len({spec.category for spec in specs})
+    assert f"{categories} categories of the built-in library: {len(specs)} objects" in text
+    assert f"A sheet of {categories} small pictures" in text
+
+
 def test_no_public_name_is_a_folder_or_module_of_the_package():
     """Importing a submodule would put it in the place of the name."""
     modules = {found.name for found in pkgutil.iter_modules(probe.__path__)}

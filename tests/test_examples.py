@@ -1,5 +1,6 @@
 """Every example runs as a reader would run it, and says what is true."""
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -71,6 +72,23 @@ def test_an_agent_is_scored_and_its_record_replays(example, tmp_path):
     assert record.manipulations == 1
     again = example("replay.py", "--folder", tmp_path / "run")
     assert "The replay is the same, byte for byte.\nGraded: right. The replay: right.\n" in again
+
+
+@pytest.mark.slow
+def test_the_shortest_agent_answers_a_part_of_v1_and_scripts_read_the_end(example, tmp_path):
+    run = ("run", "v1", "--limit", "2", "--out", tmp_path / "run", "--json", "--agent")
+    told = example("my_agent.py:Agent", module=("-m", "probe", *map(str, run)))
+    assert json.loads(told) == {
+        "suite": "v1",
+        "tasks": 2,
+        "episodes": 2,
+        "missing": 0,
+        "records": str(tmp_path / "run" / "records.jsonl"),
+    }
+    records = read_records(tmp_path / "run" / "records.jsonl")
+    assert [record.agent for record in records] == ["Agent"] * 2
+    assert all(record.answer and record.answer.choice == "A" for record in records)
+    assert "object_1" in (tmp_path / "run" / "agent.log").read_text()
 
 
 @pytest.mark.slow

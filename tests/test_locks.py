@@ -28,7 +28,7 @@ def test_every_line_of_a_lock_is_pinned_and_hashed(lock):
 
 
 def test_scripts_install_from_an_index_by_lock_alone():
-    """But for our own package, which comes from this folder."""
+    """But for our own two packages, which come from this folder."""
     words = {path.name: path.read_text("utf-8") for path in (ROOT / "scripts").iterdir()}
     by_pip = sorted(name for name, text in words.items() if "-m pip" in text and "install" in text)
     assert by_pip == ["add-torch", "install-locked", "lock", "make-venv"]
@@ -37,7 +37,9 @@ def test_scripts_install_from_an_index_by_lock_alone():
         "install --quiet --dry-run"
     )
     (own,) = re.findall(r"-m pip [^\n]*\\\n +install [^\n]*", words["make-venv"])
-    assert own.endswith("install --quiet --no-deps --no-build-isolation --editable .")
+    assert own.endswith(
+        "install --quiet --no-deps --no-build-isolation --editable . --editable ./bridge"
+    )
 
 
 def test_both_builds_of_torch_are_of_one_version():

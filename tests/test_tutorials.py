@@ -37,8 +37,8 @@ def script(page: str) -> str:
 
 
 def test_every_tutorial_has_commands():
-    assert len(TUTORIALS) == 5
-    assert all(script(page.read_text("utf-8")).count("\nprobe ") >= 3 for page in TUTORIALS)
+    assert len(TUTORIALS) == 6
+    assert all(page.read_text("utf-8").count("\nprobe ") >= 3 for page in TUTORIALS)
 
 
 def test_a_file_is_saved_and_other_code_is_run():

@@ -22,12 +22,11 @@ from probe.assets.tables import load_table, table_ids
 from probe.assets.tabletops import tops
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
-from probe.render.protocol import Engine
 from probe.render.renderer import Renderer
 from probe.render.sunlight import illuminate
 from probe.scene.cameras import View
 from probe.scene.lighting import AMBIENT, Lighting, hdri
-from probe.scene.setup import UR5_TABLE
+from probe.scene.setup import UR5_TABLE, RendererName
 from probe.world.scenes import make_scene
 
 REPEATS = 7
@@ -46,7 +45,7 @@ def seconds(act: Callable[[], object], repeats: int = REPEATS) -> float:
     return float(np.median(taken))
 
 
-def pictures(engine: Engine, repeats: int) -> None:
+def pictures(engine: RendererName, repeats: int) -> None:
     """Print the time of a picture with depth and labels, by light and camera."""
     pool = "scans" if assets_folder() else "procedural"
     things = library(pool)

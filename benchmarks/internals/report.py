@@ -3,19 +3,23 @@
 `python benchmarks/internals/report.py`. Measures internals, not the public API.
 
 Copies the demo's records until there are enough episodes, each at a task of its own with pictures
-of its own, so that nothing is shared. The demo is run first if it hasn't been.
+of its own, so that nothing is shared, and with a clip of each manipulation that is shaped like a
+film. The demo is run first if it hasn't been.
 """
 
 from __future__ import annotations
 
+import io
 import statistics
 import sys
 import tempfile
 import time
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
 import tyro
+from PIL import Image
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
@@ -29,11 +33,12 @@ from probe.episodes.files import read_records, write_records  # noqa: E402
 from probe.episodes.folder import RECORDS, SUITE  # noqa: E402
 from probe.episodes.record import EpisodeRecord, TableState  # noqa: E402
 from probe.files import write_bytes  # noqa: E402
+from probe.report.clips import CLIPS, MOVING, clip_stem  # noqa: E402
 from probe.report.page import PICTURES  # noqa: E402
 from probe.report.stills import file_of, stills_of  # noqa: E402
 from probe.runs.plan import RunOrder  # noqa: E402
 from probe.tasks.suite import Suite  # noqa: E402
-from probe.tasks.suite_file import demo_suite, read_suite, write_suite  # noqa: E402
+from probe.tasks.suite_file import packaged_suite, read_suite, write_suite  # noqa: E402
 from probe.tasks.task import Task  # noqa: E402
 
 
@@ -49,19 +54,52 @@ def main(run: Path = Path("outputs/demo"), episodes: int = 150, repeats: int = 5
         print("No Chromium here; scripts/ensure-browser installs it.")
         return
     if not (run / RECORDS).exists():
-        run_order(demo_suite(), RunOrder("scripted"), make_agent, everything(), run, LocalEngine())
+        run_order(
+            packaged_suite("tour"),
+            RunOrder("scripted"),
+            make_agent,
+            everything(),
+            run,
+            LocalEngine(),
+        )
     write_run_report([run])
     with tempfile.TemporaryDirectory() as folder:
         copied = copies(run, Path(folder) / "copies", episodes)
         begun = time.perf_counter()
         page = write_run_report([copied])
         written = time.perf_counter() - begun
-        size = sum(path.stat().st_size for path in copied.rglob("*") if path.is_file())
-        print(f"{episodes} episodes, {size / 1e6:.0f} MB; pictures were there")
+        clips = list((copied / CLIPS).iterdir())
+        size, filmed = size_of(copied.rglob("*")), size_of(clips)
+        print(f"{episodes} episodes, {size - filmed:.0f} MB; pictures were there")
+        print(f"  beside them {len(clips)} clips, {filmed:.0f} MB")
         print(f"  graded, scored and written in {written:.1f} s")
         opening, replaying = zip(*(opened(page) for _ in range(repeats)), strict=True)
     for name, taken in (("page opened", opening), ("first replay shown", replaying)):
         print(f"  {name:18} {statistics.median(taken):.2f} s (most {max(taken):.2f}, n {repeats})")
+
+
+def size_of(paths: Iterable[Path]) -> float:
+    """Megabytes of files."""
+    return sum(path.stat().st_size for path in paths if path.is_file()) / 1e6
+
+
+def film(before: Path, after: Path) -> bytes:
+    """A clip of 40 frames that looks like one: one picture turns into another."""
+    first, last = (Image.open(path).convert("RGB").resize((480, 480)) for path in (before, after))
+    frames = [Image.blend(first, last, number / 39) for number in range(40)]
+    buffer = io.BytesIO()
+    frames[0].save(
+        buffer, "WEBP", save_all=True, append_images=frames[1:], duration=80, loop=0, quality=30,
+        method=2,
+    )  # fmt: skip
+    return buffer.getvalue()
+
+
+def add_clips(record: EpisodeRecord, out: Path, clip: bytes) -> None:
+    """Write a clip of each manipulation; what it shows doesn't matter here."""
+    for number, step in enumerate(record.steps, start=1):
+        if step.call.name in MOVING:
+            write_bytes(out / CLIPS / f"{clip_stem(record, number)}.webp", clip)
 
 
 def copies(run: Path, out: Path, count: int) -> Path:
@@ -70,14 +108,18 @@ def copies(run: Path, out: Path, count: int) -> Path:
     tasks = {task.id: task for task in suite.tasks}
     records = [it for it in read_records(run / RECORDS) if tasks[it.task].question_type != "find"]
     made: list[tuple[Task, EpisodeRecord]] = []
+    clip = film(*sorted((run / PICTURES).glob("*.webp"))[:2])
     for number in range(count):
         record = records[number % len(records)]
         task, again = copy(tasks[record.task], record, number)
         for old, new in zip(
-            stills_of(tasks[record.task], record), stills_of(task, again), strict=True
+            stills_of(tasks[record.task], record, run),
+            stills_of(task, again, out),
+            strict=True,
         ):
             picture = (run / PICTURES / file_of(old, suite.objects)).read_bytes()
             write_bytes(out / PICTURES / file_of(new, suite.objects), picture)
+        add_clips(again, out, clip)
         made.append((task, again))
     write_suite(out / SUITE, Suite("copies", tuple(task for task, _ in made), suite.objects))
     write_records(out / RECORDS, [record for _, record in made])

@@ -37,7 +37,7 @@ from probe.scene.setup import UR5_TABLE
 from probe.types import Array, Pose
 from probe.world.model import TIME_STEP, Item, build_cell
 from probe.world.pile import SINK_LIMIT
-from probe.world.robot.robot import ARM_JOINTS
+from probe.world.robot.robot import arm_joints
 from probe.world.scenes import draw_scene
 
 REST_TIME, REST_LIMIT = 2.0, 0.001
@@ -89,7 +89,7 @@ def movement_and_depth(scene: Scene, things: Library) -> tuple[float, float]:
     model = build_cell(items, {o.instance: o.pose for o in scene.objects})
     model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
     data = mujoco.MjData(model)
-    for name, angle in zip(ARM_JOINTS, UR5_TABLE.mount.parked, strict=True):
+    for name, angle in zip(arm_joints("ur5"), UR5_TABLE.mount.parked, strict=True):
         data.joint(name).qpos[0] = data.actuator(name).ctrl[0] = angle
     corners = {n: np.concatenate([p.vertices for p in body.pieces]) for n, body in bodies.items()}
 

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from probe.episodes.record import EpisodeRecord
     from probe.episodes.turns import Agent, Call, Question, Turn
     from probe.errors import ProbeError
-    from probe.perception.choice import Perceiver, Perception, pointing
+    from probe.perception.choice import Perceiver, Perception, enrolled, pointing, segmented
     from probe.perception.things import Thing, Words
     from probe.render.renderer import Renderer
     from probe.scene.scene import Scene
@@ -70,7 +70,7 @@ _HOMES = {
     "episodes.record": ("EpisodeRecord",),
     "episodes.turns": ("Agent", "Call", "Question", "Turn"),
     "errors": ("ProbeError",),
-    "perception.choice": ("Perceiver", "Perception", "pointing"),
+    "perception.choice": ("Perceiver", "Perception", "enrolled", "pointing", "segmented"),
     "perception.things": ("Thing", "Words"),
     "render.renderer": ("Renderer",),
     "scene.scene": ("Scene",),
@@ -117,6 +117,7 @@ __all__ = [
     "__version__",
     "build_suite",
     "builtin_agent",
+    "enrolled",
     "load_suite",
     "make_scene",
     "model_behind",
@@ -133,6 +134,7 @@ __all__ = [
     "rescore",
     "run",
     "score",
+    "segmented",
     "visibility",
     "write_report",
 ]

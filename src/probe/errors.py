@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import errno
 
+from probe.closest import did_you_mean
+
 
 class ProbeError(Exception):
     """Base of all expected failures; the command line prints it without a traceback."""
+
+
+class Misuse(ProbeError):
+    """Words of a command line that fit no command; its exit status is 2."""
 
 
 class BadMesh(ProbeError):
@@ -26,15 +32,28 @@ class BadData(ProbeError):
 _LONGEST_NAME = 80
 """Characters of a name that is shown back."""
 
+_SHOWN = 12
+"""Known names that are listed."""
+
 
 class UnknownName(ProbeError):
-    """A name that is not in a catalogue."""
+    """A name that is not in a catalogue; the message names those that come nearest.
+
+    Args:
+        kind: Of what ("suite").
+        name: What was said.
+        known: All that there are. Of a long list only the nearest names are told, if there are any.
+        remedy: What else would work.
+    """
 
     def __init__(self, kind: str, name: str, known: list[str], remedy: str = "") -> None:
-        shown = ", ".join(known[:12]) + (" ..." if len(known) > 12 else ".")
         called = name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 3]}..."
-        told = f"There is no {kind} called {called!r}. Known: {shown} {remedy}"
-        super().__init__(told.rstrip())
+        shown = ", ".join(known[:_SHOWN]) + (" ..." if len(known) > _SHOWN else ".")
+        meant = did_you_mean(called, known)
+        told = [f"There is no {kind} called {called!r}.", meant, f"Known: {shown}", remedy]
+        if meant and len(known) > _SHOWN:
+            told[2] = f"There are {len(known)}."
+        super().__init__(" ".join(part for part in told if part))
 
 
 class Unsatisfiable(ProbeError):
@@ -83,12 +102,18 @@ class ModelFailed(ProbeError):
 
 
 class MissingExtra(ProbeError):
-    """Something needs a package that is installed on demand."""
+    """Something needs a package that is installed on demand.
 
-    def __init__(self, what: str, extra: str) -> None:
+    Args:
+        what: Needs it.
+        extra: Of this project.
+        folder: Of the clone, if that is where the package itself is.
+    """
+
+    def __init__(self, what: str, extra: str, folder: str | None = None) -> None:
         super().__init__(
             f"{what} needs more packages: python3 -m pip --python .venv/bin/python "
-            f"install -e '.[{extra}]', where the project was cloned."
+            f"install -e '{folder or f'.[{extra}]'}', where the project was cloned."
         )
 
 
@@ -97,6 +122,14 @@ class ArmInView(ProbeError):
 
     def __init__(self) -> None:
         super().__init__("The arm hides part of the table. Park it before looking.")
+
+
+class RobotLost(ProbeError):
+    """A robot's bridge refused something, was stopped, or doesn't answer."""
+
+
+class StoppedByPerson(ProbeError):
+    """A person stopped the robot, or refused a motion; it is no agent's doing."""
 
 
 class DownloadFailed(ProbeError):
@@ -132,6 +165,7 @@ _OUTPUT_REMEDIES = {
     errno.EACCES: _FORBIDDEN,
     errno.EPERM: _FORBIDDEN,
     errno.EROFS: _FORBIDDEN,
+    errno.ENOENT: "No folder can be made there: choose another one",
     errno.ENOTDIR: _TAKEN,
     errno.EISDIR: _TAKEN,
     errno.EEXIST: _TAKEN,

@@ -87,6 +87,26 @@ def check_new(out: Path) -> None:
         raise BadData(out, "is there already", "Choose a new folder")
 
 
+def check_writable(folder: Path) -> None:
+    """See that files can be written into a folder, or into one made there; nothing is left.
+
+    Raises:
+        OutputFailed: They can't.
+    """
+    new = [it for it in (folder, *folder.parents) if not os.path.lexists(it)]
+    try:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryFile(dir=folder):
+                pass
+        finally:
+            for made in new:
+                with contextlib.suppress(OSError):
+                    made.rmdir()
+    except OSError as error:
+        raise OutputFailed(folder, error) from error
+
+
 def claim_folder(path: Path, settings: BaseModel, remedy: str, *, private: bool = False) -> None:
     """Write down how the work in a folder is done, or see that it was begun in the same way.
 
@@ -178,7 +198,7 @@ def write_picture(path: Path, pixels: Array) -> None:
 
 
 def encode(image: Image.Image, layout: str, *, quality: int = 75) -> bytes:
-    """An image as the bytes of a file in that format ("PNG", "JPEG"); PNG knows no quality."""
+    """An image as the bytes of a file in that format ("PNG", "WEBP"…); PNG knows no quality."""
     buffer = io.BytesIO()
     image.save(buffer, layout, quality=quality)
     return buffer.getvalue()
@@ -207,14 +227,14 @@ def read_document(
     try:
         return model.model_validate_json(without_sum(reading.json_contents(path, most)))
     except OSError as error:
-        raise BadData(path, _unread(path, error), missing) from error
+        raise BadData(path, unread(path, error), missing) from error
     except ValidationError as error:
         raise BadData(path, fault(error, "the file"), remedy) from error
     except ValueError as error:
         raise BadData(path, str(error), remedy) from error
 
 
-def _unread(path: Path, error: OSError) -> str:
+def unread(path: Path, error: OSError) -> str:
     """Why a file can't be read; of a link to nothing, the system names what it would lead to."""
     if isinstance(error, FileNotFoundError) and path.is_symlink():
         return f"is a link to {os.readlink(path)}, which isn't there"

@@ -175,6 +175,9 @@ class Frame:
             0 is the table and all else that is no object.
         shares: Only on simulated frames: by instance, the visible share of each object of which
             at least one pixel shows, 0 to 1.
+        depth_noise: Standard deviation of the depth at a pixel, metres; 0 where it is exact.
+        measured: Where the camera had a reading, bool, shape (h, w); elsewhere the depth is that
+            of the nearest pixel that has one. None if it had one everywhere.
     """
 
     camera: Camera
@@ -182,6 +185,8 @@ class Frame:
     rgb: Array | None = None
     labels: Array | None = None
     shares: Mapping[int, float] | None = None
+    depth_noise: float = 0.0
+    measured: Array | None = None
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from probe.assets.library import open_library
 from probe.bench.dataset import CARD, row_of, write_dataset
 from probe.cli.export import export
 from probe.errors import BadData
-from probe.render.renderer import Renderer
+from probe.render.renderers import Renderers
 from probe.runs.episode_worker import EpisodeWorker, EpisodeWorkerSetup
 from probe.runs.plan import Job, RunOrder
 from probe.runs.worker_messages import EpisodeStarted, StartEpisode
@@ -56,9 +56,9 @@ def test_pictures_are_the_files_that_direct_mode_sends(tmp_path, cache):
     table, found = load(tmp_path / "set", tmp_path / "cache")
     assert table[0]["image"].size == (1024, 1024)
     library = partial(open_library, "procedural", None, cache)
-    with Renderer() as renderer:
+    with Renderers() as renderers:
         keeper = EpisodeWorker(
-            EpisodeWorkerSetup(RunOrder("m", setting="direct"), library), library(), renderer
+            EpisodeWorkerSetup(RunOrder("m", setting="direct"), library), library(), renderers
         )
         for row, task in zip(found, suite.tasks, strict=True):
             shown = keeper.do(StartEpisode(Job(task, 0)))

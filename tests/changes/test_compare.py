@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from probe.changes.compare import Changes, Fate, compare
+from probe.changes.change import Changes, Fate
+from probe.changes.compare import compare
 from probe.changes.sighting import Look, including, sightings
 from probe.perception.oracle import Oracle
 from probe.perception.things import Thing, Words
@@ -159,3 +160,54 @@ def test_a_thing_that_was_pointed_at_takes_the_place_of_what_it_covers():
     assert compare(with_it, look(MUG, BOOK)).of(sighting).fate == "stayed"
     same, known = including(before, before.things[0].thing)
     assert same is before and known is before.things[0]
+
+
+def test_how_far_a_thing_went_that_shows_more_of_itself_is_the_least_that_it_may_be():
+    half = Block(2, (500, 300, 599, 699), height=0.02, colour=(30, 60, 150))
+    tilted = replace(BOOK, height=0.03)
+    changes = compare(look(half), look(tilted))
+    assert fates(changes) == {"blue book": "stayed"}
+    changes = compare(look(half), look(moved(tilted, 4 * CM)))
+    (book,) = changes.things
+    assert book.fate == "moved" and np.linalg.norm(book.shift) == pytest.approx(0.04, abs=0.004)
+
+
+@pytest.mark.parametrize(("way", "fate"), [(1, "stayed"), (15, "lost")])
+def test_a_part_is_what_came_to_light_around_its_place(way: int, fate: Fate):
+    part = Block(2, (560, 400, 599, 579), height=0.01, colour=(20, 90, 20), share=0.1)
+    before, after = look(MUG, part), look(MUG, moved(BOOK, way * CM))
+    mug, sliver = before.things
+    mixed = 0.7 * sliver.colours + 0.3 * after.things[1].colours
+    mixed_before = replace(before, things=(mug, replace(sliver, colours=mixed)))
+    assert compare(mixed_before, after).things[1].fate == fate
+
+
+INSIDE = Block(4, (100, 100, 150, 150), height=0.08, colour=(240, 240, 240))
+OVER = Block(2, (80, 80, 179, 179), height=0.1, colour=(30, 60, 150))
+
+
+def test_what_lay_in_the_basket_and_shows_again_is_not_new():
+    first, second = look(MUG, BOOK, basket=(INSIDE,)), look(MUG, basket=(OVER,))
+    hidden = compare(first, second)
+    assert [s.thing.words.name for s in hidden.buried] == ["white ball"]
+    rolled = moved(INSIDE, 200)
+    later = compare(replace(second, buried=hidden.buried), look(basket=(OVER, rolled)))
+    assert later.newly_in_basket == later.maybe_in_basket == later.buried == ()
+    assert compare(second, look(basket=(OVER, rolled))).newly_in_basket != ()
+
+
+@pytest.mark.parametrize(("colour", "unclear"), [((240, 240, 240), 0), ((200, 130, 30), 1)])
+def test_a_part_in_the_basket_may_be_of_what_lies_there(colour, unclear: int):
+    part = Block(1, (200, 100, 220, 150), height=0.02, colour=colour, share=0.1)
+    changes = compare(look(MUG, BOOK, basket=(INSIDE,)), look(MUG, basket=(OVER, part)))
+    assert changes.newly_in_basket == () and len(changes.maybe_in_basket) == unclear
+
+
+def test_what_was_missing_is_known_in_the_basket():
+    gone = compare(look(MUG, BALL), look(MUG))
+    assert [s.thing.words.name for s in gone.missing] == ["white ball"]
+    before = replace(look(MUG), missing=gone.missing)
+    back = compare(before, look(basket=(INSIDE,)))
+    assert [s.thing.words.name for s in back.back_in_basket] == ["white ball"]
+    assert back.newly_in_basket == () and [s.thing.words.name for s in back.missing] == ["red mug"]
+    assert compare(before, look(MUG, TWIN)).missing == ()

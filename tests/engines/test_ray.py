@@ -24,7 +24,8 @@ from probe.engines.ray_errors import ClusterRefused
 from probe.errors import BadData, WorkerDied
 from probe.processes.serving import WorkerUnfit
 
-pytestmark = pytest.mark.slow
+# One worker: two clusters on one machine may take each other's ports.
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("ray")]
 
 DRIVER = """
 import sys

@@ -17,6 +17,7 @@ from probe.verification.balance import balances
 from probe.verification.check import CheckDepth, check, rebuild_problem
 
 V1, UNFILTERED = packaged_suite("v1"), packaged_suite("v1-unfiltered")
+V1_1 = packaged_suite("v1.1")
 
 
 def quickly_solved(question_type: str) -> Task:
@@ -41,6 +42,19 @@ def test_v1_is_150_tasks_of_six_types_on_tables_of_their_own():
     assert all(1_000_000 <= seed < 2_000_000 for seed in seeds)
 
 
+def test_v1_1_is_v1_but_for_seven_reduce_tasks():
+    mine, before = ({task.id: task for task in suite.tasks} for suite in (V1_1, V1))
+    assert Counter(task.question_type for task in mine.values()) == Counter(
+        task.question_type for task in before.values()
+    )
+    kept = mine.keys() & before.keys()
+    assert len(kept) == 143 and all(mine[name] == before[name] for name in kept)
+    others = [task for name, task in mine.items() if name not in before]
+    assert {task.question_type for task in others} == {"reduce"}
+    assert all(1_000_000 <= task.seed < 2_000_000 for task in others)
+    assert len({task.scene for task in mine.values()}) == 150
+
+
 def test_unfiltered_tasks_are_others_and_none_was_solved():
     kept = {task.scene for task in V1.tasks}
     assert len(UNFILTERED.tasks) == 12
@@ -53,6 +67,7 @@ def test_letters_and_crossings_of_v1_balance():
     found = list(balances(V1.tasks))
     assert [b for b in found if b.of == "letter" and not b.even] == []
     # 28 are three and a half rounds of Size's crossings, and "smaller" turns letters round.
+    assert [b for b in balances(V1_1.tasks) if b.of == "letter" and not b.even] == []
     spreads = {
         (b.question_type, b.of): max(b.counts.values()) - min(b.counts.values()) for b in found
     }

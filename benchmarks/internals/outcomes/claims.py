@@ -13,8 +13,9 @@ from probe.scene.scene import Scene
 from probe.tasks.grading import whereabouts
 from probe.types import Array
 
-_NOW = re.compile(r"now at \[(\d+), (\d+)\]")
-_MOVED = re.compile(r"(?:by about \d+ cm|turned or tipped), to \[(\d+), (\d+)\]")
+_NOW = re.compile(r"(?<!turned or tipped, )now at \[(\d+), (\d+)\]")
+_WAY = r"about \d+ cm(?: down| up)?"
+_MOVED = re.compile(rf"(?:by {_WAY}(?: and {_WAY})?, to|turned or tipped, now at) \[(\d+), (\d+)\]")
 _LEFT = re.compile(r"that was at \[(\d+), (\d+)\]")
 _BASKET = re.compile(r"Also in the basket now: (.*?)\.(?: [A-Z]|$)")
 _FAR = 0.03
@@ -107,7 +108,7 @@ def judge(
 
 
 def _unnamed(said: list[str]) -> bool:
-    return any(words.startswith("something") for words in said)
+    return any(words.startswith("part of something") for words in said)
 
 
 def _far(old: Table, new: Table, instance: int) -> bool:

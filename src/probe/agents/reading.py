@@ -29,6 +29,12 @@ _GRASPED: Mapping[str, Outcome] = {
 }
 
 
+# Words of the tools' replies to a grasp or a push; see probe.toolshed.outcomes.
+_AWAY = re.compile(
+    r"(object_\d+) (?:was lifted and dropped into|ended up in|lies in|lies beside) the basket"
+)
+_RENAMED = re.compile(r"\b[Ii]t is (object_\d+) now\b")
+
 _LISTS = ("objects", "others_that_fit_as_well", "others_that_may_be_meant")
 _NEAREST = re.compile(r"(object_\d+), (.*?), at \[")
 
@@ -156,6 +162,18 @@ def read_handles(text: str) -> dict[str, str]:
         for item in items
         if "object_id" in item
     }
+
+
+def read_away(text: str) -> str | None:
+    """The object_id of what a grasp or a push left in the basket, or beside it out of reach."""
+    found = _AWAY.search(text)
+    return found[1] if found else None
+
+
+def read_new_handle(text: str) -> str | None:
+    """The object_id that a thing has since a grasp or a push moved it; None if it kept its own."""
+    found = _RENAMED.search(text)
+    return found[1] if found else None
 
 
 def grasp_outcome(text: str) -> Outcome:

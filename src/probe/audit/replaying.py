@@ -13,7 +13,7 @@ from probe.episodes.play import replay_afresh
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import differences
 from probe.errors import OutputFailed
-from probe.render.renderer import Renderer
+from probe.render.renderers import Renderers
 from probe.runs.vary import vary
 from probe.tasks.suite import Suite, check_objects, part
 from probe.tasks.task import Task
@@ -54,16 +54,16 @@ class Replayer:
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[Claim], bytes]]:
-        """Open the library and start a renderer; gives what replays a claim."""
+        """Open the library and start renderers as records need them; gives what replays a claim."""
         things = self.library()
-        with Renderer(things.light_cache) as renderer:
-            yield partial(self._verdict, things, renderer)
+        with Renderers(things.light_cache) as renderers:
+            yield partial(self._verdict, things, renderers)
 
-    def _verdict(self, things: Library, renderer: Renderer, claim: Claim) -> bytes:
+    def _verdict(self, things: Library, renderers: Renderers, claim: Claim) -> bytes:
         """The verdict as JSON."""
         try:
             check_objects(part(self.suite, claim.task), things)
-            reason = _difference(claim, things, renderer)
+            reason = _difference(claim, things, renderers)
             verdict = ReplayVerdict(outcome="differs" if reason else "equal", reason=reason)
         except OutputFailed:
             raise  # this machine's disk is full, which says nothing about the record
@@ -78,6 +78,10 @@ def unable(record: EpisodeRecord) -> str | None:
     """Why doing a record's calls again can't come out as before; None if it can."""
     if record.tools != TOOLS_VERSION:
         return f"version {record.tools} of the tools made it, and this release has {TOOLS_VERSION}"
+    if record.frames:
+        return "it was played on a robot, whose table can't be set again"
+    if record.perception.kind == "enrolled":
+        return f"names came from an enrolment that the folder doesn't hold ({record.label})"
     if record.participation is None:
         return None
     setting, _, more = record.participation.setting.partition(", ")
@@ -86,9 +90,10 @@ def unable(record: EpisodeRecord) -> str | None:
     return None if setting == "agentic" else f"a model answered in words (setting {setting})"
 
 
-def _difference(claim: Claim, things: Library, renderer: Renderer) -> str:
+def _difference(claim: Claim, things: Library, renderers: Renderers) -> str:
     """Where a replay comes out otherwise; empty if it doesn't."""
     record, task = claim.record, claim.task
+    renderer = renderers[record.viewpoint.renderer]
     if claim.base is not None:
         (made,) = vary((claim.base,), record.conditions, things, renderer)
         if made.task != task:

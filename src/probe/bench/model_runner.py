@@ -142,7 +142,14 @@ class ModelRunner:
             order = self._order
             assert order is not None
             if self._pool is None:
-                place = self._place_of(order, plan.library, plan.cache, convention=plan.convention)
+                place = self._place_of(
+                    order,
+                    plan.library,
+                    plan.cache,
+                    convention=plan.convention,
+                    perceiver=plan.perceiver,
+                    tables=plan.tables,
+                )
                 pointing = plan.pointer != "oracle"
                 self._pool = EpisodeProcessPool(place, plan.workers, pointing=pointing)
             return order

@@ -22,9 +22,11 @@ from probe.episodes.folder import (
 from probe.episodes.noise import NO_NOISE, Noise
 from probe.episodes.ordered import note_ordered
 from probe.episodes.participation import Points
+from probe.episodes.perceptions import used_by
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.files import write_text
+from probe.perception.choice import Perceiver, ideal
 from probe.perception.points import Convention
 from probe.reading import words
 from probe.runs.checks.folder import check_records
@@ -61,6 +63,8 @@ class ModelRunPlan:
         workers: Tables, and so samples, at a time.
         prices: Of tokens.
         called: Name of the model in the records; by default the harness's.
+        perceiver: What the tools see with, if nobody points.
+        tables: Folder in which a page looks what happens at the tables; None for nobody.
     """
 
     setting: Setting
@@ -78,6 +82,8 @@ class ModelRunPlan:
     workers: int = 4
     prices: Prices = field(default_factory=dict[str, Price])
     called: str | None = None
+    perceiver: Perceiver = ideal
+    tables: Path | None = None
 
     def order(self, model: str, pointer: str) -> RunOrder:
         """Who acts, and under which conditions.
@@ -89,7 +95,13 @@ class ModelRunPlan:
         setting = f"{self.setting}, pointer {pointer}" if pointer else self.setting
         agent = self.called or model
         return RunOrder(
-            agent, self.epochs, self.noise, self.conditions, setting=setting, points=self.points
+            agent,
+            self.epochs,
+            self.noise,
+            self.conditions,
+            setting=setting,
+            points=self.points,
+            perception=used_by(self.perceiver),
         )
 
 

@@ -18,6 +18,7 @@ from probe.episodes.conditions import Conditions, LightKind
 from probe.episodes.noise import NOISES, NoiseName
 from probe.episodes.participation import Points
 from probe.perception.points import Convention
+from probe.scene.setup import RendererName
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.prompts import Setting
@@ -34,7 +35,8 @@ def agentic(
     epochs: int = 3,
     points: Points = "pixels",
     noise: NoiseName = "none",
-    lighting: LightKind = "ambient",
+    lighting: LightKind = "own",
+    renderer: RendererName = "filament",
     pointer: Pointer = "oracle",
     pointing: Convention = "pixels",
     workers: int = 4,
@@ -45,7 +47,7 @@ def agentic(
     plan = replace(
         plan,
         noise=NOISES[noise],
-        conditions=Conditions(lighting=lighting),
+        conditions=Conditions(lighting=lighting, renderer=renderer),
         pointer=pointer,
         convention=pointing,
     )
@@ -58,13 +60,14 @@ def direct(
     out: str = "outputs/inspect/direct",
     epochs: int = 3,
     points: Points = "pixels",
-    lighting: LightKind = "ambient",
+    lighting: LightKind = "own",
+    renderer: RendererName = "filament",
     workers: int = 4,
     prices: str | None = None,
 ) -> HarnessTask:
     """The same questions, from the first picture alone."""
     plan = _plan("direct", suite, out, epochs, points, workers, prices)
-    return _fit(replace(plan, conditions=Conditions(lighting=lighting)))
+    return _fit(replace(plan, conditions=Conditions(lighting=lighting, renderer=renderer)))
 
 
 @task(name=f"{_SPACE}blind")

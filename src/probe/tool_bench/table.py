@@ -13,6 +13,7 @@ from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.seeds import generator
+from probe.scene.setup import UR5_TABLE, Setup
 from probe.station.simulated import SimulatedStation
 from probe.types import Array, Frame
 from probe.world.scenes import draw_scene
@@ -49,15 +50,17 @@ class TrialTable:
         return self.frame.shares[target.instance]
 
 
-def lay(seed: int, tool: str, things: Library, renderer: Renderer) -> TrialTable:
+def lay(
+    seed: int, tool: str, things: Library, renderer: Renderer, setup: Setup = UR5_TABLE
+) -> TrialTable:
     """A table of 15 objects, and targets drawn evenly from those that are seen.
 
     Raises:
         Unsatisfiable: Nothing settles from this seed.
     """
-    drawn = draw_scene(seed, things, table_ids(things.assets))
+    drawn = draw_scene(seed, things, table_ids(things.assets), setup=setup)
     scene = drawn.scene
-    load_scene(renderer, scene, things, things.table(scene.table))
+    load_scene(renderer, scene, things)
     world = World(scene, things)
     frame = SimulatedStation(world, renderer).observe(rgb=tool == "push")
     rng = generator(seed, "trials", tool)

@@ -10,7 +10,7 @@ from functools import partial
 from probe.assets.library import Library
 from probe.engines.plan import WorkPlan
 from probe.generation.attempt import Attempt
-from probe.render.renderer import Renderer
+from probe.render.renderers import Renderers
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import content_hash
 from probe.tasks.task import Task
@@ -37,12 +37,13 @@ class SuiteVerifier:
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[Task], bytes]]:
-        """Open the library and start a renderer; gives what checks a task."""
+        """Open the library and start renderers; gives what checks a task."""
         things = self.library()
-        with Renderer(things.light_cache) as renderer:
-            yield partial(self._checked, things, renderer)
+        with Renderers(things.light_cache) as renderers:
+            yield partial(self._checked, things, renderers)
 
-    def _checked(self, things: Library, renderer: Renderer, task: Task) -> bytes:
+    def _checked(self, things: Library, renderers: Renderers, task: Task) -> bytes:
+        renderer = renderers[task.setup.renderer]
         return check(task, things, renderer, self.depth(task)).model_dump_json().encode()
 
     def plan(self, suite: Suite, tasks: Sequence[Task]) -> WorkPlan[Task]:
@@ -66,13 +67,13 @@ class Rebuilder:
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[Task], bytes]]:
-        """Open the library and start a renderer; gives what makes a task again."""
+        """Open the library and start renderers; gives what makes a task again."""
         things = self.library()
-        with Renderer(things.light_cache) as renderer:
-            yield partial(self._problem, things, renderer)
+        with Renderers(things.light_cache) as renderers:
+            yield partial(self._problem, things, renderers)
 
-    def _problem(self, things: Library, renderer: Renderer, task: Task) -> bytes:
-        made_by = self.known.get(task.id)
+    def _problem(self, things: Library, renderers: Renderers, task: Task) -> bytes:
+        made_by, renderer = self.known.get(task.id), renderers[task.setup.renderer]
         problem = rebuild_problem(task, things, renderer, self.tables, made_by)
         return (problem or "").encode()
 

@@ -15,7 +15,7 @@ from probe.types import Array, Pose
 from probe.world.model import GHOST_BIT, TIME_STEP, Item, build_cell
 from probe.world.robot.arm_model import servo_command
 from probe.world.robot.gripper import joint_for, opening
-from probe.world.robot.robot import ARM_JOINTS, GRIPPER_DRIVE, GRIPPER_JOINT
+from probe.world.robot.robot import GRIPPER_DRIVE, GRIPPER_JOINT, arm_joints
 
 _ABOVE = 0.02
 """Metres over the basket's floor at which something that is taken away is let go."""
@@ -41,8 +41,10 @@ class World:
         self._scene = scene
         self._model = build_cell(items, {o.instance: o.pose for o in scene.objects}, scene.setup)
         self._data = mujoco.MjData(self._model)
-        self._arm_qpos = [int(self._model.joint(name).qposadr[0]) for name in ARM_JOINTS]
-        self._arm_servo = [int(self._model.actuator(name).id) for name in ARM_JOINTS]
+        joints = arm_joints(scene.setup.mount.arm)
+        self._arm_qpos = [int(self._model.joint(name).qposadr[0]) for name in joints]
+        self._arm_dof = [int(self._model.joint(name).dofadr[0]) for name in joints]
+        self._arm_servo = [int(self._model.actuator(name).id) for name in joints]
         self._grip_qpos = int(self._model.joint(GRIPPER_JOINT).qposadr[0])
         self._grip_drive = int(self._model.actuator(GRIPPER_DRIVE).id)
         self._object_qpos = {
@@ -70,6 +72,11 @@ class World:
     def joints(self) -> Array:
         """Angles of the arm's joints, radians, shape (6,)."""
         return self._data.qpos[self._arm_qpos].copy()
+
+    @property
+    def joint_speeds(self) -> Array:
+        """Speeds of the arm's joints, radians a second, shape (6,)."""
+        return self._data.qvel[self._arm_dof].copy()
 
     @property
     def opening(self) -> float:

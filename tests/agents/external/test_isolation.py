@@ -43,7 +43,7 @@ def reachable():
 class Walks:
     def act(self, question, history):
         found = reachable()
-        own = {type(it).__module__ + "." + type(it).__name__ for it in found}
+        own = {f"{type(it).__module__}.{type(it).__name__}" for it in found}
         return Call.of("push", {
             "count": len(found),
             "types": sorted(name for name in own if name.startswith("probe.")),

@@ -9,12 +9,12 @@ from typing import Literal
 
 from probe.agents.reading import read_handles
 from probe.episodes.record import EpisodeRecord, Step
+from probe.toolshed.result import MOVING
 
 Waste = Literal[
     "too many manipulations", "failed twice at one thing", "a call or reply that did nothing"
 ]
 
-MOVES = ("grasp_and_remove", "push")
 _LOOKS = ("perceive_scene", "find_object")
 SLACK = 1
 """Manipulations more than the median of a type's successes that are let pass."""
@@ -63,7 +63,7 @@ def failures(record: EpisodeRecord) -> Counter[str]:
     for step in record.steps:
         if step.call.name in _LOOKS:
             called |= read_handles(step.text)
-        elif step.call.name in MOVES and step.status == "failed":
+        elif step.call.name in MOVING and step.status == "failed":
             failed[called.get(_handle(step), "")] += 1
     return failed
 
