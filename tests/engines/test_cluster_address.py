@@ -56,6 +56,7 @@ def refusal(temporary: Path) -> str:
     return ended.stderr
 
 
+@pytest.mark.slow  # Ray comes with them
 @needs_ray
 def test_an_address_at_which_nobody_listens_is_refused_at_once(deserted, monkeypatch):
     monkeypatch.setenv("RAY_ADDRESS", deserted)
@@ -74,6 +75,7 @@ def test_what_is_no_address_is_named(named, monkeypatch):
         cluster_address()
 
 
+@pytest.mark.slow  # Ray comes with them
 @needs_ray
 def test_a_stale_note_of_a_cluster_that_is_gone_is_named(deserted, tmp_path):
     note = tmp_path / "ray" / "ray_current_cluster"
