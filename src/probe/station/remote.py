@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from probe.scene.cameras import View
 from probe.scene.setup import Setup
 from probe.station.arms import arm_of, hand_of
 from probe.station.fusing import FRAMES, fused
+from probe.station.motion_camera import Keep, MotionCamera
 from probe.station.station import Arm, Hand
 from probe.station.straightened import Straightened
 from probe.types import Array, Frame
@@ -96,6 +97,15 @@ class RobotStation:
         self._looks = looks
         self._slow = slow
         self._maps: dict[str, Straightened] = {}
+        self._film: MotionCamera | None = None
+
+    def film(self, keep: Keep) -> None:
+        """From now on, keep pictures of the table while the robot moves.
+
+        Args:
+            keep: Gets them, in a thread of their own.
+        """
+        self._film = MotionCamera(self._client, self._view, keep)
 
     def observe(self, *, rgb: bool) -> Frame:
         """Look at the table with the fixed camera.
@@ -125,13 +135,13 @@ class RobotStation:
         Raises:
             RobotLost: The motion ended otherwise: refused, stopped by a person, the link cut.
         """
-        with _bridge_errors():
+        with _bridge_errors(), self._filming():
             start = self._client.joints()
             return self._moved(np.vstack([start, path]))
 
     def grip(self, opening: float) -> float:
         """Open or close the gripper towards an opening in metres, and say what it reached."""
-        with _bridge_errors():
+        with _bridge_errors(), self._filming():
             return self._client.grip(min(opening, self._client.description.max_opening))
 
     def park(self) -> None:
@@ -140,7 +150,7 @@ class RobotStation:
         Raises:
             RobotLost: It was stopped, or didn't get there.
         """
-        with _bridge_errors():
+        with _bridge_errors(), self._filming():
             self._client.home()
 
     def wait(self, seconds: float) -> None:
@@ -179,6 +189,9 @@ class RobotStation:
         """Add a line to the client's log of commands."""
         with _bridge_errors():
             self._client.log.add(event, **about)
+
+    def _filming(self) -> AbstractContextManager[None]:
+        return nullcontext() if self._film is None else self._film.filming()
 
     def _moved(self, path: Array) -> bool:
         from probe_bridge.errors import BridgeError
