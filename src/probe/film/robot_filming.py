@@ -20,6 +20,7 @@ from probe.film.robot_footage import photographed
 from probe.tasks.task import Task
 from probe.types import Array
 
+INSET = "The table when the arm was last parked"
 STILLS_ALONE = "stills alone: no pictures of motions were kept"
 
 
@@ -64,7 +65,7 @@ def film_robot(
     assert footage.question.picture is not None
     seen = [footage.question.picture, *(still.pixels() for still in footage.stills[1:])]
     note = "" if footage.moves else STILLS_ALONE
-    layout = Layout(footage.question, captions, seen, "The table before and after each call", note)
+    layout = Layout(footage.question, captions, seen, INSET, note)
     content = encoded(composed(layout, shots, pictures, watch), FPS, form)
     write_bytes(path, content)
     seconds = sum(shot.frames for shot in shots) / FPS
