@@ -26,8 +26,10 @@ if TYPE_CHECKING:
 BASKET_VIEW = "basket"
 """Name of the camera that looks into the basket; the others are called as a set-up's views."""
 
-PARKED = 0.03
-"""Radians by which a parked arm's joints may be off: encoders and motors aren't exact."""
+PARKED = 0.06
+"""Radians by which a joint may be off where the arm was sent, as in simulation: motors give way a
+little. One value for arriving and for being parked, or an arm could arrive at home and still be in
+view."""
 
 STALE = 0.25
 """Seconds by which a picture may be older than the call that asked for it. An older one may show
@@ -129,8 +131,8 @@ class RobotStation:
         """Move through joint angles, shape (m, n), in one motion, and come to rest.
 
         Returns:
-            Whether the arm got there. The bridge stops it where it is as soon as something holds
-            it back.
+            Whether the arm got there, all joints within PARKED. The bridge stops it where it is as
+            soon as something holds it back.
 
         Raises:
             RobotLost: The motion ended otherwise: refused, stopped by a person, the link cut.
@@ -198,12 +200,12 @@ class RobotStation:
 
         try:
             self._slow -= 1
-            self._client.follow(path.tolist(), SLOW if self._slow >= 0 else 1.0)
+            rest = self._client.follow(path.tolist(), SLOW if self._slow >= 0 else 1.0)
         except BridgeError as error:
             if error.kind == "blocked":
                 return False
             raise
-        return True
+        return bool(np.abs(rest - path[-1]).max() < PARKED)
 
     def _seen_by(self, camera: str, size_px: int, *, rgb: bool) -> Frame:
         if np.abs(self.joints() - self.arm.parked).max() > PARKED:
