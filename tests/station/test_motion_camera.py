@@ -72,6 +72,8 @@ def test_a_motion_is_seen_several_times_a_second() -> None:
     assert 0.4 * RATE * seconds < count <= RATE * seconds + 2
     stamps = [each.stamp for each in kept]
     assert stamps == sorted(stamps) and len(set(stamps)) == len(stamps)
+    moved = [each.moved for each in kept]
+    assert moved == sorted(moved) and moved[0] >= 0 and moved[-1] <= seconds
     wrist = [each.joints[5] for each in kept]
     assert wrist == sorted(wrist) and wrist[-1] > wrist[0] + 0.2
     assert {each.rgb.shape for each in kept} == {(512, 512, 3)}

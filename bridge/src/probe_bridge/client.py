@@ -28,7 +28,7 @@ ANSWER = 10.0
 
 _LEASE_ANSWER = 3.0
 
-GLIMPSE_ANSWER = 3.0
+GLIMPSE_ANSWER = 10.0
 """Seconds that a film's picture is waited for; nothing depends on it."""
 
 FULL_SPEED = 1.0

@@ -28,6 +28,7 @@ class _Line(pydantic.BaseModel, extra="forbid", allow_inf_nan=False):
     step: int = pydantic.Field(ge=0)
     stamp: float = pydantic.Field(ge=0)
     joints: tuple[float, ...]
+    moved: float = pydantic.Field(ge=0)
 
 
 @dataclass(frozen=True)
@@ -39,12 +40,14 @@ class KeptMotion:
         step: Number of the call during which it was taken, from 0.
         stamp: When, by the robot's clock, seconds.
         joints: The arm's then, radians.
+        moved: For how many seconds the robot had moved in all by then.
     """
 
     path: Path
     step: int
     stamp: float
     joints: tuple[float, ...]
+    moved: float
 
 
 class MotionFiles:
@@ -66,7 +69,7 @@ class MotionFiles:
         """
         picture = encode(Image.fromarray(seen.rgb), "JPEG", quality=_QUALITY)
         write_bytes(_file(self._folder, self._count), picture)
-        line = _Line(step=step, stamp=seen.stamp, joints=seen.joints)
+        line = _Line(step=step, stamp=seen.stamp, joints=seen.joints, moved=seen.moved)
         append_line(_index(self._folder), line.model_dump_json().encode() + b"\n")
         self._count += 1
 
@@ -91,7 +94,7 @@ def motions_of(record: EpisodeRecord, out: Path) -> tuple[KeptMotion, ...]:
         reason = str(error).splitlines()[0]
         raise BadData(path, reason, "Delete it; the film then shows stills alone") from error
     return tuple(
-        KeptMotion(_file(folder, number), line.step, line.stamp, line.joints)
+        KeptMotion(_file(folder, number), line.step, line.stamp, line.joints, line.moved)
         for number, line in enumerate(lines)
     )
 

@@ -22,11 +22,8 @@ from probe.tasks.task import Task
 from probe.toolshed.result import ToolResult
 from probe.types import Array
 
-_PAUSE = 1.0
-"""Seconds between two pictures from which on the robot rested in between, or none could be had."""
-
-_BREATH = 0.25
-"""Seconds that are shown of such a pause, and of the last picture of a call."""
+_LAST = 0.25
+"""Seconds that the last picture of a call's motions stands."""
 
 
 @dataclass(frozen=True)
@@ -35,11 +32,11 @@ class RobotPicture:
 
     Attributes:
         path: Of the file.
-        stamp: When it was taken, by the robot's clock, seconds; None of a table at rest.
+        moved: For how many seconds the robot had moved in all by then; None of a table at rest.
     """
 
     path: Path
-    stamp: float | None = None
+    moved: float | None = None
 
     def pixels(self) -> Array:
         """Its colours, uint8, shape (h, w, 3).
@@ -72,7 +69,7 @@ class RobotFootage:
     @property
     def stills(self) -> tuple[RobotPicture, ...]:
         """The table at the start and after each call."""
-        return tuple(picture for picture in self.pictures if picture.stamp is None)
+        return tuple(picture for picture in self.pictures if picture.moved is None)
 
     @property
     def moves(self) -> bool:
@@ -80,16 +77,15 @@ class RobotFootage:
         return len(self.stills) < len(self.pictures)
 
     def motion(self, first: int, last: int, speed: float) -> Iterator[Moving]:
-        """The pictures between two of the table at rest, with pauses cut.
+        """The pictures between two of the table at rest, each for as long as the robot moved on.
 
         Args:
             first: Place of the first one at rest.
             last: Of the second.
             speed: Of the robot's own.
         """
-        stamps = [self.pictures[place].stamp or 0.0 for place in range(first + 1, last)]
-        gaps = [later - now for now, later in zip(stamps, stamps[1:], strict=False)]
-        stands = [_BREATH if gap > _PAUSE else gap for gap in gaps] + [_BREATH]
+        times = [self.pictures[place].moved or 0.0 for place in range(first + 1, last)]
+        stands = [later - now for now, later in zip(times, times[1:], strict=False)] + [_LAST]
         until, done = 0.0, 0
         for place, seconds in zip(range(first + 1, last), stands, strict=False):
             until += seconds / speed
@@ -115,7 +111,7 @@ def photographed(task: Task, record: EpisodeRecord, folder: Path) -> RobotFootag
     calls: list[FilmedCall] = []
     for number, step in enumerate(record.steps):
         first = len(pictures) - 1
-        mine = [RobotPicture(each.path, each.stamp) for each in motions if each.step == number]
+        mine = [RobotPicture(each.path, each.moved) for each in motions if each.step == number]
         pictures += [*mine, RobotPicture(folder / f"{record.frames[number + 1]}.jpg")]
         result = ToolResult(step.text, status=step.status, point_px=step.point_px)
         calls.append(FilmedCall(step.call, result, first, len(pictures) - 1))

@@ -16,6 +16,7 @@ _RISE = 0.12
 
 _ROUNDS = 3
 _RETREATS = 2
+_REST = 2.0
 _STEPS = np.linspace(-0.12, 0.12, 7)
 _NEIGHBOURHOOD = np.array([(x, y, 0.0) for x in _STEPS for y in _STEPS])
 """Places around the hand, metres, at which what stood there is told of an arm that is stuck."""
@@ -67,13 +68,17 @@ def park(station: Station, obstacles: Obstacles, points: Array, came: Array) -> 
         openings = (0.0, station.hand.max_opening) * _RETREATS
         if not any(_retreated(station, obstacles, points, came, opening) for opening in openings):
             raise ArmStuck(station, obstacles)
-    station.wait(2.0)
+    station.wait(_REST)
 
 
 def _retreated(
     station: Station, obstacles: Obstacles, points: Array, came: Array, opening: float
 ) -> bool:
-    """Back along the way that it came, or as far as that goes and home from there."""
+    """Back along the way that it came, or as far as that goes and home from there.
+
+    Whatever has just been in the way is given time to come to rest.
+    """
+    station.wait(_REST)
     station.grip(opening)
     nearest = int(np.abs(came - station.joints()).max(axis=1).argmin())
     back = np.vstack([came[nearest::-1], station.arm.parked])

@@ -31,6 +31,7 @@ SLOW = 0.15
 """Seconds on the link after which pictures are made smaller: a lease lasts 0.5."""
 
 _COARSEST = 16
+_PROBES, _MOST_AT_ONCE = 4, 4.0
 _AGAIN = 0.5
 _IDLE = 1.0
 
@@ -43,11 +44,13 @@ class MotionPicture:
         rgb: uint8, shape (n, n, 3).
         stamp: When, by the robot's clock, seconds.
         joints: The arm's then, radians.
+        moved: For how many seconds the robot had moved in all when the picture was asked for.
     """
 
     rgb: Array
     stamp: float
     joints: tuple[float, ...]
+    moved: float
 
 
 Keep = Callable[[MotionPicture], None]
@@ -71,8 +74,11 @@ class MotionCamera:
         self._camera = camera
         self._keep = keep
         seen = client.description.cameras[camera]
-        self._step = min(_COARSEST, max(1, math.ceil(min(seen.width, seen.height) / EDGE_PX)))
+        self._finest = min(_COARSEST, max(1, math.ceil(min(seen.width, seen.height) / EDGE_PX)))
+        self._step = self._finest
         self._moves = threading.Event()
+        self._counting = threading.Lock()
+        self._moved, self._since = 0.0, 0.0
         self._failed: ProbeError | None = None
         self._maps: dict[int, Straightened] = {}
         # What it waits for may never come, and nothing is lost with it.
@@ -87,24 +93,50 @@ class MotionCamera:
         """
         if self._failed is not None:
             raise self._failed
-        self._moves.set()
+        with self._counting:
+            self._since = time.monotonic()
+            self._moves.set()
         try:
             yield
         finally:
-            self._moves.clear()
+            with self._counting:
+                self._moved = self._moved_by(time.monotonic())
+                self._moves.clear()
 
     def _run(self) -> None:
-        # How fast the link is, is found out while nothing moves.
-        self._look()
+        self._measure()
         while self._client.open and self._failed is None:
             if not self._moves.wait(_IDLE):
                 continue
             asked = time.monotonic()
+            with self._counting:
+                moved = self._moved_by(asked)
             seen, link = self._look()
             if seen is not None:
-                self._take(seen)
+                self._take(seen, moved)
+                self._adapt(link)
             spent = time.monotonic() - asked
             time.sleep(max(0.0, 1 / RATE - spent, link * (1 / SHARE - 1)))
+
+    def _measure(self) -> None:
+        """Make pictures as small as the link needs them, while nothing moves yet."""
+        for _ in range(_PROBES):
+            seen, link = self._look()
+            if seen is None or link <= SLOW:
+                return
+            smaller = math.sqrt(min(_MOST_AT_ONCE, link / SLOW))
+            self._step = min(_COARSEST, math.ceil(self._step * smaller))
+
+    def _adapt(self, link: float) -> None:
+        """Make pictures a little smaller or larger, by how long the last one was on the link."""
+        if link > SLOW:
+            self._step = min(_COARSEST, self._step + 1)
+        elif link < SLOW / 4:
+            self._step = max(self._finest, self._step - 1)
+
+    def _moved_by(self, now: float) -> float:
+        """Seconds for which the robot has moved until now, in all."""
+        return self._moved + (max(0.0, now - self._since) if self._moves.is_set() else 0.0)
 
     def _look(self) -> tuple[GlimpsePicture | None, float]:
         """A picture if one came, and how many seconds it was on the link."""
@@ -118,14 +150,11 @@ class MotionCamera:
             with suppress(BridgeError):  # a log that can't be written refuses the next motion
                 self._client.log.add("not filmed", why=str(error))
             return None, _AGAIN
-        link = time.monotonic() - asked - seen.took
-        if link > SLOW:
-            self._step = min(_COARSEST, math.ceil(self._step * math.sqrt(link / SLOW)))
-        return seen, link
+        return seen, time.monotonic() - asked - seen.took
 
-    def _take(self, seen: GlimpsePicture) -> None:
+    def _take(self, seen: GlimpsePicture, moved: float) -> None:
         try:
-            self._keep(MotionPicture(self._straight(seen), seen.stamp, seen.joints))
+            self._keep(MotionPicture(self._straight(seen), seen.stamp, seen.joints, moved))
         except ProbeError as error:
             self._failed = error
 
