@@ -74,9 +74,9 @@ def _check_motions(record: EpisodeRecord, folder: Path, parked: Array) -> None:
     assert stamps == sorted(stamps)
     away = [float(np.abs(np.subtract(each.joints, parked)).max()) for each in seen]
     assert max(away) > 0.5
-    start = Image.open(folder / f"{record.frames[1]}.jpg").resize((512, 512))
+    start = np.asarray(Image.open(folder / f"{record.frames[1]}.jpg").resize((512, 512)), float)
     changed = [
-        float((np.abs(np.subtract(Image.open(each.path), start, dtype=float)) > 60).mean())
+        float((np.abs(np.asarray(Image.open(each.path), float) - start) > 60).mean())
         for each in seen
     ]
     assert max(changed) > 0.01
