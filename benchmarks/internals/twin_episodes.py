@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
+import pydantic
 import tyro
 from rich.console import Console
 from scipy.stats import binomtest
@@ -40,6 +41,7 @@ from probe.episodes.real import open_real_episode
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Turn
 from probe.errors import ProbeError
+from probe.files import claim_folder
 from probe.perception.choice import Enrolled
 from probe.perception.enrolled.enrolment import EnrolledWords, Enrolment
 from probe.perception.enrolled.enrolment_file import enrolment_of
@@ -65,6 +67,15 @@ TOKEN = "known-to-this-process-alone"
 
 Without = Literal["depth", "calibration", "colours", "losses"]
 out = Console()
+
+
+class TwinSetting(pydantic.BaseModel, extra="forbid"):
+    """What all episodes of a folder have in common; they couldn't be told apart otherwise."""
+
+    without: tuple[Without, ...]
+    perfect: bool
+    simulated: bool
+    uncorrected: bool
 
 
 def flaws_without(switched_off: Sequence[Without], *, perfect: bool) -> Flaws:
@@ -121,6 +132,8 @@ def one(
     renderer: Renderer,
     settings: TwinSettings,
     folder: Path,
+    *,
+    film: bool,
 ) -> EpisodeRecord:
     """An episode on a fresh twin."""
     with (
@@ -130,7 +143,8 @@ def one(
         client = connected(address, TOKEN)
         try:
             station = RobotStation(client, task.setup, task.camera)
-            episode = open_real_episode(task, "scripted", station, perceiver, folder, run)
+            keeps = station.film if film else None
+            episode = open_real_episode(task, "scripted", station, perceiver, folder, run, keeps)
             return play(task, run, episode)
         finally:
             client.close()
@@ -171,6 +185,7 @@ def main(
     simulated: bool = False,
     uncorrected: bool = False,
     haste: float = 4.0,
+    film: bool = False,
 ) -> None:
     """Play the episodes that a folder lacks, and print how many are right.
 
@@ -183,7 +198,15 @@ def main(
         simulated: In the simulation instead, whose labels tell what shows.
         uncorrected: Leave the cameras as they were meant to stand.
         haste: How much faster than a real robot the twin is.
+        film: Keep pictures of the arm in motion as well; they slow a busy machine's twin down.
     """
+    setting = TwinSetting(
+        without=tuple(sorted(without)),
+        perfect=perfect,
+        simulated=simulated,
+        uncorrected=uncorrected,
+    )
+    claim_folder(folder / "setting.json", setting, "Choose another folder")
     records = folder / "records.jsonl"
     tried = list(read_records(records)) if records.exists() else []
     things, asked = everything(), chosen()[:tasks]
@@ -206,7 +229,9 @@ def main(
                         if (flaws.shift or flaws.turn) and not uncorrected:
                             cameras = cameras_of(settings, task, renderer, folder)
                             settings = replace(settings, cameras=cameras)
-                        record = one(task, run, perceiver, things, renderer, settings, folder)
+                        record = one(
+                            task, run, perceiver, things, renderer, settings, folder, film=film
+                        )
                 except ProbeError as error:
                     out.print(f"  not begun: {error}")
                     continue

@@ -38,6 +38,7 @@ def command(rng: random.Random, driver: Driver) -> Dict[str, Any]:
         "state",
         "wait",
         "observe",
+        "glimpse",
         "hello",
     ]
     do = rng.choice(kinds)
@@ -47,6 +48,7 @@ def command(rng: random.Random, driver: Driver) -> Dict[str, Any]:
         "grip": {"opening": rng.uniform(0.11, 0.14)},
         "wait": {"seconds": rng.uniform(-0.01, 0.01)},
         "observe": {"camera": rng.choice(["basket", "?"]), "rgb": rng.random() < 0.5},
+        "glimpse": {"camera": "basket", "step": rng.randint(0, 17)},
         "hello": {"version": rng.choice([VERSION, VERSION, VERSION, -3])},
     }.get(do, {})
     seen = {"seen": time.monotonic() - rng.choice([0.0, 0.0, 0.0, 9.0, -9.0])}

@@ -43,9 +43,24 @@ def test_no_fuzzed_command_breaks_a_limit(commands: int):
 leaf = st.none() | st.booleans() | st.integers(-(2**63), 2**64 - 1) | st.floats() | st.text()
 plain = leaf | st.binary() | st.lists(leaf | st.lists(leaf, max_size=7), max_size=4)
 names = st.sampled_from(
-    ["seq", "do", "path", "speed", "seen", "opening", "camera", "rgb", "seconds", "version", "x"]
+    [
+        "seq",
+        "do",
+        "path",
+        "speed",
+        "seen",
+        "opening",
+        "camera",
+        "rgb",
+        "step",
+        "seconds",
+        "version",
+        "x",
+    ]
 )
-does = st.sampled_from(["hello", "observe", "follow", "grip", "wait", "joints", "home", "lease"])
+does = st.sampled_from(
+    ["hello", "observe", "glimpse", "follow", "grip", "wait", "joints", "home", "lease"]
+)
 
 
 @settings(max_examples=100, deadline=None)

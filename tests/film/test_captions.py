@@ -8,7 +8,7 @@ import numpy as np
 
 from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.turns import Call, Question
-from probe.film.captions import call_words, captions_of
+from probe.film.captions import Caption, call_words, captions_of
 from probe.film.footage import FilmedCall, Footage
 from probe.film.watched_world import TableMoment
 from probe.tasks.grading import Score
@@ -27,6 +27,10 @@ def footage(answer: Answer | None, *calls: tuple[Call, ToolResult]) -> Footage:
     return Footage(FIND, record, question, (moment,), filmed)
 
 
+def captions(made: Footage, score: Score) -> tuple[Caption, ...]:
+    return captions_of(made.calls, made.record, score)
+
+
 LOOK = (Call.of("perceive_scene", words="Hm."), ToolResult("objects:\n- number: 1\n- number: 2\n"))
 PUSH = (
     Call.of("push", {"object_id": "object_3", "distance_cm": 5}),
@@ -36,7 +40,7 @@ ANSWER = (Call.of("answer_question", {"choice": "B"}), ToolResult("Your answer i
 
 
 def test_each_call_has_its_caption():
-    look, push, answer = captions_of(footage(Answer("B"), LOOK, PUSH, ANSWER), RIGHT)
+    look, push, answer = captions(footage(Answer("B"), LOOK, PUSH, ANSWER), RIGHT)
     assert (look.heading, look.words, look.call) == ("Call 1 of 3", "Hm.", "perceive_scene()")
     assert (look.result, look.bad) == ("A list of 2 things.", False)
     assert push.call == "push(object_id=object_3, distance_cm=5)"
@@ -45,9 +49,9 @@ def test_each_call_has_its_caption():
 
 
 def test_a_wrong_answer_is_called_so():
-    (answer,) = captions_of(footage(Answer("B"), ANSWER), WRONG)
+    (answer,) = captions(footage(Answer("B"), ANSWER), WRONG)
     assert (answer.result, answer.bad) == ("Answer B: wrong.", True)
-    (open_end,) = captions_of(footage(None, LOOK), WRONG)
+    (open_end,) = captions(footage(None, LOOK), WRONG)
     assert (open_end.result, open_end.bad) == ("A list of 2 things.", False)
 
 
@@ -58,8 +62,6 @@ def test_what_isn_t_a_mapping_is_shown_as_it_was_sent():
 
 def test_texts_are_short_and_harmless():
     long = replace(LOOK[0], words="word " * 300)
-    (caption,) = captions_of(
-        footage(None, (long, ToolResult("\x1b[31mred", status="failed"))), RIGHT
-    )
+    (caption,) = captions(footage(None, (long, ToolResult("\x1b[31mred", status="failed"))), RIGHT)
     assert len(caption.words) <= 420 and caption.words.endswith("...")
     assert "\x1b" not in caption.result

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from bridges import TOKEN, Running, running
+from probe_bridge.driver import Reading
 
 from probe.errors import ArmInView, BadData, RobotLost
 from probe.scene.setup import UR5_TABLE
@@ -69,6 +70,23 @@ def test_a_motion_that_a_person_stops_isnt_one_that_something_held_back() -> Non
         with pytest.raises(RobotLost, match="A person pressed stop"):
             robot.follow(np.array([PARKED + (1.0, 0, 0, 0, 0, 0)]))
         assert robot.joints()[0] < PARKED[0] + 0.9
+
+
+def test_an_arm_that_is_held_just_short_of_its_goal_hasn_t_arrived(monkeypatch) -> None:
+    """By less than makes the bridge stop it, and by more than lets the cameras see the table."""
+    assert FILE["trail"] > 0.09
+    with station() as (robot, bridge):
+        away, free = PARKED + (0.3, 0, 0, 0, 0, 0.3), bridge.driver.joints
+
+        def held() -> Reading:
+            joints, stamp = free()
+            return Reading((*joints[:5], max(joints[5], PARKED[5] + 0.09)), stamp)
+
+        assert robot.follow(np.array([away]))
+        monkeypatch.setattr(bridge.driver, "joints", held)
+        assert not robot.follow(np.array([PARKED]))
+        with pytest.raises(ArmInView):
+            robot.observe(rgb=False)
 
 
 def _speeds(speed: float) -> dict[str, Any]:

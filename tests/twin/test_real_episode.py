@@ -12,7 +12,9 @@ from probe.agents.reading import read_graph
 from probe.api.resources import everything
 from probe.episodes.files import line_of, record_of
 from probe.episodes.film import DEPTH_STEP
+from probe.episodes.motion_pictures import motions_of
 from probe.episodes.real import open_real_episode
+from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Call
 from probe.errors import RobotLost
 from probe.perception.choice import segmented
@@ -21,6 +23,7 @@ from probe.station.remote import RobotStation, connected
 from probe.tasks.suite_file import demo_suite
 from probe.twin.flaws import Flaws
 from probe.twin.serving import TwinSettings, listening, twin_of
+from probe.types import Array
 
 TOKEN = "a token for nobody else"
 
@@ -36,7 +39,9 @@ def test_what_an_agent_does_on_a_robot_is_kept_in_pictures(tmp_path: Path) -> No
     ):
         client = connected(address, TOKEN)
         station = RobotStation(client, task.setup, "top")
-        episode = open_real_episode(task, "somebody", station, segmented, tmp_path)
+        episode = open_real_episode(
+            task, "somebody", station, segmented, tmp_path, film=station.film
+        )
         graph = episode.step(Call.of("perceive_scene")).result.text
         known = read_graph(graph).objects
         assert len(known) > 5
@@ -58,3 +63,20 @@ def test_what_an_agent_does_on_a_robot_is_kept_in_pictures(tmp_path: Path) -> No
         assert np.median(depth[depth > 0]) == pytest.approx(1.18, abs=0.05)
         with Image.open(tmp_path / f"{name}.jpg") as image:
             assert image.size == (1024, 1024)
+    _check_motions(record, tmp_path, np.array(task.setup.mount.parked))
+
+
+def _check_motions(record: EpisodeRecord, folder: Path, parked: Array) -> None:
+    """The grasp was photographed, and what moves in its pictures is the arm."""
+    seen = motions_of(record, folder)
+    assert len(seen) >= 3 and {each.step for each in seen} == {1}
+    stamps = [each.stamp for each in seen]
+    assert stamps == sorted(stamps)
+    away = [float(np.abs(np.subtract(each.joints, parked)).max()) for each in seen]
+    assert max(away) > 0.5
+    start = np.asarray(Image.open(folder / f"{record.frames[1]}.jpg").resize((512, 512)), float)
+    changed = [
+        float((np.abs(np.asarray(Image.open(each.path), float) - start) > 60).mean())
+        for each in seen
+    ]
+    assert max(changed) > 0.01

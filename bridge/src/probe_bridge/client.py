@@ -7,7 +7,13 @@ from pathlib import Path
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from probe_bridge.command_log import NOWHERE, CommandLog
-from probe_bridge.description import Picture, read_description, read_picture
+from probe_bridge.description import (
+    GlimpsePicture,
+    Picture,
+    read_description,
+    read_glimpse,
+    read_picture,
+)
 from probe_bridge.errors import BridgeError
 from probe_bridge.fields import Fields
 from probe_bridge.link import Link, Reply
@@ -21,6 +27,9 @@ ANSWER = 10.0
 """Seconds in which a bridge must answer all but motions; a motion's leases within 3."""
 
 _LEASE_ANSWER = 3.0
+
+GLIMPSE_ANSWER = 10.0
+"""Seconds that a film's picture is waited for; nothing depends on it."""
 
 FULL_SPEED = 1.0
 
@@ -83,9 +92,31 @@ class RobotClient:
         """Leave; what moves stops."""
         self._link.close()
 
+    @property
+    def open(self) -> bool:
+        """Whether the connection still stands, as far as is known."""
+        return self._link.open
+
     def observe(self, camera: str, *, rgb: bool) -> Picture:
         """A picture of a camera that the description names."""
         return read_picture(self._ask("observe", camera=camera, rgb=rgb))
+
+    def glimpse(self, camera: str, step: int) -> GlimpsePicture:
+        """A small colour picture, for a film; from any thread, also during a motion.
+
+        Args:
+            camera: One that the description names.
+            step: Of so many pixels of a row, and of so many rows, one is sent, 1 to 16.
+
+        Raises:
+            BridgeError: None came, or not in time; the connection stays open, as nothing that
+                moves depends on it.
+        """
+        reply = self._link.send("glimpse", camera=camera, step=step)
+        if not reply.came(GLIMPSE_ANSWER):
+            raise BridgeError("late", f"No picture came for {GLIMPSE_ANSWER:.0f} s.")
+        seen = self.description.cameras[camera]
+        return read_glimpse(reply.result, seen, step, len(self.description.joints))
 
     def joints(self) -> Tuple[float, ...]:
         """Measured joint angles, radians."""

@@ -15,7 +15,7 @@ from probe_bridge.errors import BridgeError
 NOWHERE = Path(os.devnull)
 """For a log that nobody wants."""
 
-UNLOGGED = ("observe", "joints", "state", "lease")
+UNLOGGED = ("observe", "glimpse", "joints", "state", "lease")
 """Requests that command nothing."""
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, Optional, Tuple
 
 from probe_bridge.config import BridgeCamera
@@ -54,6 +54,25 @@ class Picture:
     stamp: float
 
 
+@dataclass(frozen=True)
+class GlimpsePicture:
+    """A small colour picture for a film.
+
+    Attributes:
+        camera: Where it was taken from; its pixels are those of the small picture.
+        rgb: Three bytes a pixel.
+        stamp: When, by the robot's clock, seconds.
+        joints: Measured when it had come from the camera, radians.
+        took: Seconds that the robot's side took for it.
+    """
+
+    camera: BridgeCamera
+    rgb: bytes
+    stamp: float
+    joints: Tuple[float, ...]
+    took: float
+
+
 def read_description(values: Dict[str, Any]) -> Description:
     """From the reply to hello."""
     fields = Fields(values, "hello's reply")
@@ -91,6 +110,33 @@ def read_picture(values: Dict[str, Any]) -> Picture:
         depth_unit=fields.number("depth_unit"),
         rgb=None if colour is None else _unpacked(colour, 3 * pixels),
         stamp=fields.number("stamp", 0.0, 1e12),
+    )
+
+
+def read_glimpse(
+    values: Dict[str, Any], camera: BridgeCamera, step: int, joints: int
+) -> GlimpsePicture:
+    """From the reply to glimpse, for an arm of so many joints."""
+    fields, small = Fields(values, "reply"), coarser(camera, step)
+    return GlimpsePicture(
+        camera=small,
+        rgb=_unpacked(fields.take("rgb"), 3 * small.width * small.height),
+        stamp=fields.number("stamp", 0.0, 1e12),
+        joints=fields.numbers("joints", joints),
+        took=fields.number("took", 0.0),
+    )
+
+
+def coarser(camera: BridgeCamera, step: int) -> BridgeCamera:
+    """A camera whose pixels are every `step`-th of another's, beginning with the first."""
+    return replace(
+        camera,
+        width=len(range(0, camera.width, step)),
+        height=len(range(0, camera.height, step)),
+        fx=camera.fx / step,
+        fy=camera.fy / step,
+        cx=(camera.cx - 0.5) / step + 0.5,
+        cy=(camera.cy - 0.5) / step + 0.5,
     )
 
 

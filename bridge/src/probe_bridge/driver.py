@@ -40,8 +40,9 @@ class Shot(NamedTuple):
 class Driver(Protocol):
     """A robot's own interface, made alike.
 
-    The bridge calls it from several threads; never two of joints(), start() and poll() at once,
-    but stop() at any moment. Whatever a method raises stops the robot.
+    The bridge calls it from several threads: never two of start() and poll() at once, but stop(),
+    joints(), opening() and frame() at any moment. What a method raises stops a robot that moves,
+    unless it was only asked to look.
     """
 
     def joints(self) -> Reading:

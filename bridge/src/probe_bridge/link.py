@@ -110,6 +110,11 @@ class Link:
                 self._log.asked(do, self._seq, arguments)
         return reply
 
+    @property
+    def open(self) -> bool:
+        """Whether requests can still be sent."""
+        return self._lost is None
+
     def close(self) -> None:
         """Leave; the robot stops."""
         self._closing.close()

@@ -29,6 +29,14 @@ class Observe:
 
 
 @dataclass(frozen=True)
+class Glimpse:
+    """A small colour picture without depth, for a film: every `step`-th pixel and row."""
+
+    camera: str
+    step: int
+
+
+@dataclass(frozen=True)
 class Follow:
     """Move through joint angles, radians.
 
@@ -80,12 +88,15 @@ class Bare:
     do: str
 
 
-Request = Union[Hello, Observe, Follow, Home, Grip, Renew, Wait, Bare]
+Request = Union[Hello, Observe, Glimpse, Follow, Home, Grip, Renew, Wait, Bare]
 
 BARE = ("joints", "state", "stop")
 
 SLOWEST = 0.01
 """Least share of the speed limits that a motion may ask for."""
+
+COARSEST = 16
+"""Most pixels from one that is kept of a glimpse to the next."""
 
 _CLOCK = 1e12
 
@@ -102,6 +113,7 @@ def read_request(message: Dict[str, Any], joints: int) -> Tuple[int, Request]:
     readers: Dict[str, Callable[[], Request]] = {
         "hello": lambda: Hello(fields.whole("version", 0, 10**6)),
         "observe": lambda: Observe(fields.text("camera"), fields.flag("rgb")),
+        "glimpse": lambda: Glimpse(fields.text("camera"), fields.whole("step", 1, COARSEST)),
         "follow": lambda: Follow(
             fields.rows("path", joints, MAX_WAYPOINTS), _speed(fields), _seen(fields)
         ),

@@ -7,15 +7,16 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Callable, Dict, TypeVar
 
-from probe_bridge.config import Config
+from probe_bridge.config import BridgeCamera, Config
 from probe_bridge.curve import Row
 from probe_bridge.driver import Driver
 from probe_bridge.errors import BridgeError
 from probe_bridge.mover import Mover
-from probe_bridge.replies import described, pictured
+from probe_bridge.replies import described, glimpsed, pictured
 from probe_bridge.requests import (
     Bare,
     Follow,
+    Glimpse,
     Grip,
     Hello,
     Home,
@@ -43,6 +44,9 @@ class Robot:
         self._mover = Mover(driver, config)
         self._moving = ThreadPoolExecutor(1, "motion")
         self._looking = ThreadPoolExecutor(2, "pictures")
+        # Of its own, so that nothing that matters ever waits for a film's picture.
+        self._filming = ThreadPoolExecutor(1, "film")
+        self._films = False
 
     def halt(self, kind: str, text: str) -> None:
         """Stop arm and hand now, from any thread.
@@ -59,6 +63,7 @@ class Robot:
         finally:
             self._moving.shutdown()
             self._looking.shutdown()
+            self._filming.shutdown()
             self._driver.close()
 
     async def answer(self, request: Request) -> Dict[str, Any]:
@@ -71,6 +76,8 @@ class Robot:
             return self._hello(request.version)
         if isinstance(request, Observe):
             return await self._observe(request)
+        if isinstance(request, Glimpse):
+            return await self._glimpse(request)
         if isinstance(request, Wait):
             await asyncio.sleep(request.seconds)
             return {}
@@ -91,14 +98,35 @@ class Robot:
         return described(self.config, time.monotonic())
 
     async def _observe(self, request: Observe) -> Dict[str, Any]:
-        camera = self.config.cameras.get(request.camera)
-        if camera is None:
-            known = ", ".join(self.config.cameras) or "none"
-            raise BridgeError("refused", f"There is no camera {request.camera!r}; known: {known}.")
+        camera = self._camera(request.camera)
         return await self._in_thread(
             self._looking,
             lambda: pictured(self._driver.frame(camera.name, request.rgb), camera),
         )
+
+    async def _glimpse(self, request: Glimpse) -> Dict[str, Any]:
+        camera = self._camera(request.camera)
+        if self._films:
+            raise BridgeError("busy", "The last glimpse is still being taken.", "Ask for fewer.")
+        asked, self._films = time.monotonic(), True
+        try:
+            result = await self._in_thread(
+                self._filming,
+                lambda: {
+                    **glimpsed(self._driver.frame(camera.name, True), camera, request.step),
+                    "joints": self._joints()["joints"],
+                },
+            )
+        finally:
+            self._films = False
+        return {**result, "took": time.monotonic() - asked}
+
+    def _camera(self, name: str) -> BridgeCamera:
+        camera = self.config.cameras.get(name)
+        if camera is None:
+            known = ", ".join(self.config.cameras) or "none"
+            raise BridgeError("refused", f"There is no camera {name!r}; known: {known}.")
+        return camera
 
     async def _bare(self, do: str) -> Dict[str, Any]:
         if do == "stop":

@@ -8,7 +8,7 @@ import msgpack
 
 from probe_bridge.errors import BridgeError
 
-VERSION = 2
+VERSION = 3
 """Of the protocol. Both ends must have the same."""
 
 MAX_REQUEST = 256 * 1024

@@ -15,6 +15,7 @@ from probe.film.clips import Clip, clips_of
 from probe.film.encoding import FilmFormat
 from probe.film.filming import FilmFacts, Watch
 from probe.film.filming import film as _film
+from probe.film.robot_filming import film_robot
 from probe.report.clips import CLIPS, clip_stem
 from probe.runs.checks.folder import read_checked
 from probe.tasks.suite import Suite, check_objects, part
@@ -41,6 +42,8 @@ def filmed(
 ) -> Generator[FilmFacts]:
     """Film episodes of a folder one after another; yields each as it is there.
 
+    What was done on a simulated table is done again; of a robot's, the kept pictures are shown.
+
     Args:
         folder: Holds suite.json and records.jsonl.
         out: Folder for the films; by default "films" beside the records. What is there is kept.
@@ -55,6 +58,7 @@ def filmed(
         BadData: The folder can't be read, or holds no such episode.
         CantFilm: An episode can't be done again, or not as it was.
         OtherTools: Tools of another version made it.
+        NoPoses: Whether a robot's answer is right depends on where things lie.
         MissingExtra: PyAV isn't installed.
     """
     if speed <= 0:
@@ -66,6 +70,10 @@ def filmed(
         path = Path(out or place / FILMS) / f"{_name(record)}.{form}"
         if path.exists():
             yield FilmFacts(path, 0.0, 0, 0.0)
+            continue
+        if record.frames:
+            asked = suite[record.task]
+            yield film_robot(asked, record, place, path, form, speed=speed, watch=watch)
             continue
         yield _film(
             _asked(suite, record, things), record, things, path, form, speed=speed, watch=watch

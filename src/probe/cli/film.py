@@ -23,31 +23,32 @@ def film(
     speed: float = 1.0,
     clips: bool = False,
 ) -> None:
-    """Film recorded episodes: the calls are done again, and what comes out otherwise isn't filmed.
+    """Film recorded episodes: simulated ones are done again, of a robot's the pictures are shown.
 
-    A film that is there already is kept; the same command goes on with those that are missing.
+    What comes out otherwise than recorded isn't filmed. A film that is there already is kept; the
+    same command goes on with those that are missing.
 
     Args:
-        records: Folder that `probe run` wrote to.
+        records: Folder that `probe run`, `probe robot run` or `probe robot session` wrote to.
         task: Id of a task; by default all.
         run: Number of a run of it; by default all.
         agent: Name of an agent, as in the records; by default all.
         out: Folder for the films; by default "films" in that of the records.
         format: Of the files.
-        speed: How many times as fast as life the arm moves; closing fingers are shown at half
-            of life's speed.
+        speed: How many times as fast as life the arm moves; in simulation, closing fingers are
+            shown at half of life's speed.
         clips: Make no films but a short loop of each manipulation, which `probe report` shows.
     """
     if clips:
         _clips(records, task, run, agent)
         return
-    say("Each episode is done again and compared first; the bar then counts pictures.")
+    say("What was simulated is done again and compared first; the bar then counts pictures.")
     for facts in filmed(
         records, out, task=task, run=run, agent=agent, form=format, speed=speed, watch=_watch
     ):
         if facts.drawn:
             rate = 60 * facts.seconds / facts.cpu_seconds
-            took = f"{facts.drawn} pictures drawn, {rate:.1f} s of film a CPU minute"
+            took = f"{facts.drawn} pictures, {rate:.1f} s of film a CPU minute"
             say(f"{facts.path}: {facts.seconds:.0f} s; {took}.")
         else:
             say(f"{facts.path} is there already.")

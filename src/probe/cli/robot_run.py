@@ -37,6 +37,7 @@ def run(
     seeing: Annotated[PerceptionChoice, tyro.conf.arg(name="")] = PerceptionChoice("segmenter"),  # noqa: B008
     safety: Annotated[SafetyChoice, tyro.conf.arg(name="")] = SafetyChoice(),  # noqa: B008
     run: int = 0,
+    film: bool = False,
     token_file: Path = TOKEN_FILE,
     certificate: Path | None = None,
     out: Path = Path("outputs/robot"),
@@ -51,6 +52,7 @@ def run(
         seeing: What the tools see with.
         safety: How a person watches over the robot.
         run: Number of the agent's run at this task.
+        film: Keep pictures of the arm in motion as well, for `probe film`.
         token_file: Has the bridge's token.
         certificate: Of the bridge, if no public authority vouches for it.
         out: Folder for the record and its pictures.
@@ -74,7 +76,8 @@ def run(
         acting = make_agent(agent, asked, run, things, renderer)
         robot = RobotStation(client, asked.setup, asked.camera, slow=safety.slow_motions)
         with guarded(robot, safety, out) as station:
-            episode = open_real_episode(asked, agent, station, perceiver, out, run)
+            keeps = robot.film if film else None
+            episode = open_real_episode(asked, agent, station, perceiver, out, run, keeps)
             record = act_out(episode, question, acting)
     append_record(out / RECORDS, record)
     said = f"No answer: {record.end}"

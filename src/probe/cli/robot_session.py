@@ -40,6 +40,7 @@ def session(
     address: Address,
     plan: File,
     safety: Annotated[SafetyChoice, tyro.conf.arg(name="")] = SafetyChoice(),  # noqa: B008
+    film: bool = False,
     token_file: Path = TOKEN_FILE,
     certificate: Path | None = None,
     out: Path = Path("outputs/session"),
@@ -52,6 +53,7 @@ def session(
         address: Of the robot's bridge.
         plan: The session's file.
         safety: How a person watches over the robot while an agent acts.
+        film: Keep pictures of the arm in motion as well, for `probe film`.
         token_file: Has the bridge's token.
         certificate: Of the bridge, if no public authority vouches for it.
         out: Folder for the log, the records and their pictures.
@@ -67,7 +69,7 @@ def session(
         for name in agents:
             note_ordered(out, name, "", planned.runs)
         operator = TerminalOperator()
-        robot = _robot_at(address, token, certificate, safety, out)
+        robot = _robot_at(address, token, certificate, safety, out, film=film)
         its = SessionResources(suite, agents, robot, perceiver, things, renderer, operator, out)
         begun = Begun(plan=planned, agents=tuple(agents), suite=content_hash(suite))
         try:
@@ -112,12 +114,19 @@ def _agents(plan: SessionPlan, out: Path) -> Mapping[str, AgentOf]:
 
 
 def _robot_at(
-    address: str, token: str, certificate: Path | None, safety: SafetyChoice, out: Path
+    address: str,
+    token: str,
+    certificate: Path | None,
+    safety: SafetyChoice,
+    out: Path,
+    *,
+    film: bool,
 ) -> Callable[[Task], AbstractContextManager[Robot]]:
     @contextmanager
     def robot(task: Task) -> Generator[Robot]:
         with closing(connected(address, token, certificate, log=out / COMMANDS)) as client:
             station = RobotStation(client, task.setup, task.camera, slow=safety.slow_motions)
-            yield Robot(station, station.park, lambda: guarded(station, safety, out))
+            keeps = station.film if film else None
+            yield Robot(station, station.park, lambda: guarded(station, safety, out), keeps)
 
     return robot

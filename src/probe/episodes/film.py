@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from probe.episodes.motion_pictures import MotionFiles
 from probe.files import encode, write_bytes
+from probe.station.motion_camera import MotionPicture
 from probe.types import Frame
 
 FRAMES = "frames"
@@ -37,6 +39,7 @@ class Film:
         self._folder = folder
         self._name = f"{FRAMES}/{next(name for name in free if name not in taken)}"
         self._count = 0
+        self._motions = MotionFiles(folder / self._name)
 
     def keep(self, frame: Frame) -> str:
         """Write a frame's colours and depth; returns their name in the folder, without an ending.
@@ -53,3 +56,11 @@ class Film:
         write_bytes(self._folder / f"{name}.jpg", picture)
         self._count += 1
         return name
+
+    def keep_motion(self, seen: MotionPicture) -> None:
+        """Write a picture of a motion; it belongs to the call after the last kept frame.
+
+        Raises:
+            OutputFailed: It can't be written.
+        """
+        self._motions.keep(seen, max(0, self._count - 1))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from probe.episodes.arm_skills import ArmSkills
@@ -11,6 +12,7 @@ from probe.episodes.grading import answer_form, question_of
 from probe.episodes.perceptions import used_by
 from probe.perception.choice import Perceiver
 from probe.scene.scene import Scene
+from probe.station.motion_camera import Keep
 from probe.station.station import Station
 from probe.tasks.task import Task
 from probe.toolshed.toolshed import Toolshed
@@ -52,6 +54,7 @@ def open_real_episode(
     perceiver: Perceiver,
     folder: Path,
     run: int = 0,
+    film: Callable[[Keep], None] | None = None,
 ) -> Episode:
     """A fresh episode on a robot's table as it stands now.
 
@@ -62,6 +65,7 @@ def open_real_episode(
         perceiver: Makes what the tools see with; it gets no truth.
         folder: Of the run; pictures are kept in it.
         run: Number of the run, for the record.
+        film: Is told where pictures of motions go; None if nobody wants any.
 
     Raises:
         RobotLost: The robot doesn't answer.
@@ -79,7 +83,10 @@ def open_real_episode(
         form=answer_form(task),
         guessed=perception.guessed,
     )
-    table = RealTable(task, station, Film(folder, task.id))
+    kept = Film(folder, task.id)
+    if film is not None:
+        film(kept.keep_motion)
+    table = RealTable(task, station, kept)
     return Episode(
         task.id,
         question_of(task, tools.first_picture()),

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, cast
 
+from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Call
-from probe.film.footage import FilmedCall, Footage
+from probe.film.footage import FilmedCall
 from probe.tasks.grading import Score
 from probe.texts import visible
+from probe.toolshed.result import Answer
 
 _LONGEST = 420
 """Characters of a text that are shown."""
@@ -38,19 +41,23 @@ class Caption:
         return len(self.words) + len(self.call), len(self.result)
 
 
-def captions_of(footage: Footage, score: Score) -> tuple[Caption, ...]:
+def captions_of(
+    calls: Sequence[FilmedCall], record: EpisodeRecord, score: Score
+) -> tuple[Caption, ...]:
     """A caption for each call; the last one of an answer says what that is worth."""
-    count = len(footage.calls)
-    return tuple(
-        Caption(
-            f"Call {number} of {count}",
-            _short(each.call.words),
-            call_words(each.call),
-            _result_words(each, footage, score),
-            each.result.status != "done" or (_answers(each, footage) and not score.correct),
+    captions: list[Caption] = []
+    for number, each in enumerate(calls, start=1):
+        answer = record.answer if number == len(calls) else None
+        captions.append(
+            Caption(
+                f"Call {number} of {len(calls)}",
+                _short(each.call.words),
+                call_words(each.call),
+                _result_words(each, answer, score),
+                each.result.status != "done" or (answer is not None and not score.correct),
+            )
         )
-        for number, each in enumerate(footage.calls, start=1)
-    )
+    return tuple(captions)
 
 
 def call_words(call: Call) -> str:
@@ -62,20 +69,14 @@ def call_words(call: Call) -> str:
     return _short(f"{call.name}({told})")
 
 
-def _result_words(each: FilmedCall, footage: Footage, score: Score) -> str:
+def _result_words(each: FilmedCall, answer: Answer | None, score: Score) -> str:
     text = each.result.text
     if each.call.name == "perceive_scene" and each.result.status == "done":
         things = text.count("- number:")
         return f"A list of {things} things." if things else _short(text)
-    answer = footage.record.answer
-    if answer is not None and _answers(each, footage):
+    if answer is not None:
         return f"Answer {answer.choice}: {'right' if score.correct else 'wrong'}."
     return _short(text)
-
-
-def _answers(each: FilmedCall, footage: Footage) -> bool:
-    """Whether it is the call that ended the episode with an answer."""
-    return each is footage.calls[-1] and footage.record.answer is not None
 
 
 def _short(text: str) -> str:

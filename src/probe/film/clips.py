@@ -13,9 +13,9 @@ from probe.film.cutting import moments_in_motion
 from probe.film.drawing import StageDrawer, stage_drawer
 from probe.film.encoding import encoded, require_encoder
 from probe.film.footage import FilmedCall, Footage, take
-from probe.film.stage.cameras import whole_view
 from probe.film.watched_world import SAMPLE_TIME
 from probe.render.renderer import Renderer
+from probe.stage.cameras import whole_view
 from probe.tasks.task import Task
 
 FRAMES = 40

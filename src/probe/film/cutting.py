@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from probe.film.footage import Footage
+from probe.episodes.turns import Question
+from probe.film.footage import FilmedCall, Footage
 from probe.film.watched_world import SAMPLE_TIME, TableMoment
 from probe.types import Array
 
@@ -39,7 +40,7 @@ class FilmShot:
     """A picture of the film.
 
     Attributes:
-        moment: Index into the footage's moments.
+        moment: Index into the footage's moments, or into a robot's pictures.
         call: Number of the call that the captions are about, from 0; None before the first.
         told: Whether the captions tell what came of it.
         speed: Of life's; None where time stands still.
@@ -53,6 +54,10 @@ class FilmShot:
     frames: int = 1
 
 
+Moving = tuple[int, float, int]
+"""A moment in motion, its speed, and for how many frames it stands."""
+
+
 def cut(footage: Footage, speed: float, texts: Sequence[tuple[int, int]]) -> list[FilmShot]:
     """All shots of a film, in order.
 
@@ -61,13 +66,34 @@ def cut(footage: Footage, speed: float, texts: Sequence[tuple[int, int]]) -> lis
         speed: Of motions other than closing fingers, of life's.
         texts: Of each call, how many signs its captions have before and after it is done.
     """
-    shots = [FilmShot(0, None, told=False, speed=None, frames=_hold(len(footage.question.text)))]
     steady = _is_steady(footage.moments)
     gripping = _is_gripping(footage.moments)
-    for number, (each, (before, after)) in enumerate(zip(footage.calls, texts, strict=True)):
+
+    def motion(first: int, last: int) -> Iterator[Moving]:
+        return _motion(first, last, steady, gripping, speed)
+
+    return shots_of(footage.question, footage.calls, texts, motion)
+
+
+def shots_of(
+    question: Question,
+    calls: Sequence[FilmedCall],
+    texts: Sequence[tuple[int, int]],
+    motion: Callable[[int, int], Iterable[Moving]],
+) -> list[FilmShot]:
+    """The question, then each call: its caption, what moved, what came of it.
+
+    Args:
+        question: What was asked.
+        calls: In order.
+        texts: As in cut().
+        motion: What to show of what moved between two moments.
+    """
+    shots = [FilmShot(0, None, told=False, speed=None, frames=_hold(len(question.text)))]
+    for number, (each, (before, after)) in enumerate(zip(calls, texts, strict=True)):
         shots.append(FilmShot(each.first, number, told=False, speed=None, frames=_hold(before)))
-        for moment, rate in _motion(each.first, each.last, steady, gripping, speed):
-            shots.append(FilmShot(moment, number, told=False, speed=rate))
+        for moment, rate, frames in motion(each.first, each.last):
+            shots.append(FilmShot(moment, number, told=False, speed=rate, frames=frames))
         shots.append(FilmShot(each.last, number, told=True, speed=None, frames=_hold(after)))
     return shots
 
@@ -84,8 +110,8 @@ def _hold(signs: int) -> int:
 
 def _motion(
     first: int, last: int, steady: Array, gripping: Array, speed: float
-) -> Iterator[tuple[int, float]]:
-    """Moments to show, one a frame, and the speed of each."""
+) -> Iterator[Moving]:
+    """Moments to show, one a frame."""
     place, rest = float(first), 0.0
     while round(place) < last:
         index = round(place)
@@ -94,7 +120,7 @@ def _motion(
             place = index + 1.0
             continue
         rate = SLOW if gripping[index] else speed
-        yield index, rate
+        yield index, rate, 1
         place += rate / FPS / SAMPLE_TIME
 
 

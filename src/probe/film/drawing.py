@@ -8,12 +8,12 @@ from dataclasses import dataclass
 
 from probe.assets.library import Library
 from probe.film.footage import Footage
-from probe.film.stage.cameras import FAR
-from probe.film.stage.light import stage_light
-from probe.film.stage.stage import FilmStage
 from probe.film.watched_world import TableMoment
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
+from probe.stage.cameras import FAR
+from probe.stage.light import stage_light
+from probe.stage.stage import FilmStage
 from probe.types import Array, Camera
 
 SERIES = 48

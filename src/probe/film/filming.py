@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import resource
 import time
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,14 +12,14 @@ from probe.assets.library import Library
 from probe.episodes.play import score
 from probe.episodes.record import EpisodeRecord
 from probe.files import write_bytes
-from probe.film.captions import Caption, captions_of
+from probe.film.captions import captions_of
 from probe.film.cutting import FPS, FilmShot, cut
 from probe.film.drawing import stage_drawer
 from probe.film.encoding import FilmFormat, encoded, require_encoder
 from probe.film.footage import Footage, take
 from probe.film.layout import STAGE_PX, Layout
-from probe.film.stage.cameras import whole_view
 from probe.render.renderer import Renderer
+from probe.stage.cameras import whole_view
 from probe.tasks.task import Task
 from probe.types import Array
 
@@ -34,7 +34,7 @@ class FilmFacts:
     Attributes:
         path: The file.
         seconds: How long it runs.
-        drawn: Pictures of the stage that were drawn for it; 0 if it was there already, and then the
+        drawn: Pictures of the stage that it shows; 0 if it was there already, and then the
             rest isn't told.
         cpu_seconds: What drawing and encoding took of this process and the renderer's.
     """
@@ -76,35 +76,31 @@ def film(
         require_encoder()
     with Renderer(library.light_cache) as renderer:
         footage = take(task, record, library, renderer)
-        captions = captions_of(footage, score(task, record, renderer))
+        captions = captions_of(footage.calls, record, score(task, record, renderer))
     shots = cut(footage, speed, [caption.signs for caption in captions])
-    began = _cpu_seconds()
+    began = cpu_seconds()
     with stage_drawer(footage, library) as drawer:
         camera = whole_view(task.setup, *STAGE_PX)
-        moments = [footage.moments[number] for number in _shown(shots)]
+        moments = [footage.moments[number] for number in shown(shots)]
         pictures = (picture for _, picture in drawer.draw_all(moments, camera))
-        frames = _composed(footage, captions, shots, pictures, watch)
+        layout = Layout(footage.question, captions, _seen(footage))
+        frames = composed(layout, shots, pictures, watch)
         content = encoded(frames, FPS, form)
     write_bytes(path, content)
     seconds = sum(shot.frames for shot in shots) / FPS
-    return FilmFacts(path, seconds, len(moments), _cpu_seconds() - began)
+    return FilmFacts(path, seconds, len(moments), cpu_seconds() - began)
 
 
-def _shown(shots: Sequence[FilmShot]) -> list[int]:
+def shown(shots: Sequence[FilmShot]) -> list[int]:
     """The moments of shots, in order; one that several neighbours show is drawn once."""
     moments = [shot.moment for shot in shots]
     return [now for before, now in zip([None, *moments], moments, strict=False) if now != before]
 
 
-def _composed(
-    footage: Footage,
-    captions: Sequence[Caption],
-    shots: Sequence[FilmShot],
-    pictures: Generator[Array],
-    watch: Watch,
+def composed(
+    layout: Layout, shots: Sequence[FilmShot], pictures: Iterator[Array], watch: Watch
 ) -> Generator[tuple[Array, int]]:
-    """Whole frames, and how long each stands."""
-    layout = Layout(footage.question, captions, _seen(footage))
+    """Whole frames, and how long each stands; pictures are of the stage, as shown() says."""
     stage, moment = next(pictures), shots[0].moment
     for number in watch(range(len(shots)), len(shots)):
         shot = shots[number]
@@ -122,7 +118,7 @@ def _seen(footage: Footage) -> list[Array]:
     return seen
 
 
-def _cpu_seconds() -> float:
+def cpu_seconds() -> float:
     """Of this process and of children that have ended."""
     ended = resource.getrusage(resource.RUSAGE_CHILDREN)
     return time.process_time() + ended.ru_utime + ended.ru_stime

@@ -21,7 +21,7 @@ STAGE_PX = (864, 616)
 _TOP_PX = SIZE_PX[1] - STAGE_PX[1]
 _INSET_PX = 344
 _MARGIN = 20
-_PAPER: Ink = (22, 25, 31)
+PAPER: Ink = (22, 25, 31)
 _BAR: Ink = (32, 37, 46)
 _WHITE: Ink = (245, 246, 248)
 _GREY: Ink = (168, 176, 188)
@@ -38,11 +38,15 @@ class Layout:
         question: What was asked.
         captions: One a call.
         pictures: What the agent had last seen before each call, and after the last; uint8.
+        inset: What these are called.
+        note: Stands on the stage wherever no speed does.
     """
 
     question: Question
     captions: Sequence[Caption]
     pictures: Sequence[Array]
+    inset: str = "What the agent saw last"
+    note: str = ""
     _kept: tuple[tuple[int | None, bool], Image.Image] | None = field(default=None, init=False)
 
     def frame(self, shot: FilmShot, stage: Array) -> Array:
@@ -52,12 +56,13 @@ class Layout:
             self._kept = state, self._surroundings(shot)
         frame = self._kept[1].copy()
         frame.paste(Image.fromarray(stage), (0, _TOP_PX))
-        if shot.speed is not None:
-            _badge(frame, speed_words(shot.speed))
+        words = self.note if shot.speed is None else speed_words(shot.speed)
+        if words:
+            _badge(frame, words)
         return np.asarray(frame)
 
     def _surroundings(self, shot: FilmShot) -> Image.Image:
-        frame = Image.new("RGB", SIZE_PX, _PAPER)
+        frame = Image.new("RGB", SIZE_PX, PAPER)
         pen = ImageDraw.Draw(frame)
         pen.rectangle((0, 0, SIZE_PX[0], _TOP_PX - 1), fill=_BAR)
         width = SIZE_PX[0] - 2 * _MARGIN
@@ -70,7 +75,7 @@ class Layout:
 
     def _inset(self, frame: Image.Image, pen: ImageDraw.ImageDraw, shot: FilmShot) -> None:
         left = STAGE_PX[0] + _MARGIN
-        pen.text((left, _TOP_PX + 8), "What the agent saw last", fill=_GREY, font=font(15))
+        pen.text((left, _TOP_PX + 8), self.inset, fill=_GREY, font=font(15))
         seen = 0 if shot.call is None else shot.call + shot.told
         picture = Image.fromarray(self.pictures[seen])
         small = picture.resize((_INSET_PX, _INSET_PX), Image.Resampling.BOX)
@@ -106,5 +111,5 @@ def _badge(frame: Image.Image, words: str) -> None:
     left, bottom = 16, SIZE_PX[1] - 16
     pen = ImageDraw.Draw(frame)
     box = (left, bottom - 36, left + width + 24, bottom)
-    pen.rounded_rectangle(box, radius=10, fill=_PAPER)
+    pen.rounded_rectangle(box, radius=10, fill=PAPER)
     pen.text((left + 12, bottom - 18), words, fill=_WHITE, font=face, anchor="lm")

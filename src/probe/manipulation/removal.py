@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
 from probe.manipulation.candidates import Grasp
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.obstacles import Obstacles
@@ -15,6 +17,7 @@ from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.scene.setup import Basket
 from probe.station.station import Station
+from probe.types import Array
 
 EMPTY = 0.0015
 """Metres between the pads under which they hold nothing."""
@@ -37,6 +40,12 @@ class Removal:
     enter: WayIn
     leave: WayOut
     obstacles: Obstacles
+
+    @property
+    def way(self) -> Array:
+        """All of it until the target is let go, from the parked place on, shape (m, n)."""
+        enter, leave = self.enter, self.leave
+        return np.vstack([enter.transit, enter.approach, leave.lift, leave.carry, leave.lower])
 
 
 def plan_removal(
@@ -64,11 +73,16 @@ def plan_removal(
 def remove(
     station: Station, removal: Removal, shape: HandShape
 ) -> Literal["removed", "blocked", "slipped", "dropped"]:
-    """Close, lift, carry and let go; the arm is parked again whatever happens."""
+    """Close, lift, carry and let go; the arm is parked again whatever happens.
+
+    Raises:
+        ArmStuck: It can't be.
+    """
     status = _carry_out(station, removal)
     # Fingers opened wider than on the way in may meet the forearm on the way home.
     station.grip(removal.grasp.opening)
-    park(station, removal.obstacles, shape.whole(removal.grasp.opening)[::3])
+    points = shape.whole(removal.grasp.opening)[::3]
+    park(station, removal.obstacles, points, removal.way)
     return status
 
 

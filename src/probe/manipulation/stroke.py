@@ -154,7 +154,8 @@ def _execute(
     station.grip(0.0)
     if station.follow(route.transit) and station.follow(route.descent):
         gone = _swept(station, route, along * route.travel)
-    park(station, obstacles, shape.whole(0.0)[::3])
+    came = np.vstack([route.transit, route.descent, route.sweep])
+    park(station, obstacles, shape.whole(0.0)[::3], came)
     station.grip(station.hand.max_opening)
     end: StrokeEnd = "swept" if gone > route.travel - _SPARE else "blocked"
     frame = station.observe(rgb=False)

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 from probe.assets.library import Library
+from probe.assets.mesh.mesh import TexturedMesh
 from probe.assets.tables import TableMaterial
 from probe.render.illumination import AMBIENT, Illumination
 from probe.render.protocol import TableTop
@@ -13,7 +17,11 @@ from probe.types import Array, Camera, Frame
 
 
 def load_scene(
-    renderer: Renderer, scene: Scene, library: Library, table: TableMaterial | None = None
+    renderer: Renderer,
+    scene: Scene,
+    library: Library,
+    table: TableMaterial | None = None,
+    more: Mapping[str, TexturedMesh] = MappingProxyType({}),
 ) -> None:
     """Give the renderer every object of the scene, and its table.
 
@@ -22,11 +30,12 @@ def load_scene(
         scene: Its set-up says how things look.
         library: Has its objects.
         table: Another one than the scene's own.
+        more: Meshes beside the scene's, by id.
     """
     looks = scene.setup.looks
     meshes = {item.object_id: library.body(item.object_id, looks).mesh for item in scene.objects}
     top = table or library.table(scene.table, looks)
-    renderer.load(meshes, TableTop(top.surface, top.tile_size, scene.setup.table_size))
+    renderer.load({**meshes, **more}, TableTop(top.surface, top.tile_size, scene.setup.table_size))
 
 
 def photograph(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from probe.scene.cameras import View
 from probe.scene.setup import Setup
 from probe.station.arms import arm_of, hand_of
 from probe.station.fusing import FRAMES, fused
+from probe.station.motion_camera import Keep, MotionCamera
 from probe.station.station import Arm, Hand
 from probe.station.straightened import Straightened
 from probe.types import Array, Frame
@@ -25,8 +26,10 @@ if TYPE_CHECKING:
 BASKET_VIEW = "basket"
 """Name of the camera that looks into the basket; the others are called as a set-up's views."""
 
-PARKED = 0.03
-"""Radians by which a parked arm's joints may be off: encoders and motors aren't exact."""
+PARKED = 0.06
+"""Radians by which a joint may be off where the arm was sent, as in simulation: motors give way a
+little. One value for arriving and for being parked, or an arm could arrive at home and still be in
+view."""
 
 STALE = 0.25
 """Seconds by which a picture may be older than the call that asked for it. An older one may show
@@ -96,6 +99,15 @@ class RobotStation:
         self._looks = looks
         self._slow = slow
         self._maps: dict[str, Straightened] = {}
+        self._film: MotionCamera | None = None
+
+    def film(self, keep: Keep) -> None:
+        """From now on, keep pictures of the table while the robot moves.
+
+        Args:
+            keep: Gets them, in a thread of their own.
+        """
+        self._film = MotionCamera(self._client, self._view, keep)
 
     def observe(self, *, rgb: bool) -> Frame:
         """Look at the table with the fixed camera.
@@ -119,19 +131,19 @@ class RobotStation:
         """Move through joint angles, shape (m, n), in one motion, and come to rest.
 
         Returns:
-            Whether the arm got there. The bridge stops it where it is as soon as something holds
-            it back.
+            Whether the arm got there, all joints within PARKED. The bridge stops it where it is as
+            soon as something holds it back.
 
         Raises:
             RobotLost: The motion ended otherwise: refused, stopped by a person, the link cut.
         """
-        with _bridge_errors():
+        with _bridge_errors(), self._filming():
             start = self._client.joints()
             return self._moved(np.vstack([start, path]))
 
     def grip(self, opening: float) -> float:
         """Open or close the gripper towards an opening in metres, and say what it reached."""
-        with _bridge_errors():
+        with _bridge_errors(), self._filming():
             return self._client.grip(min(opening, self._client.description.max_opening))
 
     def park(self) -> None:
@@ -140,7 +152,7 @@ class RobotStation:
         Raises:
             RobotLost: It was stopped, or didn't get there.
         """
-        with _bridge_errors():
+        with _bridge_errors(), self._filming():
             self._client.home()
 
     def wait(self, seconds: float) -> None:
@@ -180,17 +192,20 @@ class RobotStation:
         with _bridge_errors():
             self._client.log.add(event, **about)
 
+    def _filming(self) -> AbstractContextManager[None]:
+        return nullcontext() if self._film is None else self._film.filming()
+
     def _moved(self, path: Array) -> bool:
         from probe_bridge.errors import BridgeError
 
         try:
             self._slow -= 1
-            self._client.follow(path.tolist(), SLOW if self._slow >= 0 else 1.0)
+            rest = self._client.follow(path.tolist(), SLOW if self._slow >= 0 else 1.0)
         except BridgeError as error:
             if error.kind == "blocked":
                 return False
             raise
-        return True
+        return bool(np.abs(rest - path[-1]).max() < PARKED)
 
     def _seen_by(self, camera: str, size_px: int, *, rgb: bool) -> Frame:
         if np.abs(self.joints() - self.arm.parked).max() > PARKED:

@@ -85,7 +85,11 @@ class Straightened:
     def rgb(self, picture: Picture) -> Array:
         """Colours, sRGB uint8, shape (n, n, 3), of a picture that has them."""
         assert picture.rgb is not None
-        raw = np.frombuffer(picture.rgb, np.uint8).reshape(*self.shape, 3)
+        return self.colours(picture.rgb)
+
+    def colours(self, pixels: bytes) -> Array:
+        """The same of a picture's pixels, three bytes each, row by row."""
+        raw = np.frombuffer(pixels, np.uint8).reshape(*self.shape, 3)
         places = np.stack([self.rows, self.columns])
         channels = [
             ndimage.map_coordinates(raw[..., k].astype(np.float32), places, order=1, mode="nearest")

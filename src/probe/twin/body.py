@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from probe.scene.scene import Scene
+from probe.scene.scene import PlacedObject, Scene
 from probe.types import Array
 from probe.world.world import TIME_STEP, World
 
@@ -31,6 +31,23 @@ _GRIP_CREEP = 2e-4
 
 Watch = Callable[[Array, Array], None]
 """Takes the joints' angles, radians, and speeds by the clock, radians a second, shapes (n,)."""
+
+
+@dataclass(frozen=True, eq=False)
+class TwinMoment:
+    """All that a camera can see, at one time.
+
+    Attributes:
+        objects: Where each is.
+        joints: The arm's, radians, shape (n,).
+        opening: Distance of the pads, metres.
+        stamp: When, by the clock.
+    """
+
+    objects: tuple[PlacedObject, ...]
+    joints: Array
+    opening: float
+    stamp: float
 
 
 @dataclass(frozen=True)
@@ -74,6 +91,12 @@ class TwinBody:
         """The table as it is now, and when that is by the clock."""
         with self._lock:
             return self._world.scene(), self._now()
+
+    def moment(self) -> TwinMoment:
+        """Table, arm and hand as they are now."""
+        with self._lock:
+            world = self._world
+            return TwinMoment(world.scene().objects, world.joints, world.opening, self._now())
 
     def joints(self) -> tuple[Array, float]:
         """Joint angles, radians, and when they were so by the clock."""

@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from probe.render.renderer import Renderer
-from probe.scene.scene import Scene
-from probe.twin.body import TwinBody
+from probe.scene.scene import PlacedObject
+from probe.stage.stage import FilmStage
+from probe.station.remote import PARKED
+from probe.twin.body import TwinBody, TwinMoment
 from probe.twin.flaws import Flaws, misplaced, noisy_colours, noisy_depth
 from probe.types import Array, Camera, Frame
 
@@ -31,7 +33,8 @@ class TwinDriver:
 
     Args:
         body: The table; closed with the driver.
-        renderer: Has the scene's objects loaded.
+        renderer: Has the scene's objects and the robot loaded.
+        stage: The robot as it is drawn.
         cameras: By the bridge's names, where their calibration says that they stand.
         flaws: Of every camera.
         seed: Of all that is drawn by chance.
@@ -41,17 +44,19 @@ class TwinDriver:
         self,
         body: TwinBody,
         renderer: Renderer,
+        stage: FilmStage,
         cameras: Mapping[str, Camera],
         flaws: Flaws,
         seed: int = 0,
     ) -> None:
         self._body = body
         self._renderer = renderer
+        self._stage = stage
         self._flaws = flaws
         self._rng = np.random.default_rng(seed)
         self._cameras = {name: misplaced(c, flaws, self._rng) for name, c in cameras.items()}
         self._drawing = threading.Lock()
-        self._last: dict[tuple[str, bool], tuple[Scene, Frame]] = {}
+        self._last: dict[tuple[str, bool], tuple[tuple[PlacedObject, ...], Frame]] = {}
 
     def joints(self) -> Reading:
         from probe_bridge.driver import Reading
@@ -68,8 +73,8 @@ class TwinDriver:
         with self._drawing:
             while self._rng.random() < self._flaws.dropped:
                 time.sleep(_PERIOD)
-            scene, stamp = self._body.scene()
-            clean = self._drawn(scene, camera, rgb=rgb)
+            moment = self._body.moment()
+            clean = self._drawn(self._visible(moment), camera, rgb=rgb)
             depth = noisy_depth(clean.depth, self._flaws, self._rng)
             colours = (
                 noisy_colours(clean.rgb, self._flaws, self._rng) if clean.rgb is not None else None
@@ -77,7 +82,7 @@ class TwinDriver:
         time.sleep(self._flaws.latency)
         steps = np.clip(np.rint(depth / _UNIT), 0, 2**16 - 1).astype("<u2")
         height, width = depth.shape
-        return Shot(width, height, steps.tobytes(), _UNIT, _bytes(colours), stamp)
+        return Shot(width, height, steps.tobytes(), _UNIT, _bytes(colours), moment.stamp)
 
     def start(self, trajectory: Trajectory) -> None:
         self._body.start(trajectory)
@@ -97,13 +102,20 @@ class TwinDriver:
     def close(self) -> None:
         self._body.close()
 
-    def _drawn(self, scene: Scene, camera: str, *, rgb: bool) -> Frame:
+    def _visible(self, moment: TwinMoment) -> tuple[PlacedObject, ...]:
+        """The things, and the robot unless it is parked, where no camera sees it."""
+        parked = self._stage.setup.mount.parked
+        if np.abs(moment.joints - parked).max() < PARKED:
+            return moment.objects
+        return (*moment.objects, *self._stage.placed(moment.joints, moment.opening))
+
+    def _drawn(self, shown: tuple[PlacedObject, ...], camera: str, *, rgb: bool) -> Frame:
         """What a perfect camera there would show; drawn again only if something has moved."""
         known = self._last.get((camera, rgb))
-        if known and known[0].objects == scene.objects:
+        if known and known[0] == shown:
             return known[1]
-        frame = self._renderer.draw(scene.objects, self._cameras[camera], rgb=rgb)
-        self._last[camera, rgb] = scene, frame
+        frame = self._renderer.draw(shown, self._cameras[camera], rgb=rgb)
+        self._last[camera, rgb] = shown, frame
         return frame
 
 

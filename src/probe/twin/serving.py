@@ -19,6 +19,7 @@ from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.scene.cameras import View
 from probe.scene.scene import Scene
+from probe.stage.stage import FilmStage, robot_pieces
 from probe.station.remote import BASKET_VIEW
 from probe.twin.body import TwinBody, Watch
 from probe.twin.config import twin_config
@@ -78,7 +79,8 @@ def twin_of(
     except ImportError as error:
         raise MissingExtra("A robot's twin", "robot", "./bridge") from error
     setup = scene.setup
-    load_scene(renderer, scene, library)
+    stage = FilmStage(setup, tuple(robot_pieces(setup)))
+    load_scene(renderer, scene, library, more=stage.meshes)
     told = twin_config(setup, settings.views, settings.haste)
     if settings.cameras is not None:
         told["cameras"] = _cameras_in(settings.cameras)
@@ -95,7 +97,7 @@ def twin_of(
     body = TwinBody(World(scene, library), settings.haste, watch)
     # A renderer takes seconds to start, and clients don't wait that long for a picture.
     renderer.draw(scene.objects, setup.basket_camera, rgb=True)
-    robot = Robot(TwinDriver(body, renderer, eyes, settings.flaws, settings.seed), config)
+    robot = Robot(TwinDriver(body, renderer, stage, eyes, settings.flaws, settings.seed), config)
     try:
         yield robot
     finally:

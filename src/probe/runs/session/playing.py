@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from probe.episodes.turns import Agent
 from probe.errors import ProbeError
 from probe.perception.choice import Perceiver
 from probe.runs.session.order import Slot
+from probe.station.motion_camera import Keep
 from probe.station.station import Station
 from probe.tasks.task import Task
 
@@ -27,7 +29,13 @@ class StoppedByOperator(ProbeError):
 
 
 def played(
-    task: Task, slot: Slot, agent: Agent, station: Station, perceiver: Perceiver, out: Path
+    task: Task,
+    slot: Slot,
+    agent: Agent,
+    station: Station,
+    perceiver: Perceiver,
+    out: Path,
+    film: Callable[[Keep], None] | None = None,
 ) -> tuple[EpisodeRecord, bool]:
     """Let an agent work at a laid table; whatever else ends the episode is our fault.
 
@@ -38,6 +46,7 @@ def played(
         station: The robot, its arm parked.
         perceiver: Makes what the tools see with.
         out: Folder for the pictures.
+        film: Is told where pictures of motions go; None if nobody wants any.
 
     Returns:
         The record, and whether the operator stopped it.
@@ -46,7 +55,7 @@ def played(
         RobotLost: The robot was lost before the first picture.
     """
     try:
-        episode = open_real_episode(task, slot.agent, station, perceiver, out, slot.run)
+        episode = open_real_episode(task, slot.agent, station, perceiver, out, slot.run, film)
         stopped = _acted(episode, agent)
     finally:
         if isinstance(agent, ExternalAgent):

@@ -12,6 +12,7 @@ from probe.perception.choice import Perceiver
 from probe.render.renderer import Renderer
 from probe.runs.session.operator import Operator
 from probe.runs.work import AgentOf
+from probe.station.motion_camera import Keep
 from probe.station.station import Station
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
@@ -25,11 +26,13 @@ class Robot:
         station: Looks at it.
         park: Sends the arm to where it hides nothing.
         acting: The same robot for an agent, as a person watches over it while the block lasts.
+        film: Is told where pictures of motions go; None if nobody wants any.
     """
 
     station: Station
     park: Callable[[], None]
     acting: Callable[[], AbstractContextManager[Station]]
+    film: Callable[[Keep], None] | None = None
 
 
 @dataclass(frozen=True)

@@ -97,7 +97,9 @@ class RobotSession:
         try:
             agent = its.agents[slot.agent](slot.agent, task, slot.run, its.things, its.renderer)
             with robot.acting() as station:
-                record, stopped = played(task, slot, agent, station, its.perceiver, its.out)
+                record, stopped = played(
+                    task, slot, agent, station, its.perceiver, its.out, robot.film
+                )
         except ProbeError as error:
             fault = f"{type(error).__name__}: {error}"
             self._log.add(Ended(of=slot.key, verdict="interrupted", fault=fault, opened=opened))

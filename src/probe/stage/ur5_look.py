@@ -7,9 +7,9 @@ the frame of its link.
 from __future__ import annotations
 
 from probe.assets.procedural.form.sheet import Sheet
-from probe.film.stage.materials import plain
-from probe.film.stage.part import StagePiece, piece
-from probe.film.stage.solids import drum, turned
+from probe.stage.materials import plain
+from probe.stage.part import StagePiece, piece
+from probe.stage.solids import drum, turned
 from probe.types import Vector3
 
 _PAINT = plain((0.78, 0.79, 0.80), 0.42)

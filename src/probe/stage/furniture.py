@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from probe.assets.procedural.form.sheet import Sheet
-from probe.film.stage.materials import plain
-from probe.film.stage.part import StagePiece, piece
-from probe.film.stage.solids import block
 from probe.scene.setup import FLOOR_DEPTH, Basket, Setup
+from probe.stage.materials import plain
+from probe.stage.part import StagePiece, piece
+from probe.stage.solids import block
 from probe.types import Array, Vector3
 
 _METAL = plain((0.30, 0.31, 0.33), 0.5)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.assets.procedural.form.sheet import Sheet
-from probe.film.stage.solids import joined
+from probe.stage.solids import joined
 
 
 @dataclass(frozen=True, eq=False)

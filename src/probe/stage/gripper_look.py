@@ -8,10 +8,10 @@ are turned about z, so that both wear the same.
 from __future__ import annotations
 
 from probe.assets.procedural.form.sheet import Sheet
-from probe.film.stage.materials import plain
-from probe.film.stage.part import StagePiece, piece
-from probe.film.stage.solids import bar, block, drum, turned
 from probe.scene.setup import GripperSize
+from probe.stage.materials import plain
+from probe.stage.part import StagePiece, piece
+from probe.stage.solids import bar, block, drum, turned
 from probe.types import Vector3
 from probe.world.robot.gripper import INNER_PIVOT, PIVOT, crank
 from probe.world.robot.gripper_shape import pad

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from probe.assets.mesh.mesh import TexturedMesh
-from probe.film.stage.furniture import furniture
-from probe.film.stage.gripper_look import gripper_pieces
-from probe.film.stage.part import StagePiece
-from probe.film.stage.plain_look import arm_solids, gripper_solids
-from probe.film.stage.ur5_look import ur5_pieces
 from probe.scene.scene import PlacedObject
 from probe.scene.setup import Setup
+from probe.stage.furniture import furniture
+from probe.stage.gripper_look import gripper_pieces
+from probe.stage.part import StagePiece
+from probe.stage.plain_look import arm_solids, gripper_solids
+from probe.stage.ur5_look import ur5_pieces
 from probe.types import Array, Pose
 from probe.world.robot.arms import ARMS
 from probe.world.robot.frames import arm_frames, finger_frames

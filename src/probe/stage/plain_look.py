@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from probe.assets.procedural.form.sheet import Sheet
-from probe.film.stage.materials import plain
-from probe.film.stage.part import StagePiece, piece
-from probe.film.stage.solids import block, capsule, drum
 from probe.scene.setup import GripperSize
+from probe.stage.materials import plain
+from probe.stage.part import StagePiece, piece
+from probe.stage.solids import block, capsule, drum
 from probe.world.robot.arm_body import ArmBody
 from probe.world.robot.gripper_shape import INNER_FINGER, PALM, inner_crank, outer_crank, pad
 from probe.world.robot.solids import Cylinder, SolidBox

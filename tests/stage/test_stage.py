@@ -8,16 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from probe.film.stage.stage import FilmStage, robot_pieces
 from probe.scene.setup import UR5_TABLE, Setup
 from probe.scene.setup_file import read_setup
+from probe.stage.stage import FilmStage, robot_pieces
 from probe.types import Array
 from probe.world.robot.arms import ARMS
 from probe.world.robot.frames import arm_frames
 from probe.world.robot.gripper_shape import INNER_FINGER, PALM, inner_crank, outer_crank, pad
 from probe.world.robot.solids import Cylinder, SolidBox
 
-JACO = read_setup(Path(__file__).parents[3] / "examples" / "setups" / "jaco.json")
+JACO = read_setup(Path(__file__).parents[2] / "examples" / "setups" / "jaco.json")
 WHITE = np.full((2, 2, 3), 255, np.uint8)
 ARM_OVER, HAND_OVER = 0.0025, 0.007
 """Metres by which a drawn robot may be larger than what collides."""
