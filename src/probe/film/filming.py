@@ -49,6 +49,7 @@ def film(
     task: Task,
     record: EpisodeRecord,
     library: Library,
+    renderer: Renderer,
     path: Path,
     form: FilmFormat = "mp4",
     *,
@@ -61,6 +62,8 @@ def film(
         task: What the record is about.
         record: The episode.
         library: Has the task's objects.
+        renderer: Draws what the station sees; what was loaded in it is replaced. The stage has one
+            of its own.
         path: The film's file, which is written whole or not at all.
         form: Of the file.
         speed: Of motions other than closing fingers, of life's.
@@ -74,9 +77,8 @@ def film(
     """
     if form != "gif":
         require_encoder()
-    with Renderer(library.light_cache) as renderer:
-        footage = take(task, record, library, renderer)
-        captions = captions_of(footage, score(task, record, renderer))
+    footage = take(task, record, library, renderer)
+    captions = captions_of(footage, score(task, record, renderer))
     shots = cut(footage, speed, [caption.signs for caption in captions])
     began = _cpu_seconds()
     with stage_drawer(footage, library) as drawer:
@@ -104,22 +106,13 @@ def _composed(
     watch: Watch,
 ) -> Generator[tuple[Array, int]]:
     """Whole frames, and how long each stands."""
-    layout = Layout(footage.question, captions, _seen(footage))
+    layout = Layout(footage.question, captions, footage.pictures)
     stage, moment = next(pictures), shots[0].moment
     for number in watch(range(len(shots)), len(shots)):
         shot = shots[number]
         if shot.moment != moment:
             stage, moment = next(pictures), shot.moment
         yield layout.frame(shot, stage), shot.frames
-
-
-def _seen(footage: Footage) -> list[Array]:
-    """What the agent had seen last before each call, and after the last one."""
-    assert footage.question.picture is not None
-    seen = [footage.question.picture]
-    for call in footage.calls:
-        seen.append(seen[-1] if call.result.picture is None else call.result.picture)
-    return seen
 
 
 def _cpu_seconds() -> float:

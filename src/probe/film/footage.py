@@ -19,6 +19,7 @@ from probe.render.renderer import Renderer
 from probe.tasks.task import Task
 from probe.toolshed.result import ToolResult
 from probe.toolshed.skills import SkillOutcome
+from probe.types import Array
 
 _SHOWN = 3
 """Differences that a refusal names."""
@@ -74,6 +75,15 @@ class Footage:
     moments: tuple[TableMoment, ...]
     calls: tuple[FilmedCall, ...]
     looks: tuple[Look, ...] = ()
+
+    @property
+    def pictures(self) -> list[Array]:
+        """What the agent had seen last before each call, and after the last one; uint8."""
+        assert self.question.picture is not None
+        seen = [self.question.picture]
+        for call in self.calls:
+            seen.append(seen[-1] if call.result.picture is None else call.result.picture)
+        return seen
 
 
 def take(
