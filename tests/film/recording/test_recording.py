@@ -209,7 +209,8 @@ def test_pictures_and_texts_are_the_agents(footage, rows) -> None:
     assert rows["/log/words"][0].values["TextLog:text"] == ["The pot may hide it."]
     assert [row.step for row in rows["/log/results"]] == [1, 2, 3, 4]
     times = [row.time for row in rows["/log/results"]]
-    assert times == pytest.approx([footage.moments[call.last].time for call in footage.calls])
+    lasts = [footage.moments[call.last].time for call in footage.calls]
+    assert times == pytest.approx(lasts, abs=0.02)  # Moments are 18 ms apart.
 
 
 def test_what_the_skill_says_is_what_is_shown(footage, rows) -> None:

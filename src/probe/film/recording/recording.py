@@ -20,7 +20,6 @@ from probe.film.recording.views import tell_look
 from probe.manipulation.grasp import GraspResult
 from probe.render.renderer import Renderer
 from probe.station.arms import arm_of, hand_of
-from probe.station.station import Arm, Hand
 from probe.tasks.grading import Score
 from probe.tasks.task import Task
 from probe.texts import visible
@@ -71,12 +70,11 @@ def recording_of(footage: Footage, graded: Score, library: Library) -> bytes:
     writer = RecordingWriter(name, name, layout(setup))
     tell_looks(writer, footage, library)
     tell_motion(writer, footage, library)
-    arm, hand = arm_of(setup.mount), hand_of(setup)
-    writer.at(footage.moments[0].time, 1)
+    writer.at(_when(footage, 0), 1)
     writer.text("log/question", _question(footage))
     for number, call in enumerate(footage.calls):
         _tell_before(writer, footage, number)
-        _tell_call(writer, footage, number, call, arm, hand)
+        _tell_call(writer, footage, number, call)
     _tell_before(writer, footage, len(footage.calls))
     writer.text("log/result", f"The episode ended: {record.end}. It counts as: {graded.outcome}.")
     return writer.content()
@@ -84,8 +82,7 @@ def recording_of(footage: Footage, graded: Score, library: Library) -> bytes:
 
 def _tell_before(writer: RecordingWriter, footage: Footage, number: int) -> None:
     """What was there when a call was made."""
-    moment = footage.calls[number].first if number < len(footage.calls) else -1
-    writer.at(footage.moments[moment].time, number + 1)
+    writer.at(_when(footage, number), number + 1)
     for entity in (PLAN, _HAND_PATH, "grasps"):
         writer.clear(entity)
     pictures = footage.pictures
@@ -95,15 +92,10 @@ def _tell_before(writer: RecordingWriter, footage: Footage, number: int) -> None
         tell_look(writer, footage.looks[number])
 
 
-def _tell_call(
-    writer: RecordingWriter,
-    footage: Footage,
-    number: int,
-    call: FilmedCall,
-    arm: Arm,
-    hand: Hand,
-) -> None:
+def _tell_call(writer: RecordingWriter, footage: Footage, number: int, call: FilmedCall) -> None:
     """What a call was, thought of, did and told."""
+    setup = footage.task.setup
+    arm, hand = arm_of(setup.mount), hand_of(setup)
     told = f"Call {number + 1} of {len(footage.calls)}"
     if call.call.words:
         writer.text("log/words", visible(call.call.words))
@@ -117,8 +109,15 @@ def _tell_call(
             assert plan.frame.taken is not None
             writer.at(plan.frame.taken, number + 1)
             tell_plan(writer, plan, f"{told}, try {attempt}", arm, hand)
-    writer.at(footage.moments[call.last].time, number + 1)
+    writer.at(_when(footage, number + 1), number + 1)
     writer.text("log/results", visible(call.result.text), _LEVELS[call.result.status])
+
+
+def _when(footage: Footage, number: int) -> float:
+    """Simulated seconds at which a call was made; after the last one, at which all was over."""
+    taken = footage.looks[number].table.taken
+    assert taken is not None
+    return taken
 
 
 def _question(footage: Footage) -> str:

@@ -21,6 +21,9 @@ from probe.types import Array, Pose
 TIME, STEP = "time", "step"
 """Names of the timelines."""
 
+_TEXTURE_PX = 512
+"""Width of textures at most; in full size they would be four fifths of a recording."""
+
 Colour = tuple[int, int, int]
 Level = Literal["INFO", "WARN", "ERROR"]
 
@@ -83,13 +86,15 @@ class RecordingWriter:
             colours: Of its vertices in place of the texture, uint8, shape (n, 3).
         """
         textured = colours is None
+        image = Image.fromarray(mesh.surface.texture)
+        small = np.asarray(image.reduce(max(1, image.width // _TEXTURE_PX)))
         archetype = self._rr.Mesh3D(
             vertex_positions=mesh.vertices,
             triangle_indices=mesh.faces,
             vertex_normals=mesh.normals,
             vertex_colors=colours,
             vertex_texcoords=mesh.uvs if textured else None,
-            albedo_texture=mesh.surface.texture if textured else None,
+            albedo_texture=small if textured else None,
         )
         self._log(entity, archetype, static=True)
 
