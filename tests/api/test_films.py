@@ -86,7 +86,7 @@ def test_a_recording_is_made_once_and_kept(folder):
     pytest.importorskip("rerun")
     ((path, made),) = recorded(folder)
     assert made and path == folder / "films" / f"{SUITE.tasks[0].id}-fixed-0.rrd"
-    assert [row.step for row in rows_of(path)["/log/calls"]] == [1, 2]
+    assert max(row.step or 0 for row in rows_of(path)["/log"]) == 3
     before = path.stat().st_mtime_ns
     assert list(recorded(folder)) == [(path, False)]
     assert path.stat().st_mtime_ns == before

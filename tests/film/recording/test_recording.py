@@ -29,13 +29,13 @@ from recordings import Row, picture_of, poses_of, rows_of
 pytestmark = pytest.mark.slow
 
 TASK = demo_suite().tasks[0]
+WORDS = "The pot may hide it."
 CALLS = (
-    Call.of("find_object", {"description": "clay flower pot"}, words="The pot may hide it."),
+    Call.of("find_object", {"description": "clay flower pot"}, words=WORDS),
     Call.of("grasp_and_remove", {"object_id": "object_1"}),
     Call.of("push", {"object_id": "object_99", "direction": "left", "distance_cm": 5}),
     Call.of("answer_question", {"choice": "E"}),
 )
-NAMES = ("find_object", "grasp_and_remove", "push", "answer_question")
 GRASP = 2
 """Number of the grasp among the calls, from 1."""
 
@@ -195,20 +195,30 @@ def test_the_pots_region_is_the_pot(footage, rows, renderer, library, pot) -> No
     assert ((numbers.reshape(labels.shape) == number) == (labels == pot)).all()
 
 
-def test_pictures_and_texts_are_the_agents(footage, rows) -> None:
+def test_pictures_are_the_agents(footage, rows) -> None:
+    """Told once: neither the push that did nothing nor the answer showed another one."""
+    assert [row.step for row in rows["/agent/picture"]] == [1, 2, 3]
     seen = [picture_of(row) for row in rows["/agent/picture"]]
-    assert [row.step for row in rows["/agent/picture"]] == [1, 2, 3, 4]
-    for picture, real in zip(seen, footage.pictures, strict=False):
+    for picture, real in zip([*seen, seen[-1], seen[-1]], footage.pictures, strict=True):
         assert (picture == real).all()
-    results = [row.values["TextLog:text"][0] for row in rows["/log/results"]]
-    assert results == [step.text for step in footage.record.steps]
-    levels = [row.values["TextLog:level"][0] for row in rows["/log/results"]]
-    assert levels == ["INFO", "INFO", "ERROR", "INFO"]
-    calls = [row.values["TextLog:text"][0] for row in rows["/log/calls"]]
-    assert [name in call for name, call in zip(NAMES, calls, strict=True)] == [True] * 4
-    assert rows["/log/words"][0].values["TextLog:text"] == ["The pot may hide it."]
-    assert [row.step for row in rows["/log/results"]] == [1, 2, 3, 4]
-    times = [row.time for row in rows["/log/results"]]
+
+
+def test_the_log_tells_all_in_order(footage, rows) -> None:
+    steps = footage.record.steps
+    said = [(row.values["TextLog:text"][0], row.step) for row in rows["/log"]]
+    told = [f"Told: {step.text}" for step in steps]
+    assert said[0][0].startswith(footage.question.text) and said[1] == (f"Agent: {WORDS}", 1)
+    assert said[2][0] == "Call 1 of 4: find_object(description=clay flower pot)"
+    assert said[3:5] == [(told[0], 1), ("Call 2 of 4: grasp_and_remove(object_id=object_1)", 2)]
+    assert said[5][0].startswith("Call 2 of 4, try 1: 1 chosen; ") and said[6] == (told[1], 2)
+    assert [each for each in said[7:] if each[0].startswith("Told")] == [(told[2], 3), (told[3], 4)]
+    assert said[-1] == ("The episode ended: answered. It counts as: right.", 5)
+    levels = [row.values["TextLog:level"][0] for row in rows["/log"]]
+    assert [n for n, level in enumerate(levels) if level != "INFO"] == [said.index((told[2], 3))]
+
+
+def test_texts_stand_when_they_were_told(footage, rows) -> None:
+    times = [row.time for row in rows["/log"] if row.values["TextLog:text"][0].startswith("Told")]
     lasts = [footage.moments[call.last].time for call in footage.calls]
     assert times == pytest.approx(lasts, abs=0.02)  # Moments are 18 ms apart.
 

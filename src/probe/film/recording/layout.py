@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
@@ -13,8 +14,8 @@ from probe.film.stage.cameras import AWAY, whole_view
 from probe.scene.setup import Setup
 from probe.types import Array
 
-_REFUSED = ("touching", "no_hold", "unchecked")
-"""Verdicts that the first view leaves to the second one: they are hundreds."""
+_ASIDE = ("untried", "touching", "no_hold", "unchecked", "target")
+"""What the first view leaves to the second one, unless one switches it on."""
 
 
 def layout(setup: Setup) -> Any:
@@ -25,12 +26,14 @@ def layout(setup: Setup) -> Any:
     middle = np.array(whole.world_from_camera.position) + AWAY * forward
     table = views.Spatial3DView(
         name="Table",
-        contents=["+ /world/**", "- /world/seen/**", *(f"- /{PLAN}/{v}/**" for v in _REFUSED)],
+        contents=["+ /world/**", "- /world/seen/**"],
+        overrides=_hidden(views, _ASIDE),
         eye_controls=_eye(views, middle, 0.65 * AWAY * forward),
     )
     thought = views.Spatial3DView(
         name="What the tools saw and thought of",
-        contents=["+ /world/seen/**", f"+ /{PLAN}/**", f"- /{PLAN}/path/**"],
+        contents=["+ /world/seen/**", f"+ /{PLAN}/**"],
+        overrides=_hidden(views, ("path", "unchecked")),
         eye_controls=_eye(views, np.array([0.0, 0.0, 0.05]), 0.38 * AWAY * forward),
     )
     pictures = views.Tabs(
@@ -42,7 +45,7 @@ def layout(setup: Setup) -> Any:
         name="Log",
         origin="log",
         columns=views.TextLogColumns(
-            timeline_columns=[TIME, STEP], text_log_columns=["loglevel", "entitypath", "body"]
+            timeline_columns=[TIME, STEP], text_log_columns=["loglevel", "body"]
         ),
     )
     return views.Blueprint(
@@ -57,6 +60,11 @@ def layout(setup: Setup) -> Any:
         views.SelectionPanel(state="collapsed"),
         views.TimePanel(state="collapsed", timeline=TIME),
     )
+
+
+def _hidden(views: Any, names: Sequence[str]) -> Any:
+    """Parts of a plan that are there but not shown at first."""
+    return {f"/{PLAN}/{name}": views.EntityBehavior(visible=False) for name in names}
 
 
 def _eye(views: Any, target: Array, way: Array) -> Any:

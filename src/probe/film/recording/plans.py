@@ -22,7 +22,7 @@ from probe.types import Array
 PLAN = "world/plan"
 """All that was thought of; one entity below it for each verdict."""
 
-_TARGET: Colour = (255, 190, 120)
+_TARGET: Colour = (90, 235, 235)
 _STAGES: dict[str, Colour] = {
     "transit": (120, 200, 255),
     "approach": (40, 230, 90),
@@ -52,7 +52,7 @@ def tell_plan(writer: RecordingWriter, plan: GraspPlan, heading: str, arm: Arm, 
         writer.lines(f"{PLAN}/path", list(paths.values()), colours, _THICK / 2, list(paths))
     writer.page("grasps", verdict_page(heading, found))
     level = "INFO" if plan.removal is not None else "WARN"
-    writer.text("log/grasps", f"{heading}: {counts_words(found)}.", level)
+    writer.text(f"{heading}: {counts_words(found)}.", level)
 
 
 def hand_outline(grasp: Grasp, hand: Hand) -> Array:

@@ -67,16 +67,16 @@ def recording_of(footage: Footage, graded: Score, library: Library) -> bytes:
     """
     record, setup = footage.record, footage.task.setup
     name = f"{record.task}, {record.agent}, run {record.run}"
-    writer = RecordingWriter(name, name, layout(setup))
+    writer = RecordingWriter(name, layout(setup))
     tell_looks(writer, footage, library)
     tell_motion(writer, footage, library)
     writer.at(_when(footage, 0), 1)
-    writer.text("log/question", _question(footage))
+    writer.text(_question(footage))
     for number, call in enumerate(footage.calls):
         _tell_before(writer, footage, number)
         _tell_call(writer, footage, number, call)
     _tell_before(writer, footage, len(footage.calls))
-    writer.text("log/result", f"The episode ended: {record.end}. It counts as: {graded.outcome}.")
+    writer.text(f"The episode ended: {record.end}. It counts as: {graded.outcome}.")
     return writer.content()
 
 
@@ -98,8 +98,8 @@ def _tell_call(writer: RecordingWriter, footage: Footage, number: int, call: Fil
     arm, hand = arm_of(setup.mount), hand_of(setup)
     told = f"Call {number + 1} of {len(footage.calls)}"
     if call.call.words:
-        writer.text("log/words", visible(call.call.words))
-    writer.text("log/calls", f"{told}: {call_words(call.call)}")
+        writer.text(f"Agent: {visible(call.call.words)}")
+    writer.text(f"{told}: {call_words(call.call)}")
     moments = footage.moments[call.first : call.last + 1]
     if len(moments) > 1:
         path = np.array([pads_middle(arm, hand, it.joints, it.opening) for it in moments])
@@ -110,7 +110,7 @@ def _tell_call(writer: RecordingWriter, footage: Footage, number: int, call: Fil
             writer.at(plan.frame.taken, number + 1)
             tell_plan(writer, plan, f"{told}, try {attempt}", arm, hand)
     writer.at(_when(footage, number + 1), number + 1)
-    writer.text("log/results", visible(call.result.text), _LEVELS[call.result.status])
+    writer.text(f"Told: {visible(call.result.text)}", _LEVELS[call.result.status])
 
 
 def _when(footage: Footage, number: int) -> float:

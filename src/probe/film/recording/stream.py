@@ -5,6 +5,7 @@ What is told stands at a moment on two timelines: simulated time, and the number
 
 from __future__ import annotations
 
+import uuid
 from collections.abc import Sequence
 from importlib import import_module
 from importlib.util import find_spec
@@ -47,15 +48,15 @@ class RecordingWriter:
     """Takes values and gives a file's bytes.
 
     Args:
-        identity: Tells the viewer which recordings are the same one.
         name: What the viewer calls it.
         layout: A blueprint of Rerun's; see probe.film.recording.layout.
     """
 
-    def __init__(self, identity: str, name: str, layout: Any) -> None:
+    def __init__(self, name: str, layout: Any) -> None:
         self._rr = require_rerun()
+        # The viewer takes two of one identity for parts of the same recording and mixes them.
         self._stream = self._rr.RecordingStream(
-            "probe", recording_id=identity, send_properties=False
+            "probe", recording_id=uuid.uuid4(), send_properties=False
         )
         self._stream.set_log_time_enabled(False)
         self._stream.set_log_tick_enabled(False)
@@ -136,9 +137,9 @@ class RecordingWriter:
         archetype = self._rr.SegmentationImage(numbers.astype(np.uint16), opacity=0.55)
         self._log(entity, archetype)
 
-    def text(self, entity: str, text: str, level: Level = "INFO") -> None:
-        """A line, or several, of the log."""
-        self._log(entity, self._rr.TextLog(text, level=level))
+    def text(self, text: str, level: Level = "INFO") -> None:
+        """A line, or several, of the log: one entity, for only then does the viewer keep order."""
+        self._log("log", self._rr.TextLog(text, level=level))
 
     def page(self, entity: str, markdown: str) -> None:
         """A page of text that stands until the next one."""

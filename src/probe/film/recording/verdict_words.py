@@ -30,18 +30,14 @@ class VerdictLook:
 
 VERDICT_LOOKS: dict[Verdict, VerdictLook] = {
     "chosen": VerdictLook("chosen", (40, 230, 90), "green"),
-    "untried": VerdictLook(
-        "fits, not tried: a better one had a route, or 16 had none", (90, 170, 255), "blue"
-    ),
-    "spent": VerdictLook("resembles one that failed in this call", (170, 100, 255), "violet"),
+    "untried": VerdictLook("fits, not tried", (90, 170, 255), "blue"),
+    "spent": VerdictLook("like one that failed in this call", (170, 100, 255), "violet"),
     "no_way_out": VerdictLook("no way out to the basket", (255, 210, 60), "yellow"),
     "no_way_in": VerdictLook("no free route in", (255, 140, 30), "orange"),
     "out_of_reach": VerdictLook("no inverse kinematics", (255, 90, 200), "pink"),
-    "touching": VerdictLook("the hand would touch something", (225, 45, 45), "red"),
-    "no_hold": VerdictLook(
-        "a pad would touch nothing, or it is too wide there", (150, 110, 80), "brown"
-    ),
-    "unchecked": VerdictLook("not looked at: enough better ones fit", (150, 155, 160), "grey"),
+    "touching": VerdictLook("hand would touch something", (225, 45, 45), "red"),
+    "no_hold": VerdictLook("nothing to hold, or too wide", (150, 110, 80), "brown"),
+    "unchecked": VerdictLook("not looked at", (150, 155, 160), "grey"),
 }
 """All verdicts, the best first."""
 
@@ -66,7 +62,7 @@ def verdict_page(heading: str, found: Sequence[JudgedGrasp]) -> str:
     chosen = next((each.grasp for each in found if each.verdict == "chosen"), None)
     told = "Nothing was chosen." if chosen is None else f"Chosen: {grasp_words(chosen)}."
     table = "\n".join(["| hands | number | what became of them |", "|---|---|---|", *rows])
-    return f"### {heading}\n\n{told}\n\n{table}\n"
+    return f"**{heading}.** {told}\n\n{table}\n"
 
 
 def grasp_words(grasp: Grasp) -> str:

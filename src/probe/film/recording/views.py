@@ -12,8 +12,8 @@ from probe.types import Array, Frame
 EVERY_PX = 2
 """Of how many rows and columns one becomes points."""
 
-_POINT = 0.0008
-"""Radius of a point, metres: about a pixel's of those that are kept."""
+_POINT = 0.0009
+"""Radius of a point, metres: neighbours overlap a little."""
 
 
 def tell_look(writer: RecordingWriter, look: Look) -> None:
