@@ -186,8 +186,8 @@ def test_each_try_is_what_its_plan_says(renderer: Renderer) -> None:
     planned = [removal.enter.transit for removal in removals]
     begun = [path for path in station.paths if any(path is one for one in planned)]
     assert all(path is one for path, one in zip(begun, planned, strict=True))
-    times = [plan.frame.taken for plan in result.plans]
-    assert times[0] == 0.0 and all(a < b for a, b in pairwise(times) if a is not None)
+    times = [plan.frame.taken or 0.0 for plan in result.plans]
+    assert times[0] == 0.0 and all(before < after for before, after in pairwise(times))
     for number, plan in enumerate(result.plans[: result.tries]):
         found = judged(plan, station.arm, station.hand)
         (chosen,) = [each.grasp for each in found if each.verdict == "chosen"]
