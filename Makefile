@@ -9,7 +9,7 @@ WORKERS ?= 2
 help:
 	@echo "make demo       a scripted agent solves a task of each of seven types; outputs/demo/index.html"
 	@echo "make test       the fast tests"
-	@echo "make test-slow  the slow ones; installs PyTorch, Blender, Ray and a Chromium"
+	@echo "make test-slow  the slow ones; installs PyTorch, Blender, Ray, Rerun and a Chromium"
 	@echo "make docs       the pages as a site; outputs/site/index.html"
 	@echo "make check      format, lint, types, architecture"
 	@echo "make bench      what things cost"
@@ -25,7 +25,8 @@ test test-slow: export OMP_NUM_THREADS = 1
 test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS) --dist loadgroup --no-loadscope-reorder
 
-test-slow: .venv/.ready driver browser .venv/.blender .venv/.docs .venv/.ray .venv/.torch
+test-slow: .venv/.ready driver browser .venv/.blender .venv/.torch
+test-slow: .venv/.docs .venv/.ray .venv/.rerun
 	$(BIN)/pytest -m "slow and not gpu" --durations 40 -n $(WORKERS) --dist loadgroup --no-loadscope-reorder
 
 check: .venv/.ready
@@ -46,7 +47,7 @@ BENCHMARKS ?= $(addprefix internals/,episode looks observation report scores)
 bench: .venv/.ready driver browser
 	@for name in $(BENCHMARKS); do echo "== $$name"; $(BIN)/python "benchmarks/$$name.py" || exit 1; done
 
-mutants: .venv/.mutmut
+mutants: .venv/.mutants
 	$(BIN)/mutmut run --max-children $(WORKERS)
 	$(BIN)/mutmut results
 
@@ -63,14 +64,10 @@ format: .venv/.ready
 .venv/.torch: .venv/.ready requirements-torch.lock requirements-torch-cpu.lock requirements-cuda.lock
 	@PYTHON="$(PYTHON)" scripts/add-torch
 
-.venv/.docs: .venv/.ready requirements-docs.lock
-	@PYTHON="$(PYTHON)" scripts/add-docs
-
-.venv/.ray: .venv/.ready requirements-ray.lock
-	@PYTHON="$(PYTHON)" scripts/add-ray
-
-.venv/.mutmut: .venv/.ready requirements-mutants.lock
-	@PYTHON="$(PYTHON)" scripts/add-mutmut
+# What is just a lock: Sphinx (docs), mutmut (mutants), Ray and an object store (ray), Rerun (rerun).
+.venv/.%: requirements-%.lock .venv/.ready
+	@PYTHON="$(PYTHON)" scripts/install-locked $<
+	@touch $@
 
 driver: .venv/.ready
 	@PYTHON="$(BIN)/python" scripts/ensure-driver

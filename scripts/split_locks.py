@@ -26,7 +26,7 @@ def write(path: Path, head: str, kept: dict[str, str]) -> None:
 def main(folder: Path) -> None:
     """Turn the lock files that uv wrote into a folder into those of this repository."""
     _, always = entries(folder / "requirements.lock")
-    for name in ("docs", "mutants", "ray", "train"):
+    for name in ("docs", "mutants", "ray", "rerun", "train"):
         path = folder / f"requirements-{name}.lock"
         head, found = entries(path)
         write(path, head, {key: it for key, it in found.items() if key not in always})

@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[1]
 NEEDED = importlib.util.find_spec("sphinx") and importlib.util.find_spec("furo")
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.skipif(not NEEDED, reason="Sphinx is not installed: scripts/add-docs"),
+    pytest.mark.skipif(not NEEDED, reason="Sphinx is not installed: make docs"),
 ]
 ELSEWHERE = re.compile(
     r"""(?:\bsrc=|<link[^>]*\bhref=|url\(|@import )\s*["']?((?:https?:)?//[^"')\s>]+)"""

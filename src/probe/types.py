@@ -178,6 +178,7 @@ class Frame:
         depth_noise: Standard deviation of the depth at a pixel, metres; 0 where it is exact.
         measured: Where the camera had a reading, bool, shape (h, w); elsewhere the depth is that
             of the nearest pixel that has one. None if it had one everywhere.
+        taken: Only on simulated frames: simulated seconds from the table's beginning.
     """
 
     camera: Camera
@@ -187,6 +188,7 @@ class Frame:
     shares: Mapping[int, float] | None = None
     depth_noise: float = 0.0
     measured: Array | None = None
+    taken: float | None = None
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from probe.agents.scripted import Scripted
-from probe.api.films import clipped, filmed
+from probe.api.films import clipped, filmed, recorded
 from probe.cli.report import write_run_report
 from probe.episodes.files import write_records
 from probe.episodes.play import play
@@ -21,6 +21,7 @@ from probe.report.clips import clip_stem
 from probe.scene.seeds import generator
 from probe.tasks.suite_file import demo_suite, write_suite
 from probe.toolshed.result import MOVING
+from recordings import rows_of
 
 SUITE = demo_suite()
 CALLS = (Call.of("perceive_scene"), Call.of("answer_question", {"choice": "E"}))
@@ -80,12 +81,41 @@ def test_a_grasp_is_a_clip_that_the_report_shows(library, renderer, tmp_path):
     assert {path.name for path in (tmp_path / "page" / "clips").iterdir()} == names
 
 
-def test_a_forged_record_leaves_no_film(folder, record):
-    pytest.importorskip("av")
+@pytest.mark.slow
+def test_a_recording_is_made_once_and_kept(folder):
+    pytest.importorskip("rerun")
+    ((path, made),) = recorded(folder)
+    assert made and path == folder / "films" / f"{SUITE.tasks[0].id}-fixed-0.rrd"
+    assert max(row.step or 0 for row in rows_of(path)["/log"]) == 3
+    before = path.stat().st_mtime_ns
+    assert list(recorded(folder)) == [(path, False)]
+    assert path.stat().st_mtime_ns == before
+    assert [each.name for each in path.parent.iterdir()] == [path.name]
+
+
+def test_without_rerun_the_extra_is_named(folder, monkeypatch):
+    monkeypatch.setitem(sys.modules, "rerun", None)
+    with pytest.raises(MissingExtra, match=r"recordings for Rerun .*\.\[rerun\]"):
+        list(recorded(folder))
+    assert not (folder / "films").exists()
+
+
+@pytest.mark.slow
+def test_recordings_that_are_turned_off_are_no_empty_files(folder, monkeypatch):
+    pytest.importorskip("rerun")
+    monkeypatch.setenv("RERUN", "off")
+    with pytest.raises(BadData, match="RERUN: turns all recordings off"):
+        list(recorded(folder))
+    assert not (folder / "films").exists()
+
+
+@pytest.mark.parametrize("write", [filmed, pytest.param(recorded, marks=pytest.mark.slow)])
+def test_a_forged_record_leaves_no_film(folder, record, write):
+    pytest.importorskip("av" if write is filmed else "rerun")
     step = replace(record.steps[0], text=record.steps[0].text.replace("cup", "mug"))
     write_records(folder / "records.jsonl", [replace(record, steps=(step, *record.steps[1:]))])
     with pytest.raises(CantFilm, match="differs in step 1: text"):
-        list(filmed(folder))
+        list(write(folder))
     assert not (folder / "films").exists()
 
 

@@ -37,12 +37,20 @@ def record(library, renderer):
 
 
 @pytest.mark.slow
-def test_a_film_has_the_frames_that_it_says_and_things_move_in_it(record, library, tmp_path):
+def test_a_film_has_the_frames_that_it_says_and_things_move_in_it(
+    record, library, renderer, tmp_path
+):
     av = pytest.importorskip("av")
     path = tmp_path / "films" / "one.mp4"
     watched: list[int] = []
     facts = film(
-        TASK, record, library, path, speed=8.0, watch=lambda numbers, _: track(numbers, watched)
+        TASK,
+        record,
+        library,
+        renderer,
+        path,
+        speed=8.0,
+        watch=lambda numbers, _: track(numbers, watched),
     )
     with av.open(path) as container:
         frames = [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
@@ -66,9 +74,9 @@ def track(numbers, seen: list[int]):
 
 
 @pytest.mark.slow
-def test_a_clip_is_made_of_each_manipulation_and_is_small(record, library):
+def test_a_clip_is_made_of_each_manipulation_and_is_small(record, library, renderer):
     av = pytest.importorskip("av")
-    (clip,) = clips_of(TASK, record, library)
+    (clip,) = clips_of(TASK, record, library, renderer)
     assert clip.call == 2
     assert len(clip.content) < 150_000
     with av.open(io.BytesIO(clip.content)) as container:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from probe.manipulation.kinematics import moved
 from probe.manipulation.push import LONGEST, push
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
+from probe.manipulation.verdicts import judged
 from probe.render.renderer import Renderer
 from probe.scene.setup import UR5_TABLE
 from probe.station.simulated import SimulatedStation
@@ -25,6 +27,7 @@ from probe.station.station import Hand
 from probe.station.ur5 import Ur5
 from probe.types import Array, Pose
 from probe.world.model import Item
+from probe.world.world import World
 from shapes import plain, textured
 
 RED = box_item(1, "red box", (0.09, 0.05, 0.06), mass=0.2)
@@ -160,6 +163,40 @@ def test_an_arm_that_is_stopped_goes_home_and_says_so(renderer: Renderer) -> Non
     assert result.status == "blocked" and result.tries > 1
     assert is_parked(station)
     assert position(station) == pytest.approx([0.0, 0.0, 0.0], abs=0.005)
+
+
+class Noted(Stuck):
+    """The same, with what it was told to follow."""
+
+    def __init__(self, world: World, renderer: Renderer) -> None:
+        super().__init__(world, renderer)
+        self.paths: list[Array] = []
+
+    def follow(self, path: Array) -> bool:
+        self.paths.append(path)
+        return super().follow(path)
+
+
+def test_each_try_is_what_its_plan_says(renderer: Renderer) -> None:
+    """And none resembles one that failed before it, which the verdicts tell, too."""
+    station = Noted(stand(renderer, [RED], [at(0.0, 0.0)])._world, renderer)
+    result = grasp_first(station)
+    removals = [plan.removal for plan in result.plans if plan.removal is not None]
+    assert len(removals) == result.tries > 1
+    planned = [removal.enter.transit for removal in removals]
+    begun = [path for path in station.paths if any(path is one for one in planned)]
+    assert all(path is one for path, one in zip(begun, planned, strict=True))
+    times = [plan.frame.taken or 0.0 for plan in result.plans]
+    assert times[0] == 0.0 and all(before < after for before, after in pairwise(times))
+    for number, plan in enumerate(result.plans[: result.tries]):
+        found = judged(plan, station.arm, station.hand)
+        (chosen,) = [each.grasp for each in found if each.verdict == "chosen"]
+        assert chosen == removals[number].grasp
+        assert (number > 0) == any(each.verdict == "spent" for each in found)
+        for failed in removals[:number]:
+            apart = np.linalg.norm(np.subtract(chosen.middle, failed.grasp.middle))
+            cosine = abs(chosen.hand.rotation[:, 1] @ failed.grasp.hand.rotation[:, 1])
+            assert apart > 0.012 or cosine < np.cos(np.radians(25))
 
 
 @pytest.mark.slow

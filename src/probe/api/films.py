@@ -1,4 +1,4 @@
-"""Films of a folder's episodes, and clips of their manipulations."""
+"""Films of a folder's episodes, clips of their manipulations, and recordings for Rerun's viewer."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ from probe.film.clips import Clip, clips_of
 from probe.film.encoding import FilmFormat
 from probe.film.filming import FilmFacts, Watch
 from probe.film.filming import film as _film
+from probe.film.recording.recording import write_recording
 from probe.film.robot_filming import film_robot
+from probe.render.renderer import Renderer
+from probe.render.renderers import Renderers
 from probe.report.clips import CLIPS, clip_stem
 from probe.runs.checks.folder import read_checked
 from probe.tasks.suite import Suite, check_objects, part
@@ -23,7 +26,7 @@ from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
 from probe.toolshed.result import MOVING
 
-__all__ = ["Clip", "clipped", "clips_of", "filmed"]
+__all__ = ["Clip", "clipped", "clips_of", "filmed", "recorded"]
 
 FILMS = "films"
 """Folder beside the records."""
@@ -66,18 +69,52 @@ def filmed(
     place = Path(folder)
     suite, chosen = _chosen(place, task, run, agent)
     things = everything()
-    for record in chosen:
-        path = Path(out or place / FILMS) / f"{_name(record)}.{form}"
-        if path.exists():
-            yield FilmFacts(path, 0.0, 0, 0.0)
-            continue
-        if record.frames:
-            asked = suite[record.task]
-            yield film_robot(asked, record, place, path, form, speed=speed, watch=watch)
-            continue
-        yield _film(
-            _asked(suite, record, things), record, things, path, form, speed=speed, watch=watch
-        )
+    with Renderers(things.light_cache) as drawing:
+        for record in chosen:
+            path = _path(place, out, record, form)
+            if path.exists():
+                yield FilmFacts(path, 0.0, 0, 0.0)
+            elif record.frames:
+                asked = suite[record.task]
+                yield film_robot(asked, record, place, path, form, speed=speed, watch=watch)
+            else:
+                asked, paint = _asked(suite, record, things), drawing["filament"]
+                yield _film(asked, record, things, paint, path, form, speed=speed, watch=watch)
+
+
+def recorded(
+    folder: str | Path,
+    out: str | Path | None = None,
+    *,
+    task: str | None = None,
+    run: int | None = None,
+    agent: str | None = None,
+) -> Generator[tuple[Path, bool]]:
+    """Write episodes of a folder as recordings for Rerun's viewer, one after another.
+
+    Yields the path of each, and whether it was made now.
+
+    Args:
+        folder: Holds suite.json and records.jsonl.
+        out: Folder for the recordings; by default "films" beside the records. What is there is
+            kept.
+        task: Id of a task; by default all.
+        run: Number of a run; by default all.
+        agent: Name of an agent; by default all.
+
+    Raises:
+        BadData, CantFilm, OtherTools, MissingExtra: As filmed().
+    """
+    place = Path(folder)
+    suite, chosen = _chosen(place, task, run, agent)
+    things = everything()
+    with Renderer(things.light_cache) as drawing:
+        for record in chosen:
+            path = _path(place, out, record, "rrd")
+            missing = not path.exists()
+            if missing:
+                write_recording(_asked(suite, record, things), record, things, drawing, path)
+            yield path, missing
 
 
 def clipped(
@@ -100,18 +137,19 @@ def clipped(
     place = Path(folder)
     suite, chosen = _chosen(place, task, run, agent)
     things = everything()
-    for record in chosen:
-        moving = [n for n, step in enumerate(record.steps, start=1) if step.call.name in MOVING]
-        paths = {n: place / CLIPS / f"{clip_stem(record, n)}.webm" for n in moving}
-        if not moving:
-            continue
-        if any(path.exists() for path in paths.values()):
-            yield record, 0
-            continue
-        clips = clips_of(_asked(suite, record, things), record, things)
-        for clip in clips:
-            write_bytes(paths[clip.call + 1], clip.content)
-        yield record, len(clips)
+    with Renderer(things.light_cache) as drawing:
+        for record in chosen:
+            moving = [n for n, step in enumerate(record.steps, start=1) if step.call.name in MOVING]
+            paths = {n: place / CLIPS / f"{clip_stem(record, n)}.webm" for n in moving}
+            if not moving:
+                continue
+            if any(path.exists() for path in paths.values()):
+                yield record, 0
+                continue
+            clips = clips_of(_asked(suite, record, things), record, things, drawing)
+            for clip in clips:
+                write_bytes(paths[clip.call + 1], clip.content)
+            yield record, len(clips)
 
 
 def _chosen(
@@ -134,7 +172,8 @@ def _asked(suite: Suite, record: EpisodeRecord, things: Library) -> Task:
     return task
 
 
-def _name(record: EpisodeRecord) -> str:
-    """A file's name, of signs that every disk takes."""
+def _path(place: Path, out: str | Path | None, record: EpisodeRecord, ending: str) -> Path:
+    """An episode's file, with a name of signs that every disk takes."""
     named = f"{record.task}-{record.agent}-{record.run}"
-    return "".join(sign if sign.isalnum() or sign in "-_." else "_" for sign in named)
+    name = "".join(sign if sign.isalnum() or sign in "-_." else "_" for sign in named)
+    return Path(out or place / FILMS) / f"{name}.{ending}"

@@ -77,9 +77,9 @@ def audit(
     check_numbers({"--workers": workers, "--seed": seed})
     count = _count(replay)
     if not count:
-        refuse_stray("unless --replay says how many", {"--seed": seed})
+        refuse_stray("audit", "unless --replay says how many", {"--seed": seed})
     if verify is not None:
-        refuse_stray("with --verify", {"--sign": sign, "--replay": replay})
+        refuse_stray("audit", "with --verify", {"--sign": sign, "--replay": replay})
         _verify(out, verify)
     asked, reference = read_suite(out / SUITE), find_suite(suite) if suite else None
     found = begin(out, asked, audit_key_file(), reference)

@@ -1,16 +1,16 @@
-"""`probe film`: an episode as a film, with the arm that no agent sees."""
+"""`probe film`: an episode as a film, with the arm that no agent sees, or as a recording."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import tyro
 
-from probe.api.films import clipped, filmed
+from probe.api.films import clipped, filmed, recorded
+from probe.cli.option_conflicts import refuse_stray
 from probe.cli.screen import say, track
-from probe.film.encoding import FilmFormat
 
 
 def film(
@@ -19,8 +19,8 @@ def film(
     run: int | None = None,
     agent: str | None = None,
     out: Path | None = None,
-    format: FilmFormat = "mp4",
-    speed: float = 1.0,
+    format: Literal["mp4", "webm", "gif", "rrd"] | None = None,
+    speed: float | None = None,
     clips: bool = False,
 ) -> None:
     """Film recorded episodes: simulated ones are done again, of a robot's the pictures are shown.
@@ -34,17 +34,30 @@ def film(
         run: Number of a run of it; by default all.
         agent: Name of an agent, as in the records; by default all.
         out: Folder for the films; by default "films" in that of the records.
-        format: Of the files.
-        speed: How many times as fast as life the arm moves; in simulation, closing fingers are
-            shown at half of life's speed.
+        format: Of the files: by default mp4; rrd is a recording for Rerun's viewer.
+        speed: How many times as fast as life the arm moves, by default 1; in simulation, closing
+            fingers are shown at half of life's speed.
         clips: Make no films but a short loop of each manipulation, which `probe report` shows.
     """
     if clips:
+        given = {"--out": out, "--format": format, "--speed": speed}
+        refuse_stray("film", "with --clips", given)
         _clips(records, task, run, agent)
+        return
+    if format == "rrd":
+        refuse_stray("film", "with --format rrd", {"--speed": speed})
+        _recordings(records, out, task, run, agent)
         return
     say("What was simulated is done again and compared first; the bar then counts pictures.")
     for facts in filmed(
-        records, out, task=task, run=run, agent=agent, form=format, speed=speed, watch=_watch
+        records,
+        out,
+        task=task,
+        run=run,
+        agent=agent,
+        form=format or "mp4",
+        speed=1.0 if speed is None else speed,
+        watch=_watch,
     ):
         if facts.drawn:
             rate = 60 * facts.seconds / facts.cpu_seconds
@@ -60,6 +73,15 @@ def _clips(records: Path, task: str | None, run: int | None, agent: str | None) 
         found = f"{made} clips made" if made else "its clips are there already"
         say(f"{record.task}, {record.agent}, run {record.run}: {found}.")
     say(f"`probe report {records}` shows them.")
+
+
+def _recordings(
+    records: Path, out: Path | None, task: str | None, run: int | None, agent: str | None
+) -> None:
+    say("Each episode is done again and compared first; that takes about 20 s a manipulation.")
+    for path, made in recorded(records, out, task=task, run=run, agent=agent):
+        size = f"{path.stat().st_size / 1e6:.0f} MB" if made else "it is there already"
+        say(f"{path}: {size}. `rerun {path}` shows it.")
 
 
 def _watch(numbers: Iterable[int], count: int) -> Iterable[int]:

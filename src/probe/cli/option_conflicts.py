@@ -1,4 +1,4 @@
-"""Options of `probe run` that don't go together are refused, rather than left out of account."""
+"""Options that don't go together are refused, rather than left out of account."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from probe.errors import BadData
 from probe.transcripts.prompts import Setting
 
 
-def refuse_stray(when: str, given: Mapping[str, object]) -> None:
+def refuse_stray(command: str, when: str, given: Mapping[str, object]) -> None:
     """See that nothing is said that would do nothing.
 
     Args:
-        when: When it would: "with --model", "without --model".
+        command: Whose options they are: "run".
+        when: When they do nothing: "with --model", "without --model".
         given: Values of these options by name; None where nothing was said.
 
     Raises:
@@ -21,7 +22,7 @@ def refuse_stray(when: str, given: Mapping[str, object]) -> None:
     """
     for name, value in given.items():
         if value is not None:
-            raise BadData(name, f"does nothing {when}", "See `probe run --help`")
+            raise BadData(name, f"does nothing {when}", f"See `probe {command} --help`")
 
 
 def check_pointer(pointer: str, setting: Setting, conditions: Conditions) -> None:

@@ -179,7 +179,7 @@ def _run_agent(
         perceiver: What the tools see with.
         watch: Whether a page shows it as it happens.
     """
-    refuse_stray("without --model", {
+    refuse_stray("run", "without --model", {
         "--setting": asked.setting, "--epochs": asked.epochs, "--points": asked.points,
         "--pointer": asked.pointer, "--endpoint": asked.endpoint, "--prices": asked.prices,
         "--dry-run": asked.dry_run or None,
@@ -203,7 +203,7 @@ def _options_of(
     Raises:
         BadData: An option would do nothing.
     """
-    refuse_stray("with --model", {
+    refuse_stray("run", "with --model", {
         "--agent": acting.agent, "--agent-name": acting.agent_name, "--runs": acting.runs,
         "--sandbox": None if acting.sandbox == Sandbox() else acting.sandbox,
     })  # fmt: skip

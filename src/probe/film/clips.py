@@ -41,7 +41,9 @@ class Clip:
     speed: float
 
 
-def clips_of(task: Task, record: EpisodeRecord, library: Library) -> tuple[Clip, ...]:
+def clips_of(
+    task: Task, record: EpisodeRecord, library: Library, renderer: Renderer
+) -> tuple[Clip, ...]:
     """A clip of each call of an episode during which something moved.
 
     The episode is done again and compared with its record, as for a film.
@@ -50,13 +52,14 @@ def clips_of(task: Task, record: EpisodeRecord, library: Library) -> tuple[Clip,
         task: What the record is about.
         record: The episode.
         library: Has the task's objects.
+        renderer: Draws what the station sees; what was loaded in it is replaced. The stage has one
+            of its own.
 
     Raises:
         CantFilm, OtherTools, MissingExtra: As film() does.
     """
     require_encoder()
-    with Renderer(library.light_cache) as renderer:
-        footage = take(task, record, library, renderer)
+    footage = take(task, record, library, renderer)
     moving = moments_in_motion(footage)
     with stage_drawer(footage, library) as drawer:
         clips = [

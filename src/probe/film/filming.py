@@ -16,7 +16,7 @@ from probe.film.captions import captions_of
 from probe.film.cutting import FPS, FilmShot, cut
 from probe.film.drawing import stage_drawer
 from probe.film.encoding import FilmFormat, encoded, require_encoder
-from probe.film.footage import Footage, take
+from probe.film.footage import take
 from probe.film.layout import STAGE_PX, Layout
 from probe.render.renderer import Renderer
 from probe.stage.cameras import whole_view
@@ -49,6 +49,7 @@ def film(
     task: Task,
     record: EpisodeRecord,
     library: Library,
+    renderer: Renderer,
     path: Path,
     form: FilmFormat = "mp4",
     *,
@@ -61,6 +62,8 @@ def film(
         task: What the record is about.
         record: The episode.
         library: Has the task's objects.
+        renderer: Draws what the station sees; what was loaded in it is replaced. The stage has one
+            of its own.
         path: The film's file, which is written whole or not at all.
         form: Of the file.
         speed: Of motions other than closing fingers, of life's.
@@ -74,16 +77,15 @@ def film(
     """
     if form != "gif":
         require_encoder()
-    with Renderer(library.light_cache) as renderer:
-        footage = take(task, record, library, renderer)
-        captions = captions_of(footage.calls, record, score(task, record, renderer))
+    footage = take(task, record, library, renderer)
+    captions = captions_of(footage.calls, record, score(task, record, renderer))
     shots = cut(footage, speed, [caption.signs for caption in captions])
     began = cpu_seconds()
     with stage_drawer(footage, library) as drawer:
         camera = whole_view(task.setup, *STAGE_PX)
         moments = [footage.moments[number] for number in shown(shots)]
         pictures = (picture for _, picture in drawer.draw_all(moments, camera))
-        layout = Layout(footage.question, captions, _seen(footage))
+        layout = Layout(footage.question, captions, footage.pictures)
         frames = composed(layout, shots, pictures, watch)
         content = encoded(frames, FPS, form)
     write_bytes(path, content)
@@ -107,15 +109,6 @@ def composed(
         if shot.moment != moment:
             stage, moment = next(pictures), shot.moment
         yield layout.frame(shot, stage), shot.frames
-
-
-def _seen(footage: Footage) -> list[Array]:
-    """What the agent had seen last before each call, and after the last one."""
-    assert footage.question.picture is not None
-    seen = [footage.question.picture]
-    for call in footage.calls:
-        seen.append(seen[-1] if call.result.picture is None else call.result.picture)
-    return seen
 
 
 def cpu_seconds() -> float:

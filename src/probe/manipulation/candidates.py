@@ -14,7 +14,7 @@ from probe.manipulation.pairs import HandPoses, around, opposed
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.station.station import Hand
-from probe.types import Pose, Vector3, quaternion_of
+from probe.types import Array, Pose, Vector3, quaternion_of
 
 _SPARE = 0.006
 _WANTED = 16
@@ -52,39 +52,70 @@ Planner = Callable[[Target, Terrain, Hand], list[Grasp]]
 """Finds grasps of a target among what a terrain shows, best first; `propose` is one."""
 
 
+@dataclass(frozen=True, eq=False)
+class Fitting:
+    """Hands that were to fit around a target with so much room, and how far each got.
+
+    Attributes:
+        room: How much room they were to have, and among what.
+        which: Index of each among all hands that were proposed, shape (n,); the tips of those that
+            are missing are free at no depth.
+        hands: As deep as they may go, and closed on the target.
+        merits: How good each would be, shape (n,); -inf where a pad would touch nothing, or where
+            the target is too wide.
+        checked: Indices into `hands` of those whose way in was checked, best first, shape (m,).
+        free: Whether that way is free, bool, shape (m,).
+    """
+
+    room: Clearance
+    which: Array
+    hands: HandPoses
+    merits: Array
+    checked: Array
+    free: Array
+
+    def grasp(self, index: int) -> Grasp:
+        """One of the hands as a grasp."""
+        return grasp_of(self.room, self.hands, index, float(self.merits[index]))
+
+
 def propose(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
-    """Grasps of a target, best first, whose straight way in touches nothing seen.
+    """Grasps of a target, best first, whose straight way in touches nothing seen."""
+    _, found = fittings(target, terrain, hand)
+    grasps = [fit.grasp(int(index)) for fit in found for index in fit.checked[fit.free]]
+    return sorted(grasps, key=lambda grasp: -grasp.merit)
+
+
+def fittings(target: Target, terrain: Terrain, hand: Hand) -> tuple[HandPoses, list[Fitting]]:
+    """All hands that could close on a target, and how they fit at each margin that was tried.
 
     Tight fits are only looked for where there are few comfortable ones.
     """
     shape = HandShape(hand)
     hands = around(opposed(target, hand.max_opening - _SPARE))
-    found: list[Grasp] = []
+    found: list[Fitting] = []
     for number, margin in enumerate(MARGINS):
         room = Clearance.of(shape, margin, terrain, target)
-        found += _fitting(room, hands, target, -_TIGHT_COST * number)
-        if len(found) >= _WANTED:
+        found.append(_fitting(room, hands, target, -_TIGHT_COST * number))
+        if sum(int(fit.free.sum()) for fit in found) >= _WANTED:
             break
-    return sorted(found, key=lambda grasp: -grasp.merit)
+    return hands, found
 
 
-def _fitting(room: Clearance, hands: HandPoses, target: Target, bonus: float) -> list[Grasp]:
-    """The best few grasps that fit at one margin."""
-    hands = room.deepest(hands)
+def _fitting(room: Clearance, hands: HandPoses, target: Target, bonus: float) -> Fitting:
+    """How hands fit at one margin; the best are checked until enough do."""
+    hands, which = room.deepest(hands)
     hands, merits = close(hands, target, room.shape.hand.pad_half, room.shape.hand.max_opening / 2)
     merits = merits + bonus - 0.5 * (hands.tilts / np.radians(60.0)) ** 2
     merits -= 0.4 * (hands.widths / room.shape.hand.max_opening) ** 2
     merits[hands.widths > room.shape.hand.max_opening - _SPARE] = -np.inf
     order = np.argsort(-merits, kind="stable")
     order = order[np.isfinite(merits[order])]
-    found: list[Grasp] = []
-    for start in range(0, len(order), _CHUNK):
-        some = order[start : start + _CHUNK]
-        for index in some[room.way_free(hands[some])]:
-            found.append(grasp_of(room, hands, int(index), float(merits[index])))
-        if len(found) >= _WANTED:
-            break
-    return found
+    free = np.zeros(0, bool)
+    while len(free) < len(order) and free.sum() < _WANTED:
+        some = order[len(free) : len(free) + _CHUNK]
+        free = np.append(free, room.way_free(hands[some]))
+    return Fitting(room, which, hands, merits, order[: len(free)], free)
 
 
 def grasp_of(room: Clearance, hands: HandPoses, index: int, merit: float) -> Grasp:

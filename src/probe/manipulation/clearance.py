@@ -79,11 +79,14 @@ class Clearance:
         stepped = np.ceil((widths + self.margin.spread) / _OPENING_STEP) * _OPENING_STEP
         return np.minimum(stepped, self.shape.hand.max_opening)
 
-    def deepest(self, hands: HandPoses) -> HandPoses:
+    def deepest(self, hands: HandPoses) -> tuple[HandPoses, Array]:
         """Hands moved along their approach as deep as the pads may go; others are left out.
 
         A hand that fits nowhere is also tried a little to the side, so that the pads hold with
         their edges.
+
+        Returns:
+            The hands, and the index that each had, shape (n,).
         """
         centres = hands.centres.copy()
         waiting = np.arange(len(centres))
@@ -96,7 +99,8 @@ class Clearance:
                 centres[free] = moved.centres[free]
                 settled[free] = True
                 waiting = waiting[~settled[waiting]]
-        return self._lowered(replace(hands, centres=centres)[settled])
+        deep = self._lowered(replace(hands, centres=centres)[settled])
+        return deep, np.flatnonzero(settled)
 
     def _lowered(self, hands: HandPoses) -> HandPoses:
         """The same a little deeper wherever that is free as well."""

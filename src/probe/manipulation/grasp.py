@@ -6,16 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-import numpy as np
-
 from probe.manipulation.candidates import Grasp, Planner, propose
 from probe.manipulation.edges import leaning, pinches
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.looking import still_there
+from probe.manipulation.planning import GraspPlan, plan_grasp
 from probe.manipulation.recognition import found_again
-from probe.manipulation.removal import Removal, plan_removal, remove
-from probe.manipulation.target import target_of
-from probe.manipulation.terrain import survey
+from probe.manipulation.removal import remove
 from probe.scene.setup import Setup
 from probe.station.station import Station
 from probe.types import Array, Frame
@@ -41,9 +38,6 @@ PLANNERS: tuple[Planner, ...] = (leaning, propose, pinches)
 """Whose grasps are tried, the next one's where none of those before has a free route."""
 
 _STAYED = 0.5
-_ROUTES = 16
-_SAME_PLACE = 0.012
-_SAME_AXIS = np.cos(np.radians(25.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +52,7 @@ class GraspResult:
         width: Distance of the pads that was planned for the last one, metres; 0 without one.
         tilt: Angle of the hand from straight down then, radians.
         merit: How good it looked.
+        plans: How each grasp was chosen, and, where no further one was found, why.
     """
 
     status: GraspStatus
@@ -67,6 +62,7 @@ class GraspResult:
     width: float
     tilt: float
     merit: float
+    plans: tuple[GraspPlan, ...] = ()
 
 
 def grasp_and_remove(
@@ -93,9 +89,10 @@ def grasp_and_remove(
     failed: list[Grasp] = []
     shape = HandShape(station.hand)
     for number in range(TRIES):
-        status, removal, count = _plan(station, frame, mask, setup, shape, failed, planners)
+        plan = plan_grasp(station, frame, mask, setup, failed, planners)
+        removal, result = plan.removal, replace(result, plans=(*result.plans, plan))
         if number == 0:
-            result = replace(result, status=status, candidates=count)
+            result = replace(result, status=plan.lack, candidates=plan.candidates)
         if removal is None:
             break
         before = frame if frame.rgb is not None else station.observe(rgb=True)
@@ -122,33 +119,6 @@ def grasp_and_remove(
     return result
 
 
-def _plan(
-    station: Station,
-    frame: Frame,
-    mask: Array,
-    setup: Setup,
-    shape: HandShape,
-    failed: Sequence[Grasp],
-    planners: Sequence[Planner],
-) -> tuple[GraspStatus, Removal | None, int]:
-    """The best grasp unlike those that failed, with its paths; else why there is none."""
-    terrain = survey(frame, setup, station.look_into_basket(rgb=False))
-    target = target_of(frame, mask, terrain)
-    status: GraspStatus = "no_candidate"
-    count = 0
-    for planner in planners:
-        grasps = planner(target, terrain, station.hand)
-        count += len(grasps)
-        fresh = [g for g in grasps if not _spent(g, failed)]
-        if not fresh:
-            continue
-        status = "unreachable"
-        removal = plan_removal(station, terrain, target, fresh[:_ROUTES], shape, setup.basket)
-        if removal is not None:
-            return status, removal, count
-    return status, None, count
-
-
 def _judged(done: GraspStatus, stayed: float) -> GraspStatus:
     """The outcome as felt by the hand, corrected by what is seen."""
     if done == "removed":
@@ -156,21 +126,3 @@ def _judged(done: GraspStatus, stayed: float) -> GraspStatus:
     if done in ("blocked", "slipped") and stayed < _STAYED:
         return "moved"
     return done
-
-
-def _spent(grasp: Grasp, failed: Sequence[Grasp]) -> bool:
-    """Whether a grasp isn't worth a try after those that failed.
-
-    One by an edge that fails shoves the thing over what lies beneath. A second one by an edge never
-    got it: 0 of the 14 wide things, of 109 on fresh tables, that were tried again.
-    """
-    if grasp.by_edge and any(other.by_edge for other in failed):
-        return True
-    return any(_alike(grasp, other) for other in failed)
-
-
-def _alike(one: Grasp, other: Grasp) -> bool:
-    """Whether two grasps hold about the same place from about the same side."""
-    apart = np.subtract(one.middle, other.middle)
-    turned = abs(float(one.hand.rotation[:, 1] @ other.hand.rotation[:, 1]))
-    return bool(np.linalg.norm(apart) < _SAME_PLACE and turned > _SAME_AXIS)

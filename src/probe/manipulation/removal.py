@@ -16,13 +16,28 @@ from probe.manipulation.routes import WayIn, WayOut, way_in, way_out
 from probe.manipulation.target import Target
 from probe.manipulation.terrain import Terrain
 from probe.scene.setup import Basket
-from probe.station.station import Station
+from probe.station.station import Arm, Station
 from probe.types import Array
 
 EMPTY = 0.0015
 """Metres between the pads under which they hold nothing."""
 
 _RELEASE = 0.03
+
+
+@dataclass(frozen=True, eq=False)
+class Route:
+    """How far the search for a grasp's paths got.
+
+    Attributes:
+        grasp: How to hold it.
+        enter: From the parked place around it; None if no such path is free.
+        leave: Up and over the basket; None if there is none, or no way in.
+    """
+
+    grasp: Grasp
+    enter: WayIn | None
+    leave: WayOut | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,25 +64,42 @@ class Removal:
 
 
 def plan_removal(
-    station: Station,
+    arm: Arm,
+    start: Array,
     terrain: Terrain,
     target: Target,
     grasps: Sequence[Grasp],
     shape: HandShape,
     basket: Basket,
-) -> Removal | None:
-    """Paths for the first grasp that has any; None if none has."""
-    full = Obstacles.of(station.arm, terrain)
-    bare = Obstacles.of(station.arm, terrain.without(target.cells))
+) -> tuple[tuple[Route, ...], Removal | None]:
+    """Paths for the first grasp that has any, and how far each one before it got.
+
+    Args:
+        arm: The arm.
+        start: Joint angles from which it begins, radians, shape (n,).
+        terrain: All that is seen.
+        target: What is to be removed.
+        grasps: Best first.
+        shape: The gripper's.
+        basket: Where the target goes.
+
+    Returns:
+        The routes of all that were tried, and the removal; None if no grasp has a free route.
+    """
+    if not grasps:
+        return (), None
+    full = Obstacles.of(arm, terrain)
+    bare = Obstacles.of(arm, terrain.without(target.cells))
+    tried: list[Route] = []
     for grasp in grasps:
-        enter = way_in(station.arm, station.joints(), full, grasp, shape)
-        if enter is None:
-            continue
-        points = shape.whole(grasp.opening)
-        leave = way_out(bare, enter.approach[-1], grasp, target, basket, points)
-        if leave is not None:
-            return Removal(grasp, enter, leave, bare)
-    return None
+        enter, leave = way_in(arm, start, full, grasp, shape), None
+        if enter is not None:
+            points = shape.whole(grasp.opening)
+            leave = way_out(bare, enter.approach[-1], grasp, target, basket, points)
+        tried.append(Route(grasp, enter, leave))
+        if enter is not None and leave is not None:
+            return tuple(tried), Removal(grasp, enter, leave, bare)
+    return tuple(tried), None
 
 
 def remove(

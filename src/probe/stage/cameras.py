@@ -13,13 +13,15 @@ FAR = 14.0
 _TOWARDS: Vector3 = (0.63, -0.60, 0.40)
 """From what is looked at to the camera."""
 
-_AWAY = 2.15
+AWAY = 2.15
+"""Metres from there to the middle of what a film shows."""
+
 _FOV_DEG = 36.0
 
 
 def whole_view(setup: Setup, width_px: int, height_px: int) -> Camera:
     """Arm, basket and the middle of the table, obliquely from the front."""
-    return _seen(_middle(setup), _AWAY, width_px, height_px)
+    return _seen(_middle(setup), AWAY, width_px, height_px)
 
 
 def _middle(setup: Setup) -> Vector3:

@@ -30,18 +30,13 @@ _ROOM = 2.6
 
 
 def furniture(setup: Setup, table_colour: Array) -> list[StagePiece]:
-    """All that stands still.
+    """All that stands still, but for the room.
 
     Args:
         setup: The table, its basket and where its arm stands.
         table_colour: Of the table's edge, sRGB from 0 to 1, shape (3,).
     """
-    return [
-        *_table(setup, table_colour),
-        *_pedestal(setup),
-        *_basket(setup.basket),
-        *_room(setup.table_size),
-    ]
+    return [*_table(setup, table_colour), *_pedestal(setup), *_basket(setup.basket)]
 
 
 def _table(setup: Setup, colour: Array) -> list[StagePiece]:
@@ -88,7 +83,7 @@ def _basket(basket: Basket) -> list[StagePiece]:
     return [piece("world", _PLASTIC, floor, *walls), piece("world", _RIM, *rims)]
 
 
-def _room(table: tuple[float, float]) -> list[StagePiece]:
+def room(table: tuple[float, float]) -> list[StagePiece]:
     """A floor and the two walls behind the table, seen from the front right."""
     left, back = -table[0] / 2 - _BEHIND, table[1] / 2 + _BEHIND
     right, front = -left + 1.5, -back - 1.5

@@ -10,7 +10,7 @@ import numpy as np
 from probe.assets.mesh.mesh import TexturedMesh
 from probe.scene.scene import PlacedObject
 from probe.scene.setup import Setup
-from probe.stage.furniture import furniture
+from probe.stage.furniture import furniture, room
 from probe.stage.gripper_look import gripper_pieces
 from probe.stage.part import StagePiece
 from probe.stage.plain_look import arm_solids, gripper_solids
@@ -31,6 +31,20 @@ def robot_pieces(setup: Setup) -> list[StagePiece]:
     return [*arm_solids(ARMS[setup.mount.arm]), *gripper_solids(setup.gripper)]
 
 
+def robot_frames(setup: Setup, joints: Sequence[float] | Array, opening: float) -> dict[str, Pose]:
+    """world_from_part of every part of a set-up's arm and hand, by name.
+
+    Args:
+        setup: Which arm and hand, and where.
+        joints: Of the arm, radians, one a hinge.
+        opening: Distance of the pads, metres.
+    """
+    frames, size = arm_frames(setup.mount, joints), setup.gripper
+    finger = joint_for(float(np.clip(opening, 0.0, size.max_opening)), size)
+    palm = frames["palm"]
+    return frames | {name: palm @ pose for name, pose in finger_frames(finger, size).items()}
+
+
 @dataclass(frozen=True, eq=False)
 class FilmStage:
     """What a film shows beside the objects."""
@@ -47,7 +61,8 @@ class FilmStage:
             table_texture: Of the table's top, uint8, shape (h, w, 3); its edge has its mean colour.
         """
         colour = table_texture.reshape(-1, 3).mean(axis=0) / 255
-        return FilmStage(setup, (*robot_pieces(setup), *furniture(setup, colour)))
+        pieces = (*robot_pieces(setup), *furniture(setup, colour), *room(setup.table_size))
+        return FilmStage(setup, pieces)
 
     @property
     def meshes(self) -> Mapping[str, TexturedMesh]:
@@ -61,11 +76,7 @@ class FilmStage:
             joints: Of the arm, radians, one a hinge.
             opening: Distance of the pads, metres.
         """
-        size = self.setup.gripper
-        frames = {"world": Pose(), **arm_frames(self.setup.mount, joints)}
-        finger = joint_for(float(np.clip(opening, 0.0, size.max_opening)), size)
-        palm = frames["palm"]
-        frames |= {name: palm @ pose for name, pose in finger_frames(finger, size).items()}
+        frames = {"world": Pose(), **robot_frames(self.setup, joints, opening)}
         return tuple(
             PlacedObject(_FIRST + number, _id(number), frames[each.frame])
             for number, each in enumerate(self.pieces)

@@ -84,7 +84,7 @@ class SimulatedStation:
         outlines = self._alone([placed for placed in objects if placed.instance in shown], camera)
         counts = np.bincount(frame.labels.ravel())
         shares = {number: counts[number] / size for number, size in outlines.items()}
-        return replace(self._measured(frame), shares=shares)
+        return replace(self._measured(frame), shares=shares, taken=self._world.time)
 
     def _measured(self, frame: Frame) -> Frame:
         """A frame fused of several with noise; the same table gives the same noise again."""

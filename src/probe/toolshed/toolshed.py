@@ -9,7 +9,7 @@ from typing import assert_never
 from probe.asking import UnusableReply
 from probe.changes.change import Change
 from probe.changes.compare import compare
-from probe.changes.sighting import including
+from probe.changes.sighting import Look, including
 from probe.perception.matching import Match, match, nearest
 from probe.perception.pointer import Finder
 from probe.perception.scene_graph import SceneDescriber
@@ -26,7 +26,7 @@ from probe.toolshed.parse import parse
 from probe.toolshed.pictures import outlined
 from probe.toolshed.refusals import BudgetSpent, EpisodeOver, PointMissing, Refusal
 from probe.toolshed.result import Answer, ToolResult
-from probe.toolshed.skills import Skills
+from probe.toolshed.skills import SkillOutcome, Skills
 from probe.toolshed.tools import (
     AnswerQuestion,
     FindObject,
@@ -56,6 +56,10 @@ class Toolshed:
 
     It asks the station only for frames, and the detector for what is visible in them. Errors that
     are not the agent's (a dead renderer, an arm left in view) are raised.
+
+    Attributes:
+        outcome: What came of the latest manipulation, for people who look for errors; None before
+            the first. Agents get its words alone.
     """
 
     def __init__(
@@ -89,6 +93,7 @@ class Toolshed:
         self.ended = False
         self.turns = 0
         self.manipulations = 0
+        self.outcome: SkillOutcome | None = None
         self._station = station
         self._skills = skills
         self._setup = setup
@@ -103,6 +108,11 @@ class Toolshed:
     def first_picture(self) -> Array | None:
         """The picture that comes with the question; None if nobody looks at pictures."""
         return self._picture()
+
+    @property
+    def look(self) -> Look:
+        """What the tools go by now, for people who look for errors; no agent gets it."""
+        return self._view.look
 
     def call(self, name: object, arguments: object) -> ToolResult:
         """Run one call; whatever it is, it takes a turn.
@@ -186,6 +196,7 @@ class Toolshed:
         outcome = self._skills.grasp_and_remove(
             self._station, before.table, thing.mask, self._setup
         )
+        self.outcome = outcome
         if outcome.frame is before.table:
             return self._told(nothing_moved(outcome.status, name), thing)
         self._view.show(outcome.frame)
@@ -203,6 +214,7 @@ class Toolshed:
         outcome = self._skills.push(
             self._station, before.table, thing.mask, request.direction, asked, self._setup
         )
+        self.outcome = outcome
         if outcome.frame is before.table:
             return self._told(nothing_moved(outcome.status, name), thing)
         self._view.show(outcome.frame)

@@ -21,6 +21,7 @@ EXTRAS = {
     "sam3": "masks with SAM 3's weights",
     "blender": "pictures by Blender",
     "film": "films of episodes, and clips in reports",
+    "rerun": "recordings of episodes for Rerun's viewer (`probe film --format rrd`)",
     "graspgen": "grasps from a GraspGen server",
     "robot": "robots behind bridges, and their twin",
     "ray": "many machines (--on ray)",
