@@ -22,7 +22,7 @@ from probe.report.gallery import GalleryEntry, write_gallery
 from probe.report.pictures import depth_image, label_image
 from probe.scene.cameras import View
 from probe.scene.document import write_scene
-from probe.scene.lighting import Lighting
+from probe.scene.lighting import lighting_of
 from probe.scene.sampling import DEFAULT_COUNT, TIGHT, PileSettings
 from probe.scene.scene import Scene
 from probe.scene.setup import UR5_TABLE, RendererName, Setup, newest
@@ -80,7 +80,8 @@ def scene(
         things = library(pool)
     recipe = _Recipe(things, objects, PileSettings(reach, buried), around)
     with Renderer(cache_folder() / "light", renderer) as drawing:
-        studio = _Studio(drawing, camera, light_of(Lighting(around.lighting), things.assets))
+        studio = _Studio(drawing, camera, things.assets)
+        studio.light(around, seed)  # refuses a name that nothing has
         if gallery == 0:
             if objects > _MANY:
                 say(f"Settling {objects} objects; over {_MANY} may take minutes.")
@@ -111,11 +112,14 @@ def _check_gallery(out: Path, wanted: range) -> None:
 
 @dataclass(frozen=True)
 class _Studio:
-    """What takes the pictures: a renderer, where it looks from, and in which light."""
+    """What takes the pictures: a renderer, where it looks from, and where panoramas lie."""
 
     renderer: Renderer
     camera: View
-    light: Illumination
+    assets: Path | None
+
+    def light(self, setup: Setup, seed: int) -> Illumination:
+        return light_of(lighting_of(setup.lighting, seed), self.assets)
 
 
 @dataclass(frozen=True)
@@ -148,7 +152,9 @@ def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> di
     """Draw one scene and write its files; the scene comes last and so marks a complete folder."""
     renderer, camera = studio.renderer, settled.setup.camera(studio.camera)
     load_scene(renderer, settled, things)
-    frame = photograph(renderer, settled, camera=camera, light=studio.light)
+    frame = photograph(
+        renderer, settled, camera=camera, light=studio.light(settled.setup, settled.seed)
+    )
     assert frame.rgb is not None and frame.labels is not None
     write_picture(folder / "picture.png", frame.rgb)
     write_bytes(folder / "depth.png", encode(depth_image(frame.depth), "PNG"))

@@ -5,12 +5,15 @@ from __future__ import annotations
 from functools import lru_cache
 from pathlib import Path
 
-from probe.assets.environments import environment_names, load_environment, sun_size
+from probe.assets.environments import environment_names, load_environment
+from probe.assets.environments.day_room import COUNT, ROOM, day_room, day_room_number
+from probe.assets.environments.lens import taking
+from probe.assets.environments.painter import sketch_room
 from probe.errors import UnknownName
 from probe.render import illumination
 from probe.render.illumination import Illumination
 from probe.render.sunlight import illuminate
-from probe.scene.lighting import AMBIENT, ROOM, Lighting
+from probe.scene.lighting import AMBIENT, Lighting
 
 
 @lru_cache(maxsize=2)
@@ -23,8 +26,11 @@ def light_of(lighting: Lighting, assets: Path | None) -> Illumination:
     """
     if lighting == AMBIENT:
         return illumination.AMBIENT
-    known = (ROOM.name, *environment_names(assets))
-    if lighting.name not in known:
-        raise UnknownName("lighting", lighting.name, [AMBIENT.name, *known])
-    radiance = load_environment(lighting.name, assets)
-    return illuminate(radiance, lighting.yaw, sun_size(lighting.name))
+    number = day_room_number(lighting.name)
+    if number is not None:
+        return illuminate(sketch_room(day_room(number)), lighting.yaw, taking(number))
+    names = environment_names(assets)
+    if lighting.name not in names:
+        known = [AMBIENT.name, f"{ROOM}_0 to {ROOM}_{COUNT - 1}", *names]
+        raise UnknownName("lighting", lighting.name, known)
+    return illuminate(load_environment(lighting.name, assets), lighting.yaw)

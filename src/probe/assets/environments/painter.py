@@ -14,6 +14,8 @@ from probe.types import Array
 HEIGHT_PX = 512
 _FINE = 2
 """Pixels are means of so many painted ones, across and down."""
+_GLOOM = (0.65, 0.3)
+"""How much even light a box keeps from a floor it stands on, and how far beside it, metres."""
 _CORNER = 0.6
 """Metres from a corner within which a wall grows darker."""
 
@@ -26,19 +28,20 @@ _AXES = {
 
 def paint_room(room: Room) -> Array:
     """Linear radiance, float32, shape (h, 2 h, 3)."""
-    fine = _painted(room)
+    fine = sketch_room(room, HEIGHT_PX * _FINE)
     return fine.reshape(HEIGHT_PX, _FINE, 2 * HEIGHT_PX, _FINE, 3).mean(axis=(1, 3))
 
 
-def _painted(room: Room) -> Array:
-    hits = cast(room, HEIGHT_PX * _FINE)
+def sketch_room(room: Room, height: int = HEIGHT_PX) -> Array:
+    """As paint_room(), with edges that aren't smoothed: in a quarter of the time."""
+    hits = cast(room, height)
     colours = [*room.colours, *(box.colour for box in room.boxes)]
     albedo = 0.92 * np.array([linear(c) for c in colours], np.float32)[hits.side]
     albedo *= _laid(room, hits)[..., None]
     glow = np.zeros(albedo.shape, np.float32)
     for patch in room.patches:
         _stick(patch, room, hits, albedo, glow)
-    light = _bounced(room) * _corners(room, hits)[..., None]
+    light = _bounced(room) * (_corners(room, hits) * _open(room, hits))[..., None]
     for patch in room.patches:
         if patch.glow:
             light += _falling(patch, room, hits)[..., None] * _radiance(patch)
@@ -125,6 +128,18 @@ def _corners(room: Room, hits: Hits) -> Array:
     )
     near = np.sort(np.abs(gaps), axis=0)[1]
     return (1 - 0.5 * np.exp(-near / _CORNER * 2)).astype(np.float32)
+
+
+def _open(room: Room, hits: Hits) -> Array:
+    """How much even light gets to floor and walls beside what stands there; shape (h, w)."""
+    shown = np.ones(hits.side.shape, np.float32)
+    bare = hits.side < len(SIDES)
+    for box in room.shading:
+        low, high = (np.array(end, np.float32)[:, None, None] for end in (box.low, box.high))
+        outside = np.maximum(np.maximum(low - hits.points, hits.points - high), 0)
+        far = np.sqrt((outside**2).sum(axis=0))
+        shown *= np.where(bare, 1 - _GLOOM[0] * np.exp(-far / np.float32(_GLOOM[1])), 1)
+    return shown
 
 
 def _falling(patch: WallPatch, room: Room, hits: Hits) -> Array:
