@@ -46,7 +46,7 @@ def taking(number: int) -> Taking:
         white=(float(white[0]), float(white[1]), float(white[2])),
         blur_deg=float(rng.uniform(1.3, 2.6)),
         backdrop_gain=float(rng.uniform(1.1, 2.4)),
-        sun_size=float(rng.uniform(1.2, 3.6)),
+        sun_size=float(rng.uniform(1.2, 3.0)),
         sun_distance=float(rng.uniform(1.8, 3.5)),
     )
 

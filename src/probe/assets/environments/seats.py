@@ -20,7 +20,7 @@ from probe.assets.environments.pieces import (
 
 def sofa(rng: np.random.Generator) -> Boxes:
     """A sofa or an armchair with cushions."""
-    wide, cloth = float(rng.uniform(0.8, 2.1)), one_of(rng, CLOTHS)
+    wide, cloth = float(rng.uniform(0.8, 1.7)), one_of(rng, CLOTHS)
     made = [
         box((0, 0.05, 0.08), (wide, 0.85, 0.3), cloth),
         box((0, 0.05, 0.3), (wide, 0.3, 0.85), one_of(rng, (cloth,))),
@@ -34,7 +34,7 @@ def sofa(rng: np.random.Generator) -> Boxes:
         made.append(
             box((left, 0.25, 0.28), (left + inner - 0.01, 0.87, 0.46), one_of(rng, (cloth,)))
         )
-        if rng.random() < 0.7:
+        if rng.random() < 0.85:
             pillow = one_of(rng, BRIGHT + CLOTHS)
             made.append(box((left + 0.05, 0.25, 0.42), (left + 0.5, 0.5, 0.82), pillow, round=True))
     return made
