@@ -89,7 +89,7 @@ def lay(folder: Path, filament: int = 20, blender: int = 13, seed: int = 0) -> N
             scene = settled(things, seeds)
             drawing = renderers[shot.renderer]
             load_scene(drawing, scene, things)
-            lighting = lighting_of(scene.setup.lighting, scene.seed)
+            lighting = lighting_of(scene.setup.lighting, scene.table)
             light = light_of(lighting, things.assets)
             frame = photograph(drawing, scene, camera=scene.setup.camera(shot.view), light=light)
             assert frame.rgb is not None

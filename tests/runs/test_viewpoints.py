@@ -16,7 +16,7 @@ def test_a_task_is_seen_as_it_was_frozen():
     assert viewpoint_of(OLD, AS_FROZEN, None) == OLD.viewpoint
     assert (OLD.viewpoint.lighting, OLD.viewpoint.renderer) == (AMBIENT, "filament")
     assert viewpoint_of(NEW, AS_FROZEN, None) == NEW.viewpoint
-    light = lighting_of("day_room", NEW.scene.seed)
+    light = lighting_of("day_room", NEW.scene.table)
     assert (NEW.viewpoint.lighting, NEW.viewpoint.renderer) == (light, "blender")
 
 

@@ -47,7 +47,7 @@ def pictures(seeds: Sequence[int], lighting: str = AMBIENT.name) -> Iterator[Pic
                 print(failure, flush=True)
                 continue
             load_scene(renderer, scene, things, load_table(scene.table, assets_folder()))
-            light = light_of(lighting_of(lighting, seed), assets_folder())
+            light = light_of(lighting_of(lighting, scene.table), assets_folder())
             frame = photograph(renderer, scene, light=light)
             shown = measure(renderer, scene)
             seen = tuple(

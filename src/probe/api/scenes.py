@@ -65,8 +65,8 @@ def photograph(
         scene: What stands where.
         library: Has the scene's objects.
         camera: "top" or "front" of the scene's set-up, or a camera of your own.
-        lighting: By default that of the scene's set-up. "ambient"; "day_room", which the scene's
-            seed chooses, or one of them, "day_room_7"; or the name of other surroundings.
+        lighting: By default that of the scene's set-up. "ambient"; "day_room", that in which
+            its table stands, or one of them, "day_room_7"; or the name of other surroundings.
         renderer: One that is running already; by default one is started, and ended afterwards.
 
     Returns:
@@ -79,7 +79,7 @@ def photograph(
     """
     seen_from = scene.setup.camera(camera) if isinstance(camera, str) else camera
     light = lighting or scene.setup.lighting
-    light = lighting_of(light, scene.seed) if isinstance(light, str) else light
+    light = lighting_of(light, scene.table) if isinstance(light, str) else light
     with running(renderer, scene.setup.renderer) as drawing:
         load_scene(drawing, scene, library)
         lit = light_of(light, library.assets)

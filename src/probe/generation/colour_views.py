@@ -37,7 +37,7 @@ class ColourViews:
         library: Library,
     ) -> None:
         load_scene(renderer, scene, library)
-        lights = (lighting_of(scene.setup.lighting, scene.seed), OTHER_LIGHT)
+        lights = (lighting_of(scene.setup.lighting, scene.table), OTHER_LIGHT)
         self.lights = [light.name for light in lights]
         self._lit = {light.name: light_of(light, library.assets) for light in lights}
         self._renderer = renderer

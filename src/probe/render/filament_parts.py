@@ -35,7 +35,7 @@ _SUN_RADIUS = 0.05
 _SUN_SIZE = math.radians(4)
 """Apparent diameter of a usual sun that isn't far away."""
 
-_LAMPS = 16
+_LAMPS = 10
 """So many small lamps stand for one wide light: each has sharp shadows, and all together soft."""
 
 _LAMP_SHADOW_PX = 1024

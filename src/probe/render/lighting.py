@@ -24,13 +24,22 @@ def light_of(lighting: Lighting, assets: Path | None) -> Illumination:
         UnknownName: No surroundings have this name.
         BadData: Their file can't be read.
     """
+    require_light(lighting.name, assets)
     if lighting == AMBIENT:
         return illumination.AMBIENT
     number = day_room_number(lighting.name)
     if number is not None:
         return illuminate(sketch_room(day_room(number)), lighting.yaw, taking(number))
-    names = environment_names(assets)
-    if lighting.name not in names:
-        known = [AMBIENT.name, f"{ROOM}_0 to {ROOM}_{COUNT - 1}", *names]
-        raise UnknownName("lighting", lighting.name, known)
     return illuminate(load_environment(lighting.name, assets), lighting.yaw)
+
+
+def require_light(name: str, assets: Path | None) -> None:
+    """See that there is a light of this name, or a family of them.
+
+    Raises:
+        UnknownName: There is none.
+    """
+    names = environment_names(assets)
+    if name not in (AMBIENT.name, ROOM, *names) and day_room_number(name) is None:
+        known = [AMBIENT.name, ROOM, f"{ROOM}_0 to {ROOM}_{COUNT - 1}", *names]
+        raise UnknownName("lighting", name, known)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import zlib
 from dataclasses import dataclass
 
 from probe.assets.environments.day_room import COUNT, ROOM
-from probe.scene.seeds import generator
 
 __all__ = ["AMBIENT", "ROOM", "Lighting", "hdri", "lighting_of"]
 
@@ -28,16 +28,17 @@ AMBIENT = Lighting("ambient")
 """Even grey light from everywhere, no cast shadow."""
 
 
-def lighting_of(name: str, seed: int) -> Lighting:
+def lighting_of(name: str, table: str) -> Lighting:
     """The light that a set-up's name of one means for a scene.
 
     Args:
-        name: "day_room" is a day room by the scene's seed; another is the same for all scenes.
-        seed: The scene's.
+        name: "day_room" is the day room in which a table stands; another is the same for all.
+        table: Id of the scene's table. Its seed wouldn't do: a private task's scene bears another
+            one than it was made from.
     """
     if name != ROOM:
         return Lighting(name)
-    return Lighting(f"{ROOM}_{generator(seed, 'day room').integers(COUNT)}")
+    return Lighting(f"{ROOM}_{zlib.crc32(f'room of {table}'.encode()) % COUNT}")
 
 
 def hdri(name: str, yaw: float = 0.0) -> Lighting:

@@ -130,7 +130,7 @@ class Task:
     def viewpoint(self) -> Viewpoint:
         """From where, in which light and by which renderer, it is seen as it was made."""
         setup = self.setup
-        light = lighting_of(setup.lighting, self.scene.seed)
+        light = lighting_of(setup.lighting, self.scene.table)
         return Viewpoint(setup.camera(self.camera), light, setup.renderer)
 
     @property

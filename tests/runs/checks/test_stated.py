@@ -28,9 +28,10 @@ def test_a_task_seen_as_it_was_frozen_is_in_order(task):
 
 
 def test_another_light_than_the_tasks_is_amiss():
-    day = lighting_of("day_room", OLD.scene.seed)
+    day = lighting_of("day_room", OLD.scene.table)
     assert "its light isn't that of its conditions" in amiss_as_stated(record(OLD, lighting=day))
-    # Another day room than the one that the scene's seed chooses is another light, too.
+    # Another day room than the one in which its table stands is another light, too.
+    assert record(NEW).viewpoint.lighting == day
     other = Lighting("day_room_1" if day.name == "day_room_0" else "day_room_0")
     assert "its light isn't that of its conditions" in amiss_as_stated(record(NEW, lighting=other))
 

@@ -53,7 +53,7 @@ def amiss_as_stated(record: EpisodeRecord) -> Iterator[str]:
 
 def _of_pictures(record: EpisodeRecord) -> Iterator[str]:
     scene, said, seen = record.start.scene, record.conditions, record.viewpoint
-    own, light = scene.setup, lighting_of(scene.setup.lighting, scene.seed)
+    own, light = scene.setup, lighting_of(scene.setup.lighting, scene.table)
     if said.lighting == "own" and seen.lighting != light:
         yield "its light isn't that of its conditions"
     if seen.renderer != (own.renderer if said.renderer == "own" else said.renderer):
