@@ -41,7 +41,7 @@ def taking(number: int) -> Taking:
     warmth = float(rng.uniform(-15, 38))
     tint = np.exp(warmth * np.array([0.0, -0.0055, -0.0100]))
     tint[1] *= np.exp(float(rng.uniform(-0.025, 0.025)))
-    white = tint / tint.max() * 0.8 * 2 ** float(rng.uniform(-0.45, 0.28))
+    white = tint / tint.max() * 0.8 * 2 ** float(rng.uniform(-0.35, 0.28))
     return Taking(
         white=(float(white[0]), float(white[1]), float(white[2])),
         blur_deg=float(rng.uniform(1.3, 2.6)),
