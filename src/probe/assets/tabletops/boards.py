@@ -14,7 +14,8 @@ from probe.assets.tabletops.wood import Planks
 from probe.types import Array
 
 _SLABS = 2.0
-"""Grooves of so many pixels and more are there by intent; narrower ones are joints of glue."""
+"""Grooves of so many pixels and more are there by intent, in tops that are painted or rough;
+narrower ones are joints of glue."""
 
 
 def glued(timber: Planks, rng: np.random.Generator) -> TableTile:
@@ -29,15 +30,17 @@ def glued(timber: Planks, rng: np.random.Generator) -> TableTile:
     )
     pores = moved(_pores(rng), shift_u[:, None] * along, shift_v[:, None] * along)
     rings = _figure(timber, board, width, rng)
+    slabs = timber.groove >= _SLABS
     tone = rng.normal(0, 0.6 * timber.variety, timber.staves)[board][:, None]
-    warmth = rng.normal(0, 0.012, timber.staves)[board][:, None, None] * np.array([1.0, 0.1, -1.2])
+    warmth = rng.normal(0, 0.003 if slabs else 0.012, timber.staves)[board][
+        :, None, None
+    ] * np.array([1.0, 0.1, -1.2])
     light, dark = rgb(timber.light), rgb(timber.dark)
     colour = blend(light, dark, rings * 0.62 * timber.contrast)
     colour = (colour + (tone + 3.0 * fibres)[..., None] * np.array([1.0, 0.95, 0.85])) * (
         1 + warmth
     )
     colour = blend(colour, dark * 0.6, 0.45 * timber.pores * pores)
-    slabs = timber.groove >= _SLABS
     joint = _joints(edge, timber.groove if slabs else 0.3)
     colour = blend(colour, dark * 0.4, (0.7 if slabs else 0.3) * joint)
     height = 2e-5 * fibres - 4e-5 * timber.pores * pores - (3e-4 if slabs else 3e-5) * joint

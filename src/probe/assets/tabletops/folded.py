@@ -23,7 +23,7 @@ _WAVES = 7
 def spread(cloth: TableTile, rng: np.random.Generator) -> TableTile:
     """A sheet of several repeats of a cloth, evened out, with creases in it."""
     count = int(np.ceil(_LEAST / cloth.tile_size))
-    colour = _repeated(even(cloth.colour), count)
+    colour = _repeated(even(cloth.colour, banded=True), count)
     height = _repeated(cloth.height[..., None], count)[..., 0]
     crease = _twice(_creases(rng))
     sag = _twice(fractal(rng, slope=2.2, scale=2, finest=24))
@@ -35,15 +35,22 @@ def spread(cloth: TableTile, rng: np.random.Generator) -> TableTile:
     )
 
 
-def even(colour: Array) -> Array:
-    """A repeat without what is lighter or darker over a wide part of it; its pattern stays."""
+def even(colour: Array, *, banded: bool = False) -> Array:
+    """A repeat without what is lighter or darker over a wide part of it.
+
+    Args:
+        colour: Shape (n, n, 3).
+        banded: Whether bands along its edges are its pattern, and stay.
+    """
     size = len(colour)
     waves = np.fft.fftfreq(size, 1 / size)
     away = np.hypot(waves[None, :], waves[:, None])
-    broad = np.exp(-((away / _WAVES) ** 2)) * (away > 0) * (waves[None, :] != 0)
-    broad = broad * (waves[:, None] != 0)
+    broad = np.exp(-((away / _WAVES) ** 2)) * (away > 0)
+    if banded:
+        broad = broad * (waves[None, :] != 0) * (waves[:, None] != 0)
     light = colour.mean(axis=2)
-    return colour - np.fft.ifft2(np.fft.fft2(light) * broad).real[..., None]
+    wide = np.fft.ifft2(np.fft.fft2(light) * broad).real
+    return colour * (1 - wide / np.maximum(light, 1))[..., None]
 
 
 def _creases(rng: np.random.Generator) -> Array:
