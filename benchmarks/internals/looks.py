@@ -32,7 +32,7 @@ from probe.world.scenes import make_scene
 REPEATS = 7
 ROOM = "morning_kitchen"
 VIEWS: tuple[View, ...] = ("top", "front")
-LIGHTS: tuple[Lighting, ...] = (AMBIENT, hdri(ROOM))
+LIGHTS: tuple[Lighting, ...] = (AMBIENT, hdri(ROOM), Lighting("day_room_9"))
 
 
 def seconds(act: Callable[[], object], repeats: int = REPEATS) -> float:
@@ -73,6 +73,8 @@ def preparations() -> None:
     print("Once for each, wall seconds")
     print(f"  painting a room       {seconds(lambda: load_environment(ROOM, None), 1):.2f}")
     print(f"  sun and exposure      {seconds(lambda: illuminate(panorama, 0.0)):.2f}")
+    day_room = Lighting("day_room_9")
+    print(f"  a day room, all that  {seconds(lambda: light_of(day_room, None), 1):.2f}")
     kinds = {type(top): id for id, top in tops().items()}.values()
     taken = [seconds(lambda id=id: load_table(id, None), 1) for id in kinds]
     print(f"  painting a table      {np.median(taken):.2f} (most {max(taken):.2f})")

@@ -48,6 +48,27 @@ def test_a_painted_table_repeats_without_a_seam(id):
     assert 0.01 < np.percentile(texture, 99) / 255 <= 1
 
 
+@pytest.mark.parametrize("id", ONE_OF_EACH)
+def test_a_table_in_use_repeats_without_a_seam(id):
+    table = load_table(id, None, looks=2)
+    texture = table.texture.astype(int)
+    assert texture.shape[0] == texture.shape[1] >= SIZE
+    assert table.normal is not None and table.normal.shape == texture.shape
+    for axis in (0, 1):
+        step = np.abs(np.diff(texture, axis=axis)).mean(axis=(1 - axis, 2))
+        seam = np.abs(texture.take(0, axis) - texture.take(-1, axis)).mean()
+        assert seam <= step.max() * 1.1 + 0.5
+
+
+@pytest.mark.parametrize("id", ["linen", "red_gingham", "green_tartan"])
+def test_cloth_in_use_repeats_far_apart_and_has_the_same_threads(id):
+    old, new = load_table(id, None), load_table(id, None, looks=2)
+    assert old.tile_size < 0.3 <= 0.5 < new.tile_size
+    assert new.tile_size / old.tile_size == pytest.approx(round(new.tile_size / old.tile_size))
+    apart = new.texture.mean(axis=(0, 1)) - old.texture.mean(axis=(0, 1))
+    assert np.abs(apart).max() < 16
+
+
 def test_a_painted_table_is_the_same_each_time():
     first = load_table("slate", None)
     load_table.cache_clear()

@@ -4,10 +4,10 @@ import pytest
 
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.conditions_document import ConditionsDocument
-from probe.scene.lighting import ROOM
+from probe.scene.lighting import Lighting
 from probe.scene.viewpoint import Viewpoint
 
-EVEN, DAY = Viewpoint(), Viewpoint(lighting=ROOM)
+EVEN, DAY = Viewpoint(), Viewpoint(lighting=Lighting("day_room_3"))
 
 
 def test_an_even_light_of_its_own_is_called_ambient_as_ever():

@@ -11,8 +11,10 @@ import pytest
 from probe.generation.attempt import Attempt, origins
 from probe.generation.build_folder import TaskSlot
 from probe.generation.plan import plan, plan_of
+from probe.generation.result import TaskCandidate
 from probe.generation.salt import Salt
 from probe.generation.task_generator import generator_of
+from probe.scene.setup import ROOM_TABLE
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import packaged_suite
 from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, Task
@@ -94,6 +96,16 @@ def private(attempt: Attempt) -> Task:
         scene=replace(FIND.scene, seed=attempt.bears),
         answer=attempt.plan.letter,
     )
+
+
+def test_a_private_task_is_seen_in_the_room_that_it_was_checked_in():
+    for number in range(12):
+        attempt = Attempt(TaskSlot("find", number), 0, ONE)
+        made = replace(FIND, scene=replace(FIND.scene, seed=attempt.seed, setup=ROOM_TABLE))
+        named = attempt.named(TaskCandidate(made)).task
+        assert named.scene.seed != made.scene.seed
+        assert named.viewpoint == made.viewpoint
+        assert named.viewpoint.lighting.name.startswith("day_room_")
 
 
 TRIES = [Attempt(TaskSlot("find", episode), 7 * episode % 40, ONE) for episode in range(12)]

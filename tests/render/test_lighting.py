@@ -1,18 +1,25 @@
 """What light does in pictures: cast shadows, colour cast, exposure, backdrop; the bytes."""
 
 import math
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from lamps import lamp, shades
+from probe.assets.environments.lens import taking
+from probe.assets.tabletops import tops
 from probe.errors import UnknownName
-from probe.render.illumination import AMBIENT
+from probe.render.illumination import AMBIENT, Illumination, Sun
 from probe.render.lighting import light_of
 from probe.render.renderer import Renderer
 from probe.render.sunlight import illuminate
 from probe.scene.lighting import AMBIENT as AMBIENT_LIGHTING
-from probe.scene.lighting import ROOM, hdri
+from probe.scene.lighting import Lighting, hdri, lighting_of
 from probe.scene.scene import PlacedObject
 from probe.scene.setup import UR5_TABLE
 from probe.types import Pose
@@ -86,17 +93,95 @@ def test_labels_and_depth_know_no_light(loaded):
     assert (frames[0].depth == frames[1].depth).all()
 
 
-def test_the_room_of_new_scenes_casts_shadows_and_hardly_colours(loaded):
-    light = light_of(ROOM, None)
-    shown = shades(loaded.draw([POST], CAMERA, rgb=True, light=light))
-    assert shown[0] < 0.85 * shown[1]  # the window is at the left, so shadows fall to the right
+@pytest.mark.parametrize(("number", "way"), [(4, 1), (1, -1)])
+def test_a_day_room_casts_shadows_away_from_its_window(loaded, number, way):
+    light = light_of(Lighting(f"day_room_{number}"), None)
+    frame = loaded.draw([POST], CAMERA, rgb=True, light=light)
+    grey = np.where(frame.labels == 0, frame.rgb.astype(float).mean(axis=2), 255)
+    dark = grey < 0.8 * np.median(grey)
+    # Even ones have it at the left, so that shadows fall to the right, towards +x.
+    assert dark.sum() > 50
+    assert way * (np.argwhere(dark)[:, 1].mean() - 128) > 10
+
+
+def test_a_day_room_shows_a_white_card_as_its_camera_is_set(loaded):
+    light = light_of(Lighting("day_room_8"), None)
     white = loaded.draw([CARD], CAMERA, rgb=True, light=light)
-    card_colour = white.rgb[white.labels == 2].mean(axis=0)
-    assert np.ptp(card_colour) < 20 and card_colour.max() > 215
+    shown = ((white.rgb[white.labels == 2].mean(axis=0) / 255 + 0.055) / 1.055) ** 2.4
+    assert shown == pytest.approx(np.array(taking(8).white), abs=0.06)
+
+
+def _profile(loaded, sun, height):
+    """Grey of the table from the edge of a card on, towards its shadow's edge, if it hangs so."""
+    hung = PlacedObject(2, "card", Pose((0.0, 0.0, height)))
+    light = Illumination(np.full((8, 16, 3), 0.3, np.float16), sun)
+    frame = loaded.draw([hung], UR5_TABLE.top.camera(512), rgb=True, light=light)
+    below = frame.rgb[256:, 256][frame.labels[256:, 256] == 0]
+    return below.astype(float).mean(axis=1)
+
+
+def test_a_near_windows_shadows_fade_with_the_distance_from_the_thing(loaded):
+    window = Sun((0.0, 0.7071, 0.7071), (0.6, 0.6, 0.6), 3.0, 2.5)
+    low, high = (_profile(loaded, window, height) for height in (0.03, 0.09))
+    far = _profile(loaded, replace(window, distance=None), 0.09)
+    steep_low, steep_high, steep_far = ((it[6:] - it[:-6]).max() for it in (low, high, far))
+    # Three times as high, a third as steep; the rest of the light comes from all around.
+    assert steep_low > 1.8 * steep_high
+    assert steep_far > 2 * steep_high
+    # Right beside the card it is as dark as in a sun's shadow.
+    assert high[:10] == pytest.approx(far[:10], abs=2)
+
+
+def test_bytes_of_a_day_room_are_the_same_in_another_process(loaded, tmp_path):
+    def light():
+        light_of.cache_clear()
+        return light_of(Lighting("day_room_5"), None)
+
+    camera = UR5_TABLE.front.camera(128)
+    first = loaded.draw([POST, CARD], camera, rgb=True, light=light()).rgb
+    loaded.draw([CARD], CAMERA, rgb=True, light=light_of(Lighting("day_room_6"), None))
+    assert (loaded.draw([POST, CARD], camera, rgb=True, light=light()).rgb == first).all()
+    script = (
+        "import sys; from test_lighting import day_room_picture as draw;"
+        "sys.stdout.buffer.write(draw())"
+    )
+    here = Path(__file__).parent
+    search = [str(here), str(here.parent), *filter(None, sys.path)]
+    other = subprocess.run(
+        [sys.executable, "-c", script],
+        env=os.environ | {"PYTHONPATH": os.pathsep.join(search)},
+        capture_output=True,
+        check=True,
+        cwd=tmp_path,
+    )
+    assert other.stdout == first.tobytes()
+
+
+def day_room_picture():
+    """The picture of the test above, as bytes."""
+    meshes = {"post": box(0.05, 0.05, 0.12, 200, 200, 200), "card": card(0.3, plain(255, 255, 255))}
+    with Renderer() as it:
+        it.load(meshes, grey_table())
+        light = light_of(Lighting("day_room_5"), None)
+        camera = UR5_TABLE.front.camera(128)
+        return it.draw([POST, CARD], camera, rgb=True, light=light).rgb.tobytes()
 
 
 def test_names_lead_to_light():
     assert light_of(AMBIENT_LIGHTING, None) is AMBIENT
     assert light_of(hdri("cellar"), None).sun is not None
+    assert light_of(Lighting("day_room_47"), None).sun.distance is not None
     with pytest.raises(UnknownName, match=r"neon.*ambient"):
         light_of(hdri("neon"), None)
+    with pytest.raises(UnknownName, match="no lighting called .day_room_48"):
+        light_of(Lighting("day_room_48"), None)
+
+
+def test_a_table_stands_in_a_day_room_of_its_own():
+    drawn = {lighting_of("day_room", table).name for table in tops()}
+    assert len(drawn) > 40 and drawn <= {f"day_room_{n}" for n in range(48)}
+    # The rooms that tables stand in are part of what a suite's seed fixes: they may not change.
+    fixed = [lighting_of("day_room", it).name for it in ("oak_planks", "slate", "Wood027")]
+    assert fixed == ["day_room_33", "day_room_1", "day_room_26"]
+    assert lighting_of("cellar", "slate") == lighting_of("cellar", "cork") == hdri("cellar")
+    assert lighting_of("day_room_7", "slate") == Lighting("day_room_7")

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.runs.viewpoints import viewpoint_of
-from probe.scene.lighting import AMBIENT, ROOM
+from probe.scene.lighting import AMBIENT, lighting_of
 from probe.scene.setup import ROOM_TABLE
 from probe.tasks.suite_file import demo_suite
 
@@ -16,7 +16,8 @@ def test_a_task_is_seen_as_it_was_frozen():
     assert viewpoint_of(OLD, AS_FROZEN, None) == OLD.viewpoint
     assert (OLD.viewpoint.lighting, OLD.viewpoint.renderer) == (AMBIENT, "filament")
     assert viewpoint_of(NEW, AS_FROZEN, None) == NEW.viewpoint
-    assert (NEW.viewpoint.lighting, NEW.viewpoint.renderer) == (ROOM, "blender")
+    light = lighting_of("day_room", NEW.scene.table)
+    assert (NEW.viewpoint.lighting, NEW.viewpoint.renderer) == (light, "blender")
 
 
 def test_conditions_choose_another_renderer():
@@ -24,10 +25,10 @@ def test_conditions_choose_another_renderer():
     assert viewpoint_of(NEW, Conditions(renderer="filament"), None).renderer == "filament"
 
 
-def test_the_room_of_new_scenes_is_no_other_light():
+def test_the_rooms_of_new_scenes_are_no_other_light():
     drawn = {
         viewpoint_of(replace(OLD, seed=n), Conditions(lighting="hdri"), None).lighting.name
         for n in range(200)
     }
     assert len(drawn) == 15
-    assert ROOM.name not in drawn
+    assert not any(name.startswith("day_room") for name in drawn)

@@ -14,7 +14,7 @@ from probe.perception.naming import SEEN_PX, SEEN_SHARE
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
-from probe.scene.lighting import AMBIENT, Lighting
+from probe.scene.lighting import AMBIENT, lighting_of
 from probe.types import Array, Frame
 from probe.world.scenes import make_scene
 
@@ -39,7 +39,6 @@ class Picture:
 def pictures(seeds: Sequence[int], lighting: str = AMBIENT.name) -> Iterator[Picture]:
     """One picture a seed, in a light by name; seeds that don't settle are named and left out."""
     things, tables = library("scans"), table_ids(assets_folder())
-    light = light_of(Lighting(lighting), assets_folder())
     with Renderer(cache_folder() / "light") as renderer:
         for seed in seeds:
             try:
@@ -48,6 +47,7 @@ def pictures(seeds: Sequence[int], lighting: str = AMBIENT.name) -> Iterator[Pic
                 print(failure, flush=True)
                 continue
             load_scene(renderer, scene, things, load_table(scene.table, assets_folder()))
+            light = light_of(lighting_of(lighting, scene.table), assets_folder())
             frame = photograph(renderer, scene, light=light)
             shown = measure(renderer, scene)
             seen = tuple(

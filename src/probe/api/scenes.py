@@ -13,7 +13,7 @@ from probe.render.photograph import measure as _measure
 from probe.render.photograph import photograph as _photograph
 from probe.render.renderer import Renderer
 from probe.scene.cameras import View
-from probe.scene.lighting import Lighting
+from probe.scene.lighting import Lighting, lighting_of
 from probe.scene.sampling import DEFAULT_COUNT
 from probe.scene.scene import Scene
 from probe.scene.setup import ROOM_TABLE, RendererName, Setup
@@ -65,8 +65,8 @@ def photograph(
         scene: What stands where.
         library: Has the scene's objects.
         camera: "top" or "front" of the scene's set-up, or a camera of your own.
-        lighting: By default that of the scene's set-up. "ambient", "day_room", or the name of
-            surroundings that light the table.
+        lighting: By default that of the scene's set-up. "ambient"; "day_room", that in which
+            its table stands, or one of them, "day_room_7"; or the name of other surroundings.
         renderer: One that is running already; by default one is started, and ended afterwards.
 
     Returns:
@@ -79,7 +79,7 @@ def photograph(
     """
     seen_from = scene.setup.camera(camera) if isinstance(camera, str) else camera
     light = lighting or scene.setup.lighting
-    light = Lighting(light) if isinstance(light, str) else light
+    light = lighting_of(light, scene.table) if isinstance(light, str) else light
     with running(renderer, scene.setup.renderer) as drawing:
         load_scene(drawing, scene, library)
         lit = light_of(light, library.assets)

@@ -15,14 +15,14 @@ from probe.cli.screen import say, sign, track
 from probe.errors import BadData
 from probe.files import encode, write_bytes, write_picture
 from probe.render.illumination import Illumination
-from probe.render.lighting import light_of
+from probe.render.lighting import light_of, require_light
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
 from probe.report.gallery import GalleryEntry, write_gallery
 from probe.report.pictures import depth_image, label_image
 from probe.scene.cameras import View
 from probe.scene.document import write_scene
-from probe.scene.lighting import Lighting
+from probe.scene.lighting import lighting_of
 from probe.scene.sampling import DEFAULT_COUNT, TIGHT, PileSettings
 from probe.scene.scene import Scene
 from probe.scene.setup import UR5_TABLE, RendererName, Setup, newest
@@ -62,9 +62,10 @@ def scene(
         buried: How many of the smallest objects are put down first, each with a larger one right
             over it; at most half of the objects.
         gallery: If above 0, write this many scenes, from this seed on, and a page of them.
-        lighting: By default the set-up's, or "day_room" where that is even. "ambient" is even
-            light without shadows; other surroundings are a painted room
-            (docs/reference/looks.md) or a file's name in PROBE_ASSETS/hdris, without its ending.
+        lighting: By default the set-up's, or "day_room" where that is even: one of 48 rooms, by
+            the table, or "day_room_7". "ambient" is even light without shadows; other surroundings
+            are a painted room (docs/reference/looks.md) or a file's name in PROBE_ASSETS/hdris,
+            without its ending.
         looks: How what is made by formula looks; 1 as in the suite v1, clean, or 2, used.
         camera: From above, or obliquely from the front.
         renderer: What draws colour; blender needs the extra of that name, and more time.
@@ -78,9 +79,10 @@ def scene(
     around = newest(read_setup(setup) if setup else UR5_TABLE, lighting, looks, renderer)
     with sign("Reading the catalogue of objects ..."):
         things = library(pool)
+    require_light(around.lighting, things.assets)
     recipe = _Recipe(things, objects, PileSettings(reach, buried), around)
     with Renderer(cache_folder() / "light", renderer) as drawing:
-        studio = _Studio(drawing, camera, light_of(Lighting(around.lighting), things.assets))
+        studio = _Studio(drawing, camera, things.assets)
         if gallery == 0:
             if objects > _MANY:
                 say(f"Settling {objects} objects; over {_MANY} may take minutes.")
@@ -111,11 +113,14 @@ def _check_gallery(out: Path, wanted: range) -> None:
 
 @dataclass(frozen=True)
 class _Studio:
-    """What takes the pictures: a renderer, where it looks from, and in which light."""
+    """What takes the pictures: a renderer, where it looks from, and where panoramas lie."""
 
     renderer: Renderer
     camera: View
-    light: Illumination
+    assets: Path | None
+
+    def light(self, setup: Setup, table: str) -> Illumination:
+        return light_of(lighting_of(setup.lighting, table), self.assets)
 
 
 @dataclass(frozen=True)
@@ -148,7 +153,9 @@ def _write(folder: Path, settled: Scene, things: Library, studio: _Studio) -> di
     """Draw one scene and write its files; the scene comes last and so marks a complete folder."""
     renderer, camera = studio.renderer, settled.setup.camera(studio.camera)
     load_scene(renderer, settled, things)
-    frame = photograph(renderer, settled, camera=camera, light=studio.light)
+    frame = photograph(
+        renderer, settled, camera=camera, light=studio.light(settled.setup, settled.table)
+    )
     assert frame.rgb is not None and frame.labels is not None
     write_picture(folder / "picture.png", frame.rgb)
     write_bytes(folder / "depth.png", encode(depth_image(frame.depth), "PNG"))

@@ -38,9 +38,8 @@ from probe.generation.feasibility import possibilities
 from probe.generation.making import TaskMaker, make_tasks
 from probe.generation.plan import ATTEMPTS
 from probe.generation.salt import Salt
-from probe.render.lighting import light_of
+from probe.render.lighting import require_light
 from probe.report.build_log import count_candidates
-from probe.scene.lighting import Lighting
 from probe.scene.setup import UR5_TABLE, RendererName, newest
 from probe.scene.setup_file import read_setup
 from probe.tasks.suite_file import check_new_name, find_suite
@@ -106,7 +105,7 @@ def build(
     parts, things = BuildFolder(out.with_suffix(".parts")), library(pool)
     part = parse_shard(shard)
     table = newest(read_setup(setup) if setup else UR5_TABLE, lighting, looks, renderer)
-    light_of(Lighting(table.lighting), things.assets)  # refuses a name that nothing has
+    require_light(table.lighting, things.assets)
     salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table)
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt)

@@ -12,7 +12,7 @@ from probe.generation.palettes import shades
 from probe.render.lighting import light_of
 from probe.render.photograph import load_scene, photograph
 from probe.render.renderer import Renderer
-from probe.scene.lighting import Lighting
+from probe.scene.lighting import Lighting, lighting_of
 from probe.scene.scene import Scene
 from probe.tasks.type_rules import Form
 from probe.types import Array, Frame
@@ -37,7 +37,7 @@ class ColourViews:
         library: Library,
     ) -> None:
         load_scene(renderer, scene, library)
-        lights = (Lighting(scene.setup.lighting), OTHER_LIGHT)
+        lights = (lighting_of(scene.setup.lighting, scene.table), OTHER_LIGHT)
         self.lights = [light.name for light in lights]
         self._lit = {light.name: light_of(light, library.assets) for light in lights}
         self._renderer = renderer

@@ -96,13 +96,21 @@ def world_of(light: Illumination) -> bpy.types.World:
 
 def sun_of(sun: Sun) -> bpy.types.Object:
     """Light from one direction. Blender's strength is an irradiance; a Sun's is that over pi."""
-    lamp: Any = bpy.data.lights.new("sun", "SUN")
-    strength = max(sun.irradiance)
-    lamp.energy = math.pi * strength
+    strength, angle = max(sun.irradiance), math.radians(_SUN_SIZE_DEG * sun.size)
+    lamp: Any = bpy.data.lights.new("sun", "SUN" if sun.distance is None else "AREA")
     lamp.color = [channel / strength for channel in sun.irradiance]
-    lamp.angle = math.radians(_SUN_SIZE_DEG * sun.size)
+    place = np.zeros(3)
+    if sun.distance is None:
+        lamp.energy = math.pi * strength
+        lamp.angle = angle
+    else:
+        # What a disc radiates by Lambert's law, over pi and the square of the distance, arrives.
+        lamp.energy = (math.pi * sun.distance) ** 2 * strength
+        lamp.shape = "DISK"
+        lamp.size = 2 * sun.distance * math.tan(angle / 2)
+        place = sun.distance * np.array(sun.towards)
     made = bpy.data.objects.new("sun", lamp)
-    made.matrix_world = _facing(np.array(sun.towards))
+    made.matrix_world = _facing(np.array(sun.towards), place)
     return made
 
 
@@ -117,12 +125,13 @@ def camera_of(camera: Camera) -> bpy.types.Object:
     return made
 
 
-def _facing(towards: Array) -> list[list[float]]:
-    """A rotation, as Blender takes matrices (by columns), that turns +z towards a unit vector."""
+def _facing(towards: Array, place: Array) -> list[list[float]]:
+    """A pose, as Blender takes matrices (by columns), that turns +z towards a unit vector."""
     aside = np.cross((0.0, 1.0, 0.0) if abs(towards[1]) < 0.9 else (1.0, 0.0, 0.0), towards)
     aside /= np.linalg.norm(aside)
     matrix = np.eye(4)
     matrix[:3, 0], matrix[:3, 1], matrix[:3, 2] = aside, np.cross(towards, aside), towards
+    matrix[:3, 3] = place
     return matrix.T.tolist()
 
 

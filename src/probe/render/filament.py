@@ -37,6 +37,9 @@ _LOOK = """
 _FINE = """<numeric name="filament.ao.bilateral_threshold" data="0.006"/>
   <text name="filament.shadows.type" data="pcss"/>"""
 
+# "pcss" lets light of lamps that aren't far away through thin things.
+_NEAR = _FINE.replace("pcss", "pcf")
+
 # Less than half of the time: 0.44 instead of 1.0 CPU s for 864 x 616 pixels with robot and room.
 _QUICK = """<numeric name="filament.ao.enabled" data="0"/>
   <text name="filament.shadows.type" data="pcf"/>"""
@@ -68,10 +71,10 @@ class Drawer:
         api = mjrf.GraphicsApi.GRAPHICS_API_VULKAN
         self._context = mjrf.Context(mjrf.ContextConfig(graphics_api=api))
         self._scene = self._context.create_scene(mjrf.SceneParams())
-        look = _LOOK.format(_QUICK if quick else _FINE)
+        near = light.sun is not None and light.sun.distance is not None
+        look = _LOOK.format(_QUICK if quick else _NEAR if near else _FINE)
         self._scene.configure_from_model(mujoco.MjModel.from_xml_string(look))
-        shadow_px = 1024 if quick else 2048
-        self._factory = Factory(self._context, glossy=light.sun is not None, shadow_px=shadow_px)
+        self._factory = Factory(self._context, glossy=light.sun is not None, quick=quick)
         self._uploaded: dict[str, Uploaded] = {}
         self._renderables: dict[tuple[int, str], mjrf.Renderable] = {}
         self._shown: set[tuple[int, str]] = set()
@@ -113,8 +116,8 @@ class Drawer:
 
     def _add_light(self, light: PackedLight) -> None:
         self._scene.add_light(self._factory.image_light(light.around))
-        if light.sun:
-            self._scene.add_light(self._factory.sun(light.sun))
+        for lamp in self._factory.sun(light.sun) if light.sun else ():
+            self._scene.add_light(lamp)
         if light.backdrop is not None:
             self._scene.set_skybox(self._factory.backdrop(light.backdrop))
 

@@ -5,6 +5,7 @@ Runs in a forked child only.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -31,6 +32,18 @@ _METAL = 0.6
 _SUN_RADIUS = 0.05
 """Of the bulb in metres: what makes shadows soft."""
 
+_SUN_SIZE = math.radians(4)
+"""Apparent diameter of a usual sun that isn't far away."""
+
+_LAMPS = 10
+"""So many small lamps stand for one wide light: each has sharp shadows, and all together soft."""
+
+_LAMP_SHADOW_PX = 1024
+"""Edge of the map of each one's shadows."""
+
+_LIT = 1.0
+"""Metres around the middle of the table that they light."""
+
 
 @dataclass(frozen=True, eq=False)
 class Uploaded:
@@ -49,13 +62,13 @@ class Factory:
     Args:
         context: What they are made in.
         glossy: Whether surfaces have highlights.
-        shadow_px: Edge of the map of the sun's shadows.
+        quick: Whether all suns are far away, and their shadows coarse.
     """
 
-    def __init__(self, context: mjrf.Context, *, glossy: bool, shadow_px: int) -> None:
+    def __init__(self, context: mjrf.Context, *, glossy: bool, quick: bool) -> None:
         self._context = context
         self._glossy = glossy
-        self._shadow_px = shadow_px
+        self._quick = quick
         self._alive: list[object] = []
 
     def upload(self, mesh: PackedMesh) -> Uploaded:
@@ -105,8 +118,42 @@ class Factory:
             )
         )
 
-    def sun(self, sun: Sun) -> mjrf.Light:
-        """Light from one direction, with soft shadows."""
+    def sun(self, sun: Sun) -> list[mjrf.Light]:
+        """What lights from one direction, with soft shadows."""
+        if sun.distance is None or self._quick:
+            return [self._parallel(sun)]
+        return self._wide(sun, sun.distance)
+
+    def _wide(self, sun: Sun, distance: float) -> list[mjrf.Light]:
+        """Lamps on a disc that faces the table, evenly spread as the seeds of a sunflower are."""
+        towards = np.array(sun.towards)
+        aside = np.cross((0.0, 0.0, 1.0), towards) / np.hypot(*sun.towards[:2])
+        across = np.stack([aside, np.cross(towards, aside)])
+        number = np.arange(_LAMPS)
+        turn, out = np.pi * (3 - np.sqrt(5)) * number, np.sqrt((number + 0.5) / _LAMPS)
+        disc = np.stack([out * np.cos(turn), out * np.sin(turn)], axis=1)
+        radius = distance * np.tan(_SUN_SIZE * sun.size / 2)
+        return [self._lamp(sun, distance * towards + radius * place @ across) for place in disc]
+
+    def _lamp(self, sun: Sun, place: Array) -> mjrf.Light:
+        """One of those lamps; what it gives falls with the square of the distance."""
+        strength, distance = max(sun.irradiance), float(np.linalg.norm(place))
+        light = self._light(
+            mjrf.LightParams(
+                type=mjrf.LightType.LIGHT_SPOT,
+                color=np.array(sun.irradiance, np.float32) / np.float32(strength),
+                intensity=_SUN_INTENSITY * strength * distance**2 / _LAMPS,
+                range=10 * distance,
+                cutoff=math.degrees(math.atan(_LIT / (distance - _LIT))),
+                cast_shadow=True,
+                shadow_map_size=_LAMP_SHADOW_PX,
+            )
+        )
+        light.set_pose(place.astype(np.float32), (-place / distance).astype(np.float32))
+        return light
+
+    def _parallel(self, sun: Sun) -> mjrf.Light:
+        """Light of a sun that is far away."""
         strength = max(sun.irradiance)
         light = self._light(
             mjrf.LightParams(
@@ -114,7 +161,7 @@ class Factory:
                 color=np.array(sun.irradiance, np.float32) / np.float32(strength),
                 intensity=_SUN_INTENSITY * strength,
                 cast_shadow=True,
-                shadow_map_size=self._shadow_px,
+                shadow_map_size=1024 if self._quick else 2048,
                 bulb_radius=_SUN_RADIUS * sun.size,
             )
         )

@@ -22,11 +22,14 @@ class Sun:
         irradiance: Red, green and blue on a surface that faces the sun, divided by pi: what it
             adds to the picture of a white one.
         size: How wide it is beside a usual one: what makes its shadows soft.
+        distance: Of a window or lamp, metres: its shadows fade with what lies between the thing
+            and its shadow, and it lights near things more. None for one that is far away.
     """
 
     towards: Vector3
     irradiance: Vector3
     size: float = 1.0
+    distance: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

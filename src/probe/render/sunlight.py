@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+from probe.assets.environments.lens import Taking, halved, out_of_focus
 from probe.render.illumination import Illumination, Sun, directions, solid_angles
 from probe.types import Array, Vector3
 
@@ -28,27 +29,37 @@ _LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _SEARCH_PX = 64
 
 
-def illuminate(radiance: Array, yaw: float, sun_size: float = 1.0) -> Illumination:
+def illuminate(radiance: Array, yaw: float, taking: Taking | None = None) -> Illumination:
     """Light of a panorama that is turned about the vertical.
 
     Args:
         radiance: Linear RGB, shape (h, 2 h, 3), at yaw 0 as Illumination has it.
         yaw: Radians, anticlockwise seen from above; to the nearest column.
-        sun_size: As a Sun has it.
+        taking: How a camera takes it; by default the brightest channel of a white card is WHITE,
+            and the surroundings are in focus.
     """
-    width = radiance.shape[1]
-    turned = np.roll(radiance.astype(np.float32), -round(yaw / (2 * np.pi) * width), axis=1)
+    turned = _turned(radiance.astype(np.float32), yaw)
     dimmed, towards, colour = _without_spot(turned)
     sky = _on_table(dimmed)
     sun = _balanced(colour * towards[2], sky)
-    scale = WHITE / float((sky + sun).max())
     raised = _raised(towards)
-    facing = sun * scale / raised[2]
-    return Illumination(
-        _half(dimmed * scale),
-        Sun(raised, (float(facing[0]), float(facing[1]), float(facing[2])), sun_size),
-        _half(turned * scale),
-    )
+    if taking is None:
+        scale = WHITE / float((sky + sun).max())
+        lamp = Sun(raised, _triple(sun * scale / raised[2]))
+        return Illumination(_half(dimmed * scale), lamp, _half(turned * scale))
+    gains = (np.array(taking.white) / (sky + sun)).astype(np.float32)
+    lamp = Sun(raised, _triple(sun * gains / raised[2]), taking.sun_size, taking.sun_distance)
+    behind = gains * np.float32(taking.backdrop_gain)
+    blurred = out_of_focus(turned, taking.blur_deg)
+    return Illumination(_half(halved(dimmed) * gains), lamp, _half(blurred * behind))
+
+
+def _turned(panorama: Array, yaw: float) -> Array:
+    return np.roll(panorama, -round(yaw / (2 * np.pi) * panorama.shape[1]), axis=1)
+
+
+def _triple(values: Array) -> Vector3:
+    return float(values[0]), float(values[1]), float(values[2])
 
 
 def _half(panorama: Array) -> Array:

@@ -170,7 +170,7 @@ def newest(
         looks: How table and things look.
         renderer: What draws them.
     """
-    own = ROOM.name if setup.lighting == AMBIENT.name else setup.lighting
+    own = ROOM if setup.lighting == AMBIENT.name else setup.lighting
     return replace(setup, lighting=lighting or own, looks=looks, renderer=renderer)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, get_args
 
 from probe.scene.cameras import View
-from probe.scene.lighting import Lighting
+from probe.scene.lighting import lighting_of
 from probe.scene.scene import Scene
 from probe.scene.setup import Setup, picture_scale
 from probe.scene.viewpoint import Viewpoint
@@ -130,7 +130,8 @@ class Task:
     def viewpoint(self) -> Viewpoint:
         """From where, in which light and by which renderer, it is seen as it was made."""
         setup = self.setup
-        return Viewpoint(setup.camera(self.camera), Lighting(setup.lighting), setup.renderer)
+        light = lighting_of(setup.lighting, self.scene.table)
+        return Viewpoint(setup.camera(self.camera), light, setup.renderer)
 
     @property
     def scale(self) -> PictureScale:

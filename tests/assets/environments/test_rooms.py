@@ -10,7 +10,7 @@ from probe.render.illumination import directions
 
 def test_there_are_rooms_without_assets():
     assert len(environment_names(None)) >= 12
-    assert set(environment_names(None)) == set(rooms()) - {"day_room"}
+    assert set(environment_names(None)) == set(rooms())
 
 
 def test_a_room_is_painted_the_same_each_time():

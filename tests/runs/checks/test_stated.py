@@ -8,7 +8,7 @@ from probe.episodes.conditions import Conditions
 from probe.episodes.grading import question_of
 from probe.episodes.record import EpisodeRecord, TableState
 from probe.runs.checks.stated import amiss_as_stated
-from probe.scene.lighting import ROOM
+from probe.scene.lighting import Lighting, lighting_of
 from probe.scene.setup import ROOM_TABLE
 from probe.tasks.suite_file import demo_suite
 
@@ -28,7 +28,12 @@ def test_a_task_seen_as_it_was_frozen_is_in_order(task):
 
 
 def test_another_light_than_the_tasks_is_amiss():
-    assert "its light isn't that of its conditions" in amiss_as_stated(record(OLD, lighting=ROOM))
+    day = lighting_of("day_room", OLD.scene.table)
+    assert "its light isn't that of its conditions" in amiss_as_stated(record(OLD, lighting=day))
+    # Another day room than the one in which its table stands is another light, too.
+    assert record(NEW).viewpoint.lighting == day
+    other = Lighting("day_room_1" if day.name == "day_room_0" else "day_room_0")
+    assert "its light isn't that of its conditions" in amiss_as_stated(record(NEW, lighting=other))
 
 
 def test_a_renderer_that_nobody_chose_is_amiss():

@@ -17,10 +17,9 @@ _FORMATS = (".hdr", ".exr")
 def environment_names(assets: Path | None) -> tuple[str, ...]:
     """Surroundings to draw from: painted rooms, then the panoramas in the assets' folder hdris/.
 
-    The room that new scenes stand in anyway isn't among them.
+    The rooms that new scenes stand in anyway aren't among them.
     """
-    painted = (name for name, room in rooms().items() if not room.usual)
-    return (*painted, *sorted(_panoramas(assets)))
+    return (*rooms(), *sorted(_panoramas(assets)))
 
 
 @lru_cache(maxsize=2)
@@ -39,11 +38,6 @@ def load_environment(name: str, assets: Path | None) -> Array:
     if name not in files:
         raise UnknownName("environment", name, [*rooms(), *files])
     return read_panorama(files[name])
-
-
-def sun_size(name: str) -> float:
-    """How wide the brightest spot of surroundings is beside a usual one."""
-    return rooms()[name].sun_size if name in rooms() else 1.0
 
 
 def _panoramas(assets: Path | None) -> dict[str, Path]:

@@ -46,11 +46,16 @@ class WallPatch(_Data):
 
 
 class Furniture(_Data):
-    """A piece of furniture, from one corner to the other; metres from the middle of the floor."""
+    """A box, from one corner to the other; metres from the middle of the floor.
+
+    Attributes:
+        round: Whether it is the ball, stretched, that just fits into the box.
+    """
 
     low: tuple[float, float, float]
     high: tuple[float, float, float]
     colour: Colour
+    round: bool = False
 
 
 class Room(_Data):
@@ -59,23 +64,23 @@ class Room(_Data):
     Attributes:
         size: Metres along x and y, and its height.
         eye: Height of the panorama's middle above the floor: just over the table.
+        stand: Where that is, along x and y from the middle of the floor.
         walls: One colour, or four: front, right, back, left.
         pattern: What the floor is laid with, and how wide in metres.
-        sun_size: How wide its brightest spot is beside a usual one: what makes shadows soft.
-        usual: Whether new scenes stand in it; then it isn't drawn as another light.
+        shading: Boxes that keep even light from floor and walls near them.
     """
 
     id: str = Field(pattern=r"^[a-z0-9_]+$")
     size: tuple[float, float, float]
     eye: float = 1.15
+    stand: tuple[float, float] = (0.0, 0.0)
     walls: Colour | tuple[Colour, Colour, Colour, Colour]
     ceiling: Colour = "#f2f0ea"
     floor: Colour
     pattern: tuple[Literal["plain", "planks", "tiles"], float] = ("plain", 1.0)
     patches: tuple[WallPatch, ...]
     boxes: tuple[Furniture, ...] = ()
-    sun_size: float = Field(default=1.0, gt=0)
-    usual: bool = False
+    shading: tuple[Furniture, ...] = ()
 
     @property
     def colours(self) -> tuple[Colour, ...]:

@@ -13,7 +13,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.errors import UnknownName
 from probe.runs.checks.calls import things_of
 from probe.runs.viewpoints import camera_of
-from probe.scene.lighting import Lighting
+from probe.scene.lighting import lighting_of
 from probe.scene.scene import Scene
 from probe.tasks.task import Task
 from probe.transcripts.prompts import check_setting
@@ -52,8 +52,9 @@ def amiss_as_stated(record: EpisodeRecord) -> Iterator[str]:
 
 
 def _of_pictures(record: EpisodeRecord) -> Iterator[str]:
-    own, said, seen = record.start.scene.setup, record.conditions, record.viewpoint
-    if said.lighting == "own" and seen.lighting != Lighting(own.lighting):
+    scene, said, seen = record.start.scene, record.conditions, record.viewpoint
+    own, light = scene.setup, lighting_of(scene.setup.lighting, scene.table)
+    if said.lighting == "own" and seen.lighting != light:
         yield "its light isn't that of its conditions"
     if seen.renderer != (own.renderer if said.renderer == "own" else said.renderer):
         yield "its renderer isn't that of its conditions"
