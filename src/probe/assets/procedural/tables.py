@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from importlib.resources import files
-from typing import Annotated, Any, Self, cast
+from typing import Annotated, Any, Literal, Self, cast
 
 import yaml
 from pydantic import Field, TypeAdapter, ValidationError, model_validator
@@ -22,10 +22,19 @@ AnyPaint = Annotated[
     Mottled | Wood | Metal | Weave | Layers | Print | Pattern, Field(discriminator="look")
 ]
 FOLDER = files("probe.assets.procedural") / "data"
-OBJECT_FILES = (
-    *("vessels", "food", "packages", "household", "tools", "toys"),
-    *("produce", "bakery", "kitchen", "bottles", "desk", "home", "wear", "games", "workshop"),
-)
+Edition = Literal[1, 2]
+"""1 has the objects of the suites v1 to behind, in their order; 2 has these and more."""
+
+NEWEST_EDITION: Edition = 2
+
+OBJECT_FILES: dict[Edition, tuple[str, ...]] = {
+    1: (
+        *("vessels", "food", "packages", "household", "tools", "toys"),
+        *("produce", "bakery", "kitchen", "bottles", "desk", "home", "wear", "games", "workshop"),
+    ),
+    2: ("table", "cookware", "larder", "bathroom", "office", "leisure", "outdoors", "hardware"),
+}
+"""The files that each edition adds."""
 
 
 class ProceduralEntry(Data):
@@ -61,15 +70,15 @@ class ProceduralEntry(Data):
 
 
 @cache
-def entries() -> dict[str, ProceduralEntry]:
-    """All objects by id, in the order of the files.
+def entries(edition: Edition = NEWEST_EDITION) -> dict[str, ProceduralEntry]:
+    """All objects of an edition by id, those of earlier ones first, in the order of the files.
 
     Raises:
         BadData: A file breaks its schema; names the entry.
     """
     shapes, paints, words = (_mapping(name) for name in ("shapes", "paints", "words"))
     found: dict[str, ProceduralEntry] = {}
-    for name in OBJECT_FILES:
+    for name in (name for n, names in OBJECT_FILES.items() if n <= edition for name in names):
         for raw in cast(list[dict[str, Any]], _read(name)):
             for entry in _entries(name, raw, shapes, paints, words):
                 if entry.id in found:
