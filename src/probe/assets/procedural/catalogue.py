@@ -12,7 +12,7 @@ from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.assets.procedural.atlas import paint
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.parts import Painted
-from probe.assets.procedural.tables import ProceduralEntry, entries
+from probe.assets.procedural.tables import Edition, ProceduralEntry, entries
 from probe.assets.spec import ObjectSpec
 from probe.errors import UnknownName
 from probe.types import Array, Pose
@@ -86,11 +86,11 @@ def first_of_each_shape() -> dict[str, ProceduralEntry]:
 
 
 @cache
-def specs() -> tuple[ObjectSpec, ...]:
-    """All procedural objects, in a fixed order; shapes are measured, no texture is drawn."""
-    first = first_of_each_shape()
-    extents = {shape: extent(raw_surfaces(entry)) for shape, entry in first.items()}
-    return tuple(_spec(entry, extents[entry.shape]) for entry in entries().values())
+def specs(edition: Edition = 1) -> tuple[ObjectSpec, ...]:
+    """All objects of an edition, in a fixed order; shapes are measured, no texture is drawn."""
+    chosen, first = entries(edition).values(), first_of_each_shape()
+    extents = {shape: extent(raw_surfaces(first[shape])) for shape in {e.shape for e in chosen}}
+    return tuple(_spec(entry, extents[entry.shape]) for entry in chosen)
 
 
 def build(object_id: str, looks: Looks = 1) -> Body:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from importlib.resources import files
-from typing import Annotated, Any, Self, cast
+from typing import Annotated, Any, Literal, Self, cast
 
 import yaml
 from pydantic import Field, TypeAdapter, ValidationError, model_validator
@@ -22,10 +22,22 @@ AnyPaint = Annotated[
     Mottled | Wood | Metal | Weave | Layers | Print | Pattern, Field(discriminator="look")
 ]
 FOLDER = files("probe.assets.procedural") / "data"
-OBJECT_FILES = (
-    *("vessels", "food", "packages", "household", "tools", "toys"),
-    *("produce", "bakery", "kitchen", "bottles", "desk", "home", "wear", "games", "workshop"),
-)
+Edition = Literal[1, 2]
+"""1 has the objects of the suites v1 to behind, in their order; 2 has these and more."""
+
+NEWEST_EDITION: Edition = 2
+
+OBJECT_FILES: dict[Edition, tuple[str, ...]] = {
+    1: (
+        *("vessels", "food", "packages", "household", "tools", "toys"),
+        *("produce", "bakery", "kitchen", "bottles", "desk", "home", "wear", "games", "workshop"),
+    ),
+    2: (
+        *("table", "cookware", "larder", "bathroom", "office", "leisure", "outdoors", "hardware"),
+        *("more_kitchen", "more_food", "more_household", "more_leisure"),
+    ),
+}
+"""The files that each edition adds."""
 
 
 class ProceduralEntry(Data):
@@ -61,21 +73,38 @@ class ProceduralEntry(Data):
 
 
 @cache
-def entries() -> dict[str, ProceduralEntry]:
-    """All objects by id, in the order of the files.
+def entries(edition: Edition = NEWEST_EDITION) -> dict[str, ProceduralEntry]:
+    """All objects of an edition by id, those of earlier ones first, in the order of the files.
 
     Raises:
         BadData: A file breaks its schema; names the entry.
     """
     shapes, paints, words = (_mapping(name) for name in ("shapes", "paints", "words"))
     found: dict[str, ProceduralEntry] = {}
-    for name in OBJECT_FILES:
+    families: dict[str, dict[str, Any]] = {}
+    for name in (name for n, names in OBJECT_FILES.items() if n <= edition for name in names):
         for raw in cast(list[dict[str, Any]], _read(name)):
-            for entry in _entries(name, raw, shapes, paints, words):
+            for entry in _entries(name, _whole(name, raw, families), shapes, paints, words):
                 if entry.id in found:
                     raise BadData(f"{name}.yaml", f"{entry.id} is there twice", "Rename one.")
                 found[entry.id] = entry
     return found
+
+
+def _whole(file: str, raw: dict[str, Any], families: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """A data entry as it stands; `more_of` names an earlier family that gets more variants.
+
+    Raises:
+        BadData: There is no such family before it.
+    """
+    if "more_of" not in raw:
+        if "variants" in raw:
+            families[raw["category"]] = raw
+        return raw
+    if raw["more_of"] not in families:
+        reason = f"more_of: {raw['more_of']!r} is no category with variants in an earlier file"
+        raise BadData(f"{file}.yaml", reason, "Correct the name.")
+    return families[raw["more_of"]] | {"variants": raw["variants"]}
 
 
 def _entries(
