@@ -32,10 +32,7 @@ OBJECT_FILES: dict[Edition, tuple[str, ...]] = {
         *("vessels", "food", "packages", "household", "tools", "toys"),
         *("produce", "bakery", "kitchen", "bottles", "desk", "home", "wear", "games", "workshop"),
     ),
-    2: (
-        *("table", "cookware", "larder", "bathroom", "office", "leisure", "outdoors", "hardware"),
-        *("more_kitchen", "more_food", "more_household", "more_leisure"),
-    ),
+    2: ("table", "cookware", "larder", "bathroom", "office", "leisure", "outdoors", "hardware"),
 }
 """The files that each edition adds."""
 
@@ -81,30 +78,13 @@ def entries(edition: Edition = NEWEST_EDITION) -> dict[str, ProceduralEntry]:
     """
     shapes, paints, words = (_mapping(name) for name in ("shapes", "paints", "words"))
     found: dict[str, ProceduralEntry] = {}
-    families: dict[str, dict[str, Any]] = {}
     for name in (name for n, names in OBJECT_FILES.items() if n <= edition for name in names):
         for raw in cast(list[dict[str, Any]], _read(name)):
-            for entry in _entries(name, _whole(name, raw, families), shapes, paints, words):
+            for entry in _entries(name, raw, shapes, paints, words):
                 if entry.id in found:
                     raise BadData(f"{name}.yaml", f"{entry.id} is there twice", "Rename one.")
                 found[entry.id] = entry
     return found
-
-
-def _whole(file: str, raw: dict[str, Any], families: dict[str, dict[str, Any]]) -> dict[str, Any]:
-    """A data entry as it stands; `more_of` names an earlier family that gets more variants.
-
-    Raises:
-        BadData: There is no such family before it.
-    """
-    if "more_of" not in raw:
-        if "variants" in raw:
-            families[raw["category"]] = raw
-        return raw
-    if raw["more_of"] not in families:
-        reason = f"more_of: {raw['more_of']!r} is no category with variants in an earlier file"
-        raise BadData(f"{file}.yaml", reason, "Correct the name.")
-    return families[raw["more_of"]] | {"variants": raw["variants"]}
 
 
 def _entries(
