@@ -22,6 +22,7 @@ import numpy as np
 import tyro
 from rich.progress import track
 from scipy.stats import binomtest
+from tyro.conf import Positional
 
 from probe.api.resources import library
 from probe.assets.library import Library
@@ -67,7 +68,7 @@ def settled(things: Library, seeds: Iterator[int]) -> Scene:
     raise AssertionError("seeds don't end")
 
 
-def lay(folder: Path, filament: int = 20, blender: int = 13, seed: int = 0) -> None:
+def lay(folder: Positional[Path], filament: int = 20, blender: int = 13, seed: int = 0) -> None:
     """Draw pictures in a drawn order, and write the key.
 
     Args:
@@ -100,7 +101,7 @@ def lay(folder: Path, filament: int = 20, blender: int = 13, seed: int = 0) -> N
     print(f"{filament} of ours and {blender} of the others are in {folder / 'pictures'}")
 
 
-def score(folder: Path, answers: Path) -> None:
+def score(folder: Positional[Path], answers: Positional[Path]) -> None:
     """Print how many were told, by renderer, objects and camera."""
     said = {int(number): name.strip() for number, name in _rows(answers)}
     groups: dict[str, list[bool]] = {}
