@@ -42,4 +42,4 @@ def everything() -> Library:
 
 def tables_for(pool: Pool) -> tuple[str, ...]:
     """Tables for scenes of a pool; a pool with procedural objects needs none from outside."""
-    return table_ids(None if pool in ("procedural", "own+procedural") else assets_folder())
+    return table_ids(assets_folder() if pool in ("scans", "own", "all") else None)

@@ -21,8 +21,9 @@ def open_library(pool: Pool = "procedural") -> Library:
     """The objects that can be placed on a table.
 
     Args:
-        pool: "procedural" (made by formula, needs no files), "scans" (needs the folder that
-            PROBE_ASSETS names), "own" (those you imported), "own+procedural", or "all".
+        pool: "procedural" (made by formula, needs no files; 965 objects), "procedural-2" (these
+            and more), "scans" (needs the folder that PROBE_ASSETS names), "own" (those you
+            imported), "own+procedural", or "all".
 
     Returns:
         A library: `library.specs` lists its objects, `library[id]` is one of them.

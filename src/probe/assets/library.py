@@ -19,11 +19,20 @@ from probe.assets.mesh.mesh import Body
 from probe.assets.pools import scans
 from probe.assets.pools.own import own_body, own_key, own_specs
 from probe.assets.pools.procedural import procedural_body, procedural_key, procedural_specs
+from probe.assets.procedural.tables import Edition
 from probe.assets.spec import ObjectSpec, Origin
 from probe.assets.tables import TableMaterial, load_table
 from probe.errors import BadData, UnknownName
 
-Pool = Literal["procedural", "scans", "own", "own+procedural", "all"]
+Pool = Literal["procedural", "procedural-2", "scans", "own", "own+procedural", "all"]
+"""Where objects come from; procedural-2 is the larger second edition of procedural."""
+
+_EDITIONS: dict[Pool, Edition] = {
+    "procedural": 1,
+    "procedural-2": 2,
+    "own+procedural": 1,
+    "all": 2,
+}
 
 KEPT = 64
 """Bodies kept in memory; one with a 1024-pixel texture takes about 4 MB."""
@@ -153,8 +162,8 @@ def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None 
     """
     kept = Cache(cache / "specs")
     specs: tuple[ObjectSpec, ...] = ()
-    if pool in ("procedural", "own+procedural", "all"):
-        specs += procedural_specs(kept)
+    if pool in _EDITIONS:
+        specs += procedural_specs(kept, _EDITIONS[pool])
     if pool == "scans" or (pool == "all" and assets is not None):
         specs += scans.scan_specs(scans_folder(assets), kept)
     mine: tuple[ObjectSpec, ...] = ()

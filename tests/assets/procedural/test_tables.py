@@ -1,4 +1,5 @@
 import re
+from itertools import chain
 
 import pytest
 
@@ -58,7 +59,10 @@ def test_an_entry_may_bring_its_own_parts() -> None:
 
 
 def test_every_shape_and_word_and_paint_template_is_used() -> None:
-    text = "".join((tables.FOLDER / f"{n}.yaml").read_text("utf-8") for n in tables.OBJECT_FILES)
+    text = "".join(
+        (tables.FOLDER / f"{n}.yaml").read_text("utf-8")
+        for n in chain(*tables.OBJECT_FILES.values())
+    )
     words = (tables.FOLDER / "words.yaml").read_text("utf-8")
     shapes = {e.shape for e in entries().values() if not e.shape.startswith("own ")}
     assert shapes == set(tables._read("shapes"))

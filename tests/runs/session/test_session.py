@@ -181,7 +181,7 @@ def test_its_records_are_graded_shown_and_compared_like_any_other(
     scores = [score.correct for _, record, score in graded(out) if record.end != "fault"]
     assert sorted(scores) == [False, False, True, True]
     page = write_run_report([out], tmp_path / "page")
-    assert page.exists() and list((tmp_path / "page" / "pictures").glob("*.jpg"))
+    assert page.exists() and list((tmp_path / "page" / "pictures").glob("*.webp"))
     made = [
         episode(task, agent=name, right=SAYS[name] == task.answer)
         for task in TASKS

@@ -7,19 +7,20 @@ from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body
 from probe.assets.mesh.packing import LAYOUT, pack_body, pack_specs, unpack_body, unpack_specs
 from probe.assets.procedural import build, specs
+from probe.assets.procedural.tables import Edition
 from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
 
 _PACKAGE = "probe.assets.procedural"
 
 
-def procedural_specs(cache: Cache) -> tuple[ObjectSpec, ...]:
-    """All procedural objects."""
-    key = content_key("procedural specs", LAYOUT, recipe(_PACKAGE))
+def procedural_specs(cache: Cache, edition: Edition) -> tuple[ObjectSpec, ...]:
+    """All procedural objects of an edition."""
+    key = content_key("procedural specs", LAYOUT, recipe(_PACKAGE), str(edition))
     stored = cache.load(key)
     found = None if stored is None else unpack_specs(stored)
     if found is None:
-        found = specs()
+        found = specs(edition)
         cache.store(key, pack_specs(found))
     return found
 
