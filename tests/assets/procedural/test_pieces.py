@@ -94,8 +94,9 @@ def cavity_of(entry: ProceduralEntry) -> Hollow:
 
 
 def is_closed(entry: ProceduralEntry) -> bool:
-    """Whether its cavity has a floor, unlike a funnel's."""
-    return cavity_of(entry).inner[0][0] == 0
+    """Whether its cavity is one turned part with a floor, unlike a funnel's or a crate of boards."""
+    hollow = any(isinstance(part, Hollow) for part in entry.parts)
+    return hollow and cavity_of(entry).inner[0][0] == 0
 
 
 HOLLOW = [
