@@ -109,9 +109,14 @@ class TwinBody:
             return self._world.opening
 
     def start(self, trajectory: Trajectory) -> None:
-        """Begin a motion from where the arm is."""
+        """Begin a motion from where the arm is, now by the clock.
+
+        The world may not have got that far; begun at its own time, the arm would be ahead of its
+        plan for whoever goes by the clock, and be stopped.
+        """
         with self._lock:
-            self._motion = _Motion(trajectory, self._world.time, self._now())
+            behind = max(0.0, time.monotonic() - self._now()) * self._haste
+            self._motion = _Motion(trajectory, self._world.time + behind, self._now())
 
     def moving(self) -> bool:
         """Whether a motion is under way."""
@@ -162,7 +167,7 @@ class TwinBody:
             self._look_at_grip(self._grip_began)
 
     def _command(self, motion: _Motion) -> None:
-        elapsed = (self._world.time - motion.began) / self._haste
+        elapsed = max(0.0, self._world.time - motion.began) / self._haste
         joints, velocities = motion.trajectory.at(elapsed)
         self._goal = np.array(joints)
         self._world.command(self._goal, np.array(velocities) / self._haste)

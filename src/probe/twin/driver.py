@@ -31,6 +31,9 @@ _PERIOD = 1 / 30
 class TwinDriver:
     """Moves a TwinBody and photographs it with flawed cameras. Labels never leave the renderer.
 
+    Pictures in colour show the robot; those of depth alone, by which `probe robot check` finds the
+    box in the hand, show the things alone.
+
     Args:
         body: The table; closed with the driver.
         renderer: Has the scene's objects and the robot loaded.
@@ -74,7 +77,8 @@ class TwinDriver:
             while self._rng.random() < self._flaws.dropped:
                 time.sleep(_PERIOD)
             moment = self._body.moment()
-            clean = self._drawn(self._visible(moment), camera, rgb=rgb)
+            shown = self._with_robot(moment) if rgb else moment.objects
+            clean = self._drawn(shown, camera, rgb=rgb)
             depth = noisy_depth(clean.depth, self._flaws, self._rng)
             colours = (
                 noisy_colours(clean.rgb, self._flaws, self._rng) if clean.rgb is not None else None
@@ -102,7 +106,7 @@ class TwinDriver:
     def close(self) -> None:
         self._body.close()
 
-    def _visible(self, moment: TwinMoment) -> tuple[PlacedObject, ...]:
+    def _with_robot(self, moment: TwinMoment) -> tuple[PlacedObject, ...]:
         """The things, and the robot unless it is parked, where no camera sees it."""
         parked = self._stage.setup.mount.parked
         if np.abs(moment.joints - parked).max() < PARKED:
