@@ -164,13 +164,16 @@ def day_room_picture():
         it.load(meshes, grey_table())
         light = light_of(Lighting("day_room_5"), None)
         camera = UR5_TABLE.front.camera(128)
-        return it.draw([POST, CARD], camera, rgb=True, light=light).rgb.tobytes()
+        rgb = it.draw([POST, CARD], camera, rgb=True, light=light).rgb
+        assert rgb is not None
+        return rgb.tobytes()
 
 
 def test_names_lead_to_light():
     assert light_of(AMBIENT_LIGHTING, None) is AMBIENT
     assert light_of(hdri("cellar"), None).sun is not None
-    assert light_of(Lighting("day_room_47"), None).sun.distance is not None
+    window = light_of(Lighting("day_room_47"), None).sun
+    assert window is not None and window.distance is not None
     with pytest.raises(UnknownName, match=r"neon.*ambient"):
         light_of(hdri("neon"), None)
     with pytest.raises(UnknownName, match="no lighting called .day_room_48"):

@@ -22,6 +22,7 @@ def test_names_have_numbers():
 @pytest.mark.parametrize("number", range(0, COUNT, 5))
 def test_the_key_light_is_at_one_side_and_casts_shadows(number):
     light = illuminate(sketch_room(day_room(number), 128), 0.0, taking(number))
+    assert light.sun is not None
     aside, _, up = light.sun.towards
     assert np.sign(aside) == (-1 if number % 2 == 0 else 1)
     assert np.degrees(np.arcsin(up)) < 75

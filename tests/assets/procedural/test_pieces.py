@@ -94,7 +94,7 @@ def cavity_of(entry: ProceduralEntry) -> Hollow:
 
 
 def is_closed(entry: ProceduralEntry) -> bool:
-    """Whether its cavity is one turned part with a floor, unlike a funnel's or a crate of boards."""
+    """Whether its cavity is one turned part with a floor, unlike a funnel's or a crate's."""
     hollow = any(isinstance(part, Hollow) for part in entry.parts)
     return hollow and cavity_of(entry).inner[0][0] == 0
 
