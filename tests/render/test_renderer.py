@@ -226,6 +226,7 @@ def test_a_one_pixel_texture_is_enough(renderer):
 
 
 def test_a_series_has_the_same_bytes_each_time_and_changes_no_other_picture(loaded):
+    loaded.load(MESHES, grey_table())
     camera = Camera(
         looking_at(np.array([0.5, -0.6, 0.7]), np.array([0.0, 0.0, 0.05])), 320, 240, 40
     )
@@ -240,6 +241,7 @@ def test_a_series_has_the_same_bytes_each_time_and_changes_no_other_picture(load
 
 
 def test_a_series_sees_further_than_a_picture(loaded):
+    loaded.load(MESHES, grey_table())
     far_off = Camera(looking_at(np.array([4.0, -4.0, 2.0]), np.zeros(3)), 320, 240, 10)
     picture = loaded.draw(OBJECTS, far_off, rgb=True).rgb
     (seen,) = loaded.series([OBJECTS], far_off, AMBIENT, far=9.0)
