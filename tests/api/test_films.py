@@ -46,6 +46,7 @@ def folder(record, tmp_path) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_a_film_is_made_once_and_kept(folder):
     av = pytest.importorskip("av")
     (facts,) = filmed(folder)

@@ -121,7 +121,8 @@ def test_a_session_goes_on_where_its_operator_left_it(tmp_path: Path, twin: str)
 @pytest.mark.parametrize("written", ["no JSON", "[]", '[{"name": "top"}]'])
 def test_a_twin_is_told_only_of_cameras_that_there_are(tmp_path: Path, written: str) -> None:
     (tmp_path / "cameras.json").write_text(written)
-    done = probe("twin", "--port", "0", "--cameras", str(tmp_path / "cameras.json"),
+    done = probe("twin", "--box", "0.06", "0.06", "0.1", "--port", "0",
+                 "--cameras", str(tmp_path / "cameras.json"),
                  "--token-file", str(tmp_path / "token"))  # fmt: skip
     assert done.returncode == 1 and "cameras.json" in done.stderr, done.stderr
     assert "Traceback" not in done.stderr

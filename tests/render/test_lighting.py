@@ -132,6 +132,7 @@ def test_a_near_windows_shadows_fade_with_the_distance_from_the_thing(loaded):
     assert high[:10] == pytest.approx(far[:10], abs=2)
 
 
+@pytest.mark.slow
 def test_bytes_of_a_day_room_are_the_same_in_another_process(loaded, tmp_path):
     def light():
         light_of.cache_clear()

@@ -80,6 +80,7 @@ def test_a_motion_is_seen_several_times_a_second() -> None:
     assert all((each.rgb == (120, 110, 100)).all() for each in kept)
 
 
+@pytest.mark.slow
 def test_over_a_slow_link_pictures_shrink_and_the_arm_arrives(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -11,10 +11,11 @@ def test_each_question_type_has_a_task():
 
 
 def test_its_tasks_are_those_of_frozen_suites_to_the_byte():
+    suites = [packaged_suite(name) for name in ("demo", "v1.1", "behind")]
     frozen = {
-        task.id: (TaskDocument.of(task).digest(), packaged_suite(name).objects)
-        for name in ("demo", "v1.1", "behind")
-        for task in packaged_suite(name).tasks
+        task.id: (TaskDocument.of(task).digest(), suite.objects)
+        for suite in suites
+        for task in suite.tasks
     }
     for task in TOUR.tasks:
         digest, objects = frozen[task.id]

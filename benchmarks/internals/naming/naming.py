@@ -3,10 +3,11 @@
 Measures internals, not the public API.
 
 `python benchmarks/internals/naming/naming.py sheets FOLDER` draws one object of each category,
-whichever the seed picks, in shuffled order and without a name. Somebody who has seen no name writes
-a CSV (number, name). `python benchmarks/internals/naming/naming.py score ANSWERS.csv ...` counts
-the answers that hold the category or a synonym listed in `synonyms.yaml`, and prints the transcript
-as a table, wrong answers in bold.
+whichever the seed picks, in shuffled order and without a name; `--pool procedural-2` takes the
+second edition's. Somebody who has seen no name writes a CSV (number, name).
+`python benchmarks/internals/naming/naming.py score ANSWERS.csv ...` counts the answers that hold
+the category or a synonym listed in `synonyms.yaml`, and prints the transcript as a table, wrong
+answers in bold.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ import yaml
 from rich.progress import track
 
 from probe.api.resources import library
-from probe.assets.library import Library
+from probe.assets.library import Library, Pool
 from probe.assets.spec import ObjectSpec
 from probe.files import encode, write_bytes
 from probe.report.contact_sheet import contact_sheet
@@ -42,9 +43,9 @@ def chosen(things: Library, seed: int) -> list[ObjectSpec]:
     return [picked[index] for index in rng.permutation(len(picked))]
 
 
-def sheets(folder: Path, seed: int) -> None:
-    """Draw the sheets; `score` knows the key from the seed."""
-    things = library("procedural")
+def sheets(folder: Path, pool: Pool, seed: int) -> None:
+    """Draw the sheets; `score` knows the key from the pool and the seed."""
+    things = library(pool)
     specs = chosen(things, seed)
     for start in track(range(0, len(specs), A_SHEET), "Drawing"):
         some = specs[start : start + A_SHEET]
@@ -53,11 +54,11 @@ def sheets(folder: Path, seed: int) -> None:
     print(f"{len(specs)} objects are in {folder}")
 
 
-def score(answers: Sequence[Path], seed: int) -> None:
+def score(answers: Sequence[Path], pool: Pool, seed: int) -> None:
     """Print who said what, and how many were right."""
     synonyms: dict[str, list[str]] = yaml.safe_load(SYNONYMS.read_text("utf-8"))
     said = [read(path) for path in answers]
-    right, specs = np.zeros(len(said), int), chosen(library("procedural"), seed)
+    right, specs = np.zeros(len(said), int), chosen(library(pool), seed)
     columns = "".join(f" said {number} |" for number in range(1, len(said) + 1))
     print(f"| | shown |{columns}\n|---|---|{'---|' * len(said)}")
     for number, spec in enumerate(specs, start=1):
@@ -81,18 +82,24 @@ def holds(answer: str, name: str) -> bool:
     return re.search(rf"\b{re.escape(name)}\b", answer.lower()) is not None
 
 
-def main(action: Literal["sheets", "score"], paths: tuple[Path, ...], seed: int = 0) -> None:
+def main(
+    action: Literal["sheets", "score"],
+    paths: tuple[Path, ...],
+    pool: Pool = "procedural",
+    seed: int = 0,
+) -> None:
     """Draw sheets or score answers.
 
     Args:
         action: What to do.
         paths: A folder for the sheets, or files of answers.
+        pool: Whose objects.
         seed: Which objects, in which order.
     """
     if action == "sheets":
-        sheets(paths[0], seed)
+        sheets(paths[0], pool, seed)
     else:
-        score(paths, seed)
+        score(paths, pool, seed)
 
 
 if __name__ == "__main__":

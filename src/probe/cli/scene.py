@@ -13,7 +13,7 @@ from probe.cli.metavars import Seed
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say, sign, track
 from probe.errors import BadData
-from probe.files import encode, write_bytes, write_picture
+from probe.files import check_writable, encode, write_bytes, write_picture
 from probe.render.illumination import Illumination
 from probe.render.lighting import light_of, require_light
 from probe.render.photograph import load_scene, measure, photograph
@@ -76,6 +76,7 @@ def scene(
         reason = f"of {objects} objects, {buried} can't lie under others"
         raise BadData("--buried", reason, "Say at most half of --objects")
     _check_gallery(out, range(seed, seed + gallery))
+    check_writable(out)
     around = newest(read_setup(setup) if setup else UR5_TABLE, lighting, looks, renderer)
     with sign("Reading the catalogue of objects ..."):
         things = library(pool)

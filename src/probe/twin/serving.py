@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import threading
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from concurrent.futures import Future
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -19,15 +19,18 @@ from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.scene.cameras import View
 from probe.scene.scene import Scene
+from probe.scene.setup import Setup
 from probe.stage.stage import FilmStage, robot_pieces
 from probe.station.remote import BASKET_VIEW
 from probe.twin.body import TwinBody, Watch
 from probe.twin.config import twin_config
 from probe.twin.driver import TwinDriver
 from probe.twin.flaws import Flaws
+from probe.types import Camera
 from probe.world.world import World
 
 if TYPE_CHECKING:
+    from probe_bridge.config import Config
     from probe_bridge.robot import Robot
 
 
@@ -73,27 +76,15 @@ def twin_of(
         BadData: The file of cameras is of no use.
     """
     try:
-        from probe_bridge.config_file import read_config
-        from probe_bridge.errors import BridgeError
         from probe_bridge.robot import Robot
     except ImportError as error:
         raise MissingExtra("A robot's twin", "robot", "./bridge") from error
     setup = scene.setup
-    stage = FilmStage(setup, tuple(robot_pieces(setup)))
-    load_scene(renderer, scene, library, more=stage.meshes)
-    told = twin_config(setup, settings.views, settings.haste)
-    if settings.cameras is not None:
-        told["cameras"] = _cameras_in(settings.cameras)
-    try:
-        config = read_config(told)
-    except BridgeError as error:
-        remedy = "Let `probe robot check --corrected` write it for this set-up"
-        raise BadData(settings.cameras or setup.name, str(error), remedy) from error
     cameras = {view: setup.camera(view) for view in settings.views}
     eyes = {**cameras, BASKET_VIEW: setup.basket_camera}
-    if settings.cameras is not None and set(config.cameras) != set(eyes):
-        reason = f"it tells of {sorted(config.cameras)}, and the twin has {sorted(eyes)}"
-        raise BadData(settings.cameras, reason, "Take the file of this set-up's check")
+    config = _config(setup, settings, eyes)
+    stage = FilmStage(setup, tuple(robot_pieces(setup)))
+    load_scene(renderer, scene, library, more=stage.meshes)
     body = TwinBody(World(scene, library), settings.haste, watch)
     # A renderer takes seconds to start, and clients don't wait that long for a picture.
     renderer.draw(scene.objects, setup.basket_camera, rgb=True)
@@ -102,6 +93,24 @@ def twin_of(
         yield robot
     finally:
         robot.close()
+
+
+def _config(setup: Setup, settings: TwinSettings, eyes: Mapping[str, Camera]) -> Config:
+    from probe_bridge.config_file import read_config
+    from probe_bridge.errors import BridgeError
+
+    told = twin_config(setup, settings.views, settings.haste)
+    if settings.cameras is not None:
+        told["cameras"] = _cameras_in(settings.cameras)
+    try:
+        config = read_config(told)
+    except BridgeError as error:
+        remedy = "Let `probe robot check --corrected` write it for this set-up"
+        raise BadData(settings.cameras or setup.name, str(error), remedy) from error
+    if settings.cameras is not None and set(config.cameras) != set(eyes):
+        reason = f"it tells of {sorted(config.cameras)}, and the twin has {sorted(eyes)}"
+        raise BadData(settings.cameras, reason, "Take the file of this set-up's check")
+    return config
 
 
 def _cameras_in(path: Path) -> object:

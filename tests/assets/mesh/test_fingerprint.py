@@ -44,6 +44,7 @@ def test_the_last_bits_play_no_part():
     assert same(fingerprint(BODY), fingerprint(Body(replace(MESH, vertices=shaken), pieces)))
 
 
+@pytest.mark.slow
 def test_another_type_of_processor_makes_the_same_objects(monkeypatch):
     def made() -> list[tuple[float, ...]]:
         told = subprocess.run(

@@ -35,6 +35,7 @@ def test_it_has_26_tasks_of_one_type_seen_from_the_front():
     assert all(balance.even for balance in balances(SUITE.tasks))
 
 
+@pytest.mark.slow
 def test_it_is_made_of_the_librarys_objects_and_reads_as_it_should(library: Library):
     check_objects(SUITE, library)
     assert [problem for task in SUITE.tasks for problem in read_anew(task, library)] == []
