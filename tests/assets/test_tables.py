@@ -48,6 +48,7 @@ def test_a_painted_table_repeats_without_a_seam(id):
     assert 0.01 < np.percentile(texture, 99) / 255 <= 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("id", ONE_OF_EACH)
 def test_a_table_in_use_repeats_without_a_seam(id):
     table = load_table(id, None, looks=2)

@@ -73,6 +73,7 @@ def test_what_differed_once_is_said_again_and_fails(tmp_path, capsys):
     assert f"{TASK.id}, run 0 of anna differs: step 3: after" in said
 
 
+@pytest.mark.slow
 def test_an_audit_that_came_with_the_folder_is_set_aside(tmp_path, capsys):
     """One that was honestly made, by somebody else; and one of before there were keys."""
     out = write_folder(tmp_path / "run", honest())

@@ -30,6 +30,7 @@ def written(tmp_path_factory):
     return folder
 
 
+@pytest.mark.slow
 def test_the_four_files_agree_with_one_another(written):
     assert sorted(path.name for path in written.iterdir()) == [
         "depth.png",

@@ -65,6 +65,7 @@ def test_compare_is_left_out_where_ones_own_have_no_paint_twins(tmp_path):
     assert "0 pairs of things of your own differ in paint alone" in " ".join(result.stderr.split())
 
 
+@pytest.mark.slow
 def test_a_place_over_which_workers_die_is_no_success(tmp_path, monkeypatch, capsys):
     monkeypatch.delenv("PROBE_ASSETS", raising=False)
     monkeypatch.setattr(suite, "TaskMaker", DeadlyMaker)

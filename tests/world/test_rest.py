@@ -80,6 +80,7 @@ def moved(there: Scene, things: Library) -> float:
     return max(ways)
 
 
+@pytest.mark.slow
 def test_a_table_that_moved_is_drawn_anew(library: Library):
     """Of its first draw, which had passed the check in the pile, something crept by 3 mm."""
     assert moved(draw_scene(7400046, library, ["t"]).scene, library) <= 0.001

@@ -151,6 +151,7 @@ def check(spec: ObjectSpec, body: Body) -> None:
     check_colours(spec, body)
 
 
+@pytest.mark.slow
 def test_the_second_edition_begins_with_the_first() -> None:
     first, second = specs(1), specs(2)
     assert second[: len(first)] == first
