@@ -69,10 +69,15 @@ class RenderFailed(ProbeError):
 
 
 class WorkerDied(ProbeError):
-    """A worker process was killed from outside, most often for lack of memory."""
+    """A worker process was killed from outside, most often for lack of memory.
 
-    def __init__(self, doing: str) -> None:
-        super().__init__(f"A worker process died while {doing}. Run it again with --workers 1.")
+    Args:
+        doing: What it was doing ("setting up").
+        remedy: How to go on.
+    """
+
+    def __init__(self, doing: str, remedy: str = "Run it again with --workers 1.") -> None:
+        super().__init__(f"A worker process died while {doing}. {remedy}")
 
 
 class Unfinished(ProbeError):

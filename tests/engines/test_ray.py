@@ -222,7 +222,7 @@ def test_workers_that_die_while_set_up_on_one_node_do_not_end_the_work_of_anothe
 def test_a_node_that_cannot_work_is_named(tmp_path):
     with pytest.raises(WorkerUnfit, match="no tools here"):
         carry_out(tmp_path, ["a"], unfit=True)
-    with pytest.raises(WorkerDied):
+    with pytest.raises(WorkerDied, match="setting up on a node.* The same command goes on"):
         carry_out(tmp_path, ["a", "b"], stillborn=True)
 
 

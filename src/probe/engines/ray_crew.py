@@ -19,6 +19,9 @@ from probe.processes.serving import WorkerUnfit
 _PATIENCE = 60.0
 """Seconds without any news after which we say what is being waited for."""
 
+_DOING = f"setting up on a node, and so did the {TRIES - 1} before it"
+_REMEDY = "Ray's logs tell why (most often memory). The same command goes on from what is done."
+
 
 @dataclass(eq=False)
 class _Member(Generic[Unit]):
@@ -159,7 +162,7 @@ class Crew(Generic[Unit]):
         if member.unit is None:
             self.stillborn += 1
             if self.stillborn >= TRIES and not self._working:
-                raise WorkerDied("setting up on a node")
+                raise WorkerDied(_DOING, _REMEDY)
             return None
         self._tell_once(NodeReport(member.node, "A worker died."), "Another one does its work.")
         if member.tries < TRIES:
