@@ -12,6 +12,7 @@ import pytest
 
 from lamps import lamp, shades
 from probe.assets.environments.lens import taking
+from probe.assets.procedural import build
 from probe.assets.tabletops import tops
 from probe.errors import UnknownName
 from probe.render.illumination import AMBIENT, Illumination, Sun
@@ -33,7 +34,7 @@ CAMERA = UR5_TABLE.top.camera(256)
 @pytest.fixture(scope="module")
 def loaded(renderer):
     meshes = {"post": box(0.05, 0.05, 0.12, 200, 200, 200), "card": card(0.3, plain(255, 255, 255))}
-    renderer.load(meshes, grey_table())
+    renderer.load(meshes | {"basket": build("proc_wicker_basket").mesh}, grey_table())
     return renderer
 
 
@@ -130,6 +131,21 @@ def test_a_near_windows_shadows_fade_with_the_distance_from_the_thing(loaded):
     assert steep_far > 2 * steep_high
     # Right beside the card it is as dark as in a sun's shadow.
     assert high[:10] == pytest.approx(far[:10], abs=2)
+
+
+def test_a_thing_in_a_near_windows_light_does_not_float(loaded):
+    """Its shadow begins where it stands: a lit rim in between was 5 rows wide once, faint in 7."""
+    camera = UR5_TABLE.front.camera(1024)
+    behind = -np.array(camera.world_from_camera.position[:2])
+    x, y = behind / np.hypot(*behind) * math.sqrt(0.5)
+    window = Sun((float(x), float(y), math.sqrt(0.5)), (0.6, 0.6, 0.6), 1.0, 2.4)
+    light = Illumination(np.full((8, 16, 3), 0.3, np.float16), window)
+    frame = loaded.draw([PlacedObject(3, "basket", Pose())], camera, rgb=True, light=light)
+    rows, columns = np.nonzero(frame.labels == 3)
+    foot = rows.max(), int(np.median(columns[rows == rows.max()]))
+    below = frame.rgb[foot[0] + 1 : foot[0] + 60, foot[1]].astype(float).mean(axis=1)
+    assert below.min() < 40
+    assert np.argmax(below < 60) <= 4
 
 
 @pytest.mark.slow

@@ -38,7 +38,7 @@ _SUN_SIZE = math.radians(4)
 _LAMPS = 10
 """So many small lamps stand for one wide light: each has sharp shadows, and all together soft."""
 
-_LAMP_SHADOW_PX = 1024
+_LAMP_SHADOW_PX = 2048
 """Edge of the map of each one's shadows."""
 
 _LIT = 1.0
@@ -144,7 +144,7 @@ class Factory:
                 color=np.array(sun.irradiance, np.float32) / np.float32(strength),
                 intensity=_SUN_INTENSITY * strength * distance**2 / _LAMPS,
                 range=10 * distance,
-                cutoff=math.degrees(math.atan(_LIT / (distance - _LIT))),
+                cutoff=math.degrees(math.asin(_LIT / distance)),
                 cast_shadow=True,
                 shadow_map_size=_LAMP_SHADOW_PX,
             )
