@@ -56,12 +56,12 @@ def main() -> None:
     """Write the file and say what is in it."""
     ids = list(categories())
     prints = {it: print_of(it) for it in track(ids, "Building", total=len(ids))}
-    earlier = {row.id: row.part for row in divided().values() if row.id in prints}
+    earlier: dict[str, Part] = {row.id: row.part for row in divided().values() if row.id in prints}
     rows = division_of(prints, earlier)
     write_text(FILE, division_text(rows))
     parts = in_parts(rows, categories())
     for part, count in sorted(Counter(row.part for row in rows).items()):
-        alone = sum(mine == {part} for mine in parts.values())
+        alone = sum(mine == frozenset((part,)) for mine in parts.values())
         say(f"{part}: {count} objects; {alone} categories are nowhere else.")
     say(f"{sum(len(mine) > 1 for mine in parts.values())} of {len(parts)} categories are in both.")
     say(f"{len(rows) - len({row.group for row in rows})} objects follow a near-duplicate.")

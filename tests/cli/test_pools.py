@@ -44,7 +44,8 @@ def test_an_earlier_library_is_still_there(cache):
 def test_collecting_with_objects_for_evaluation_is_told(tmp_path, monkeypatch, capsys, pool, told):
     monkeypatch.setattr(collect, "_watched", lambda *_: CollectedBatches())
     monkeypatch.setattr(collect, "hands_of", lambda *_: None)
-    collect.collect(tmp_path / "out", site=TeachingSetup(pool=pool))
+    with pytest.raises(Unfinished):
+        collect.collect(tmp_path / "out", site=TeachingSetup(pool=pool))
     said = " ".join(capsys.readouterr().out.split())
     assert (TOLD in said) == (told is not None)
     assert told is None or (told in said and f"--pool {pool}" in said)

@@ -35,7 +35,9 @@ def divide(
     Raises:
         BadData: A group has objects in both parts.
     """
-    parts = {group[0]: part for group in groups if (part := _fixed_part(group, fixed))}
+    parts: dict[str, Part] = {
+        group[0]: part for group in groups if (part := _fixed_part(group, fixed))
+    }
     evaluated = {categories[it] for it, part in fixed.items() if part == "evaluation"}
     free = defaultdict[str, list[str]](list)
     for group in groups:
@@ -63,7 +65,7 @@ def in_parts(
 
 
 def _fixed_part(group: Sequence[str], fixed: Mapping[str, Part]) -> Part | None:
-    parts = {fixed[it]: it for it in group if it in fixed}
+    parts: dict[Part, str] = {fixed[it]: it for it in group if it in fixed}
     if len(parts) > 1:
         reason = f"{parts['train']} is for training, {parts['evaluation']} for evaluation"
         raise BadData(DIVISION, f"{reason}, and they are near-duplicates", "Change one of them")

@@ -63,8 +63,9 @@ def parts_shown(ids: Iterable[str]) -> Counter[Part | None]:
 def shown_of(ids: Iterable[str]) -> Shown | None:
     """Of which part objects are; None if none of them is built in."""
     found = parts_shown(ids)
-    both = [part for part in PARTS if found[part]]
-    return "both" if len(both) > 1 else both[0] if both else None
+    if found["train"] and found["evaluation"]:
+        return "both"
+    return "train" if found["train"] else "evaluation" if found["evaluation"] else None
 
 
 def parse_division(text: str) -> Sequence[DividedObject]:
