@@ -62,7 +62,8 @@ def test_a_share_of_many_groups_is_for_evaluation():
 def test_a_later_object_moves_no_earlier_one():
     ids = [f"cup_{number:02d}" for number in range(12)]
     categories = dict.fromkeys(ids, "cup")
-    first = {row.id: row.part for row in divide([[it] for it in ids[:5]], categories, {})}
+    rows = divide([[it] for it in ids[:5]], categories, {})
+    first: dict[str, Part] = {row.id: row.part for row in rows}
     groups = [[it] for it in ids if it not in ("cup_02", "cup_11")] + [["cup_02", "cup_11"]]
     later = {row.id: row.part for row in divide(groups, categories, first)}
     assert {it: later[it] for it in first} == first
