@@ -20,6 +20,7 @@ from probe.episodes.turns import Call
 from probe.errors import BadData, OutputFailed
 from probe.perception.dials import Dials
 from probe.scene.lighting import Lighting
+from probe.scene.scene import PlacedObject
 from probe.scene.setup import UR5_TABLE
 from probe.scene.viewpoint import Viewpoint
 from probe.toolshed.version import TOOLS_VERSION
@@ -207,3 +208,25 @@ def test_a_version_that_cannot_be_is_refused(play, version):
     said = json.loads(without_sum(line_of(play()))) | {"tools": version}
     with pytest.raises(BadData, match="tools"):
         record_of(json.dumps(said).encode())
+
+
+@pytest.mark.parametrize(
+    ("ids", "said"),
+    [
+        (["proc_red_mug", "own_cup"], None),
+        (["proc_orange_mug"], "train"),
+        (["proc_orange_mug", "proc_red_mug"], "both"),
+        (["own_cup"], None),
+    ],
+)
+def test_a_record_says_whether_its_objects_are_for_training(play, ids, said):
+    record = play()
+    placed = tuple(PlacedObject(n, name, Pose()) for n, name in enumerate(ids, start=1))
+    scene = replace(record.start.scene, objects=placed)
+    shown = replace(record, start=replace(record.start, scene=scene))
+    line = json.loads(without_sum(line_of(shown)))
+    assert line.get("pool") == said
+    assert record_of(line_of(shown)) == shown
+    for other in {None, "train", "both"} - {said}:
+        with pytest.raises(BadData, match="by its objects it is"):
+            record_of(json.dumps(line | {"pool": other}).encode())

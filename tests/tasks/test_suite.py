@@ -18,7 +18,7 @@ SCENE = Scene(1, "oak_planks", (PlacedObject(2, "proc_lime", Pose()),))
 def test_a_library_that_differs_is_refused(cache):
     library = open_library("procedural", None, cache)
     suite = freeze("small", (replace(FIND, scene=SCENE, targets=(2,)),), library)
-    assert set(suite.objects) == {"proc_lime"}
+    assert set(suite.objects) == {"proc_lime"} and suite.pool == "procedural"
     check_objects(suite, library)
     lime = suite.objects["proc_lime"]
     with pytest.raises(BadData, match="proc_lime has changed since"):

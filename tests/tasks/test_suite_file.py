@@ -8,7 +8,7 @@ import pytest
 
 from probe.errors import BadData
 from probe.tasks.suite import Suite
-from probe.tasks.suite_file import read_suite, write_suite
+from probe.tasks.suite_file import content_hash, read_suite, write_suite
 from probe.tasks.task import LETTERS
 from task_examples import FIND, SCENE, with_answer
 
@@ -32,6 +32,18 @@ def test_a_suite_comes_back_bit_for_bit(path: Path):
     written = path.read_bytes()
     write_suite(path, read_suite(path))
     assert path.read_bytes() == written
+
+
+def test_the_pool_it_was_made_of_is_kept_and_left_out_where_nobody_wrote_it_down(path: Path):
+    assert "pool" not in json.loads(path.read_text())
+    plain = content_hash(SUITE)
+    write_suite(path, replace(SUITE, pool="train"))
+    assert json.loads(path.read_text())["pool"] == "train"
+    assert read_suite(path).pool == "train"
+    assert content_hash(read_suite(path)) != plain
+    edit(path, ["pool"], "everything")
+    with pytest.raises(BadData, match="pool"):
+        read_suite(path)
 
 
 def test_it_carries_a_canary(path: Path):

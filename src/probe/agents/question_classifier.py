@@ -1,4 +1,4 @@
-"""The question-only classifier: weights learnt on training-pool tasks, and what they choose."""
+"""The question-only classifier: weights learnt on training tasks, and what they choose."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from probe.files import read_document
 WEIGHTS = "data/question_only.json"
 """Where the package keeps what was learnt; `probe suite learn` writes it."""
 
-_REMEDY = "Write it anew: probe suite learn SUITE... --out FILE, with training-pool tasks"
+_REMEDY = "Write it anew: probe suite learn SUITE... --out FILE, with training tasks"
 
 
 class QuestionClassifier(pydantic.BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):

@@ -6,10 +6,19 @@ from collections.abc import Callable
 from functools import partial
 
 from probe.assets.folders import assets_folder, audit_key_file, cache_folder, library_folder
-from probe.assets.library import Library, Pool, open_all, open_library
+from probe.assets.library import (
+    EVALUATION_POOL,
+    TRAINING_POOL,
+    Library,
+    Pool,
+    open_all,
+    open_library,
+)
 from probe.assets.tables import table_ids
 
 __all__ = [
+    "EVALUATION_POOL",
+    "TRAINING_POOL",
     "Pool",
     "assets_folder",
     "audit_key_file",

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from probe.api.progress import Track, silent
-from probe.api.resources import Pool, opener, tables_for
+from probe.api.resources import EVALUATION_POOL, Pool, opener, tables_for
 from probe.assets.library import Library
 from probe.generation.build import BuildResources, assemble, begin, fill, places_of
 from probe.generation.build_folder import BuildFolder
@@ -21,9 +21,10 @@ def open_library(pool: Pool = "procedural") -> Library:
     """The objects that can be placed on a table.
 
     Args:
-        pool: "procedural" (made by formula, needs no files; 965 objects), "procedural-2" (these
-            and more), "scans" (needs the folder that PROBE_ASSETS names), "own" (those you
-            imported), "own+procedural", or "all".
+        pool: "train" or "evaluation" (made by formula, need no files; near-duplicates are never
+            on both sides), "procedural-2" (both), "procedural" (its first edition, 965 objects,
+            all for evaluation), "scans" (needs the folder that PROBE_ASSETS names), "own" (those
+            you imported), "own+procedural", or "all".
 
     Returns:
         A library: `library.specs` lists its objects, `library[id]` is one of them.
@@ -50,7 +51,7 @@ def build_suite(
     out: str | Path,
     counts: Mapping[QuestionType, int],
     *,
-    pool: Pool = "procedural",
+    pool: Pool = EVALUATION_POOL,
     public: bool = False,
     first: int = 0,
     certified: bool = True,
@@ -63,7 +64,8 @@ def build_suite(
         out: File for the suite. Kept tasks and the log wait in a folder beside it, with the
             secret salt that decides letters, order and ids.
         counts: Tasks of each question type: {"beneath": 4, "find": 4}.
-        pool: Which objects appear; see open_library().
+        pool: Which objects appear, by default those for evaluation; see open_library(). The suite
+            says it.
         public: Draw no salt: anyone can reproduce these tasks, and predict their answers.
         first: With `public`, number of the first episode of each type.
         certified: Keep only tasks that a scripted agent solves; this takes most of the time.

@@ -17,21 +17,31 @@ from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
 from probe.assets.mesh.kept_fingerprint import key_of_file, pack_fingerprint, unpack_fingerprint
 from probe.assets.mesh.mesh import Body
 from probe.assets.pools import scans
+from probe.assets.pools.division import PARTS, part_of_object
 from probe.assets.pools.own import own_body, own_key, own_specs
 from probe.assets.pools.procedural import procedural_body, procedural_key, procedural_specs
-from probe.assets.procedural.tables import Edition
+from probe.assets.procedural.tables import NEWEST_EDITION, Edition
 from probe.assets.spec import ObjectSpec, Origin
 from probe.assets.tables import TableMaterial, load_table
 from probe.errors import BadData, UnknownName
 
-Pool = Literal["procedural", "procedural-2", "scans", "own", "own+procedural", "all"]
-"""Where objects come from; procedural-2 is the larger second edition of procedural."""
+Pool = Literal[
+    "train", "evaluation", "procedural", "procedural-2", "scans", "own", "own+procedural", "all"
+]
+"""Where objects come from. What is made by formula is divided into train and evaluation, which are
+procedural-2 together; procedural is its first edition, all of it for evaluation."""
+
+TRAINING_POOL: Pool = "train"
+EVALUATION_POOL: Pool = "evaluation"
+"""What training tasks and suites are made of if nobody says otherwise."""
 
 _EDITIONS: dict[Pool, Edition] = {
+    "train": NEWEST_EDITION,
+    "evaluation": NEWEST_EDITION,
     "procedural": 1,
     "procedural-2": 2,
     "own+procedural": 1,
-    "all": 2,
+    "all": NEWEST_EDITION,
 }
 
 KEPT = 64
@@ -49,6 +59,7 @@ class Library:
         own: Folder of the user's own library; None if its objects aren't wanted.
         leading: Where those come from that play the parts in tasks, wherever they can; None if all
             are alike.
+        pool: What it was opened as; None of a library that was put together otherwise.
     """
 
     specs: tuple[ObjectSpec, ...]
@@ -56,6 +67,7 @@ class Library:
     cache: Path
     own: Path | None = None
     leading: Origin | None = None
+    pool: Pool | None = None
     _kept: dict[tuple[str, Looks], Body] = field(
         default_factory=dict[tuple[str, Looks], Body], init=False, repr=False
     )
@@ -163,7 +175,7 @@ def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None 
     kept = Cache(cache / "specs")
     specs: tuple[ObjectSpec, ...] = ()
     if pool in _EDITIONS:
-        specs += procedural_specs(kept, _EDITIONS[pool])
+        specs += _divided(procedural_specs(kept, _EDITIONS[pool]), pool)
     if pool == "scans" or (pool == "all" and assets is not None):
         specs += scans.scan_specs(scans_folder(assets), kept)
     mine: tuple[ObjectSpec, ...] = ()
@@ -172,7 +184,14 @@ def open_library(pool: Pool, assets: Path | None, cache: Path, own: Path | None 
     elif pool == "all" and own is not None:
         mine = own_specs(own)
     leading: Origin | None = "own" if mine and pool != "own" else None
-    return Library(specs + mine, assets, cache, own, leading)
+    return Library(specs + mine, assets, cache, own, leading, pool)
+
+
+def _divided(specs: tuple[ObjectSpec, ...], pool: Pool) -> tuple[ObjectSpec, ...]:
+    """Those of a pool, where it is one part of what there is."""
+    if pool not in PARTS:
+        return specs
+    return tuple(spec for spec in specs if part_of_object(spec.id) == pool)
 
 
 def open_all(assets: Path | None, cache: Path, own: Path | None = None) -> Library:

@@ -11,6 +11,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from probe.assets.pools.division import parts_shown
 from probe.episodes.grading import question_of
 from probe.episodes.participation import Points
 from probe.errors import MissingExtra
@@ -47,8 +48,14 @@ def row_of(task: Task, picture: bytes, points: Points) -> Row:
     }
 
 
-def write_dataset(out: Path, name: str, rows: Iterable[Row]) -> int:
+def write_dataset(out: Path, name: str, rows: Iterable[Row], objects: Iterable[str] = ()) -> int:
     """Write a folder with a card and a table; returns how many tasks it has.
+
+    Args:
+        out: The folder.
+        name: Of the suite.
+        rows: Its tasks.
+        objects: Ids of what is on its tables; the card says how many are set aside for training.
 
     Raises:
         MissingExtra: The library isn't installed.
@@ -66,10 +73,14 @@ def write_dataset(out: Path, name: str, rows: Iterable[Row]) -> int:
     table.to_parquet(buffer)
     write_bytes(out / TABLE, buffer.getvalue())
     # The card comes last: a folder with one is whole.
-    write_text(out / CARD, _card(name, len(table)))
+    write_text(out / CARD, _card(name, len(table), objects))
     return len(table)
 
 
-def _card(name: str, count: int) -> str:
+def _card(name: str, count: int, objects: Iterable[str]) -> str:
     words = (resources.files("probe.bench") / "data/card.md").read_text()
-    return words.format(name=name, count=count, canary=CANARY)
+    seen = parts_shown(objects)["train"]
+    note = (
+        f"\n\n**{seen} of the objects on these tables are set aside for training.**" if seen else ""
+    )
+    return words.format(name=name, count=count, canary=CANARY, note=note)

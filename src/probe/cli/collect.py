@@ -12,6 +12,7 @@ import tyro
 from probe.cli.engines import EngineChoice
 from probe.cli.model_run import price_of
 from probe.cli.numbers import check_numbers
+from probe.cli.pool_notice import tell_other_pool
 from probe.cli.screen import bar, say
 from probe.cli.shards import parse_shard
 from probe.cli.teachers import hands_of
@@ -115,6 +116,7 @@ def collect(
     if extent.most_cost is not None and site.model is not None:
         _check_price(site.prices, site.model)
     claim(out, site.settings(extent.shard, extent.first))
+    tell_other_pool(site.training(), "train", "Records and data sets of them will say so.")
     say(f"Episodes go to {out}; Ctrl-C stops, the same command goes on.")
     so_far = _watched(out, aim, hands_of(site, out, where))
     _tell(out, aim, so_far)

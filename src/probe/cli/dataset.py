@@ -31,7 +31,7 @@ def dataset(
     side: int = UR5_TABLE.picture_px,
     name: str = "PROBE, a teacher's episodes",
     others: bool = True,
-    pool: Pool = "procedural",
+    pool: Pool = "procedural-2",
     workers: int = 2,
 ) -> None:
     """Draw the pictures of chosen episodes and write all of it down for TRL, LLaMA-Factory, VILA.
@@ -46,7 +46,7 @@ def dataset(
         side: Width and height of the pictures; what models are sent has 1024.
         name: For the card.
         others: Write LLaMA-Factory's and VILA's forms too.
-        pool: Which objects appear.
+        pool: Where the objects are that appear; all built-in ones by default.
         workers: Processes that draw.
     """
     check_new(out)

@@ -36,7 +36,7 @@ def export(
     _check_place(out)
     asked, things = find_suite(suite), all_objects()
     check(asked, things)
-    count = write_dataset(out, asked.name, _rows(asked, things, points))
+    count = write_dataset(out, asked.name, _rows(asked, things, points), asked.objects)
     say(f"{count} tasks are in {out}; the answers too, so keep its canary with every copy.")
 
 

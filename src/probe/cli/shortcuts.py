@@ -52,7 +52,7 @@ def learn(
     suites: SuiteNames,
     out: Path = Path("outputs/question_only.json"),
 ) -> None:
-    """Train the question-only classifier on tasks of the training pool.
+    """Train the question-only classifier on training tasks.
 
     Args:
         suites: Files that `probe suite build` wrote.

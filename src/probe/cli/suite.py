@@ -9,7 +9,7 @@ from typing import Annotated
 
 import tyro
 
-from probe.api.resources import Pool, library, opener, tables_for
+from probe.api.resources import EVALUATION_POOL, Pool, library, opener, tables_for
 from probe.assets.library import Library
 from probe.assets.looks import NEWEST_LOOKS, Looks
 from probe.cli.command_app import CommandApp
@@ -17,6 +17,7 @@ from probe.cli.engines import EngineChoice
 from probe.cli.feasibility import Incomplete, show_possible
 from probe.cli.metavars import SuiteFile, SuiteName
 from probe.cli.numbers import check_numbers
+from probe.cli.pool_notice import tell_other_pool
 from probe.cli.running import AGAIN
 from probe.cli.screen import ScreenTable, bar, say, say_above
 from probe.cli.shards import parse_shard
@@ -59,7 +60,7 @@ _UNSOLVED_MOST = 50
 def build(
     out: SuiteFile,
     counts: dict[QuestionType, int] = _NONE,
-    pool: Pool = "procedural",
+    pool: Pool = EVALUATION_POOL,
     public: bool = False,
     first: int = 0,
     workers: int | None = None,
@@ -83,8 +84,9 @@ def build(
     Args:
         out: File for the suite.
         counts: Tasks of each type: "--counts.find 28 --counts.compare 24".
-        pool: Which objects appear; scans need PROBE_ASSETS. With own+procedural, and with all,
-            your objects take the important roles and the others fill in.
+        pool: Which objects appear, by default those for evaluation; the suite says it, and records
+            say if some are for training. Scans need PROBE_ASSETS. With own+procedural, and with
+            all, your objects take the important roles and the others fill in.
         public: Draw no salt, so that anyone can reproduce these tasks and predict their
             answers.
         first: With --public, number of the first episode of each type; others give other tasks.
@@ -107,6 +109,7 @@ def build(
     table = newest(read_setup(setup) if setup else UR5_TABLE, lighting, looks, renderer)
     require_light(table.lighting, things.assets)
     salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table)
+    tell_other_pool(things, "evaluation", "The suite and its records will say so.")
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt)
     seen = None if where.store else parts

@@ -50,7 +50,7 @@ def verify(
     histories: int = 0,
     rebuild: int = 0,
     salt: Path | None = None,
-    pool: Pool = "procedural",
+    pool: Pool | None = None,
     workers: int | None = None,
     where: Annotated[EngineChoice, tyro.conf.arg(name="")] = EngineChoice(),  # noqa: B008
     shard: str = "0/1",
@@ -64,7 +64,8 @@ def verify(
         histories: On how many tasks, evenly spaced, three random histories are played.
         rebuild: How many tasks, evenly spaced, are made from their seeds again.
         salt: File of a private suite's salt: do the tasks follow from what it was committed to?
-        pool: Which objects the suite was made of, for that.
+        pool: Which objects the suite was made of, for that; by default those that it names, or
+            procedural if it names none.
         workers: Processes; by default 1, and on a cluster one on each core.
         where: On which machines.
         shard: "0/2" and "1/2" on two machines that see this folder share the work; then run once
@@ -82,7 +83,8 @@ def verify(
     mine = part.of(frozen.tasks)
     verdicts = _verdicts(frozen, mine, folder, things, verifier, engine)
     again = [task for task in spaced(mine, rebuild) if known is None or task.id in known]
-    rebuilder = Rebuilder(opener(pool), tables_for(pool), known or {})
+    made_of = pool or frozen.pool or "procedural"
+    rebuilder = Rebuilder(opener(made_of), tables_for(made_of), known or {})
     changed = _rebuilt(frozen, again, rebuilder, engine)
     _print(frozen, verdicts, changed, len(again))
     strange = [] if known is None else list(salt_problems(frozen, known))

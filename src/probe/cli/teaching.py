@@ -6,7 +6,7 @@ import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 
-from probe.api.resources import Pool, opener
+from probe.api.resources import TRAINING_POOL, Pool, opener
 from probe.assets.pools.split import read_split
 from probe.bench.models import settings_of
 from probe.episodes.conditions import Conditions, LightKind
@@ -31,7 +31,8 @@ class TeachingSetup:
         endpoint: Address of a server that speaks OpenAI's protocol.
         prices: A file that says what tokens cost.
         points: How coordinates are written; by default as suits the model, or in pixels.
-        pool: Which objects appear.
+        pool: Which objects appear, by default those for training; records and data sets say so if
+            others do.
         split: Take the training part of this split alone (`probe assets split`).
         noise: How far the hand errs.
         lighting: Of the pictures.
@@ -42,7 +43,7 @@ class TeachingSetup:
     endpoint: str | None = None
     prices: Path | None = None
     points: Points | None = None
-    pool: Pool = "procedural"
+    pool: Pool = TRAINING_POOL
     split: Path | None = None
     noise: NoiseName = "none"
     lighting: LightKind = "own"

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 import pydantic
 
+from probe.assets.pools.division import Shown, shown_of
 from probe.episodes.conditions_document import ConditionsDocument
 from probe.episodes.noise import Noise
 from probe.episodes.participation_document import ParticipationDocument
@@ -103,11 +104,23 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
         default=None, exclude_if=lambda it: it is None
     )
     frames: tuple[FrameName, ...] = pydantic.Field(default=(), exclude_if=lambda names: not names)
+    # For what the built-in objects on its table are, unless for evaluation alone, as it should be
+    # in evaluation and always was before some were set aside for training.
+    pool: Literal["train", "both"] | None = pydantic.Field(
+        default=None, exclude_if=lambda it: it is None
+    )
 
     @pydantic.model_validator(mode="after")
     def _has_a_picture_of_each_step(self) -> EpisodeDocument:
         if self.frames and len(self.frames) != len(self.steps) + 1:
             raise ValueError(f"{len(self.frames)} frames don't go with {len(self.steps)} steps")
+        return self
+
+    @pydantic.model_validator(mode="after")
+    def _says_what_is_for_training(self) -> EpisodeDocument:
+        shown = _trained_on(shown_of(it.object_id for it in self.start.scene.objects))
+        if self.pool != shown:
+            raise ValueError(f"pool is {self.pool}, but by its objects it is {shown}")
         return self
 
     @pydantic.model_validator(mode="after")
@@ -142,6 +155,7 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             tools=record.tools,
             perception=PerceptionDocument.of(record.perception),
             frames=record.frames,
+            pool=_trained_on(record.pool),
         )
 
     def record(self) -> EpisodeRecord:
@@ -166,6 +180,10 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             perception=used_of(self.perception),
             frames=self.frames,
         )
+
+
+def _trained_on(shown: Shown | None) -> Literal["train", "both"] | None:
+    return None if shown == "evaluation" else shown
 
 
 def _step_documents(record: EpisodeRecord) -> tuple[StepDocument, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
+from probe.assets.pools.division import Shown, shown_of
 from probe.episodes.circumstances import Circumstances
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import NO_NOISE, Noise
@@ -109,6 +110,11 @@ class EpisodeRecord:
     def setting(self) -> str:
         """How a model was allowed to answer; empty for other agents, whose names say it."""
         return self.participation.setting if self.participation else ""
+
+    @property
+    def pool(self) -> Shown | None:
+        """For what the built-in objects on its table are; None if there are none."""
+        return shown_of(placed.object_id for placed in self.start.scene.objects)
 
     @property
     def scenes(self) -> tuple[Scene, ...]:

@@ -1,4 +1,4 @@
-"""Learns the question-only classifier from training-pool tasks. The same tasks, the same bytes."""
+"""Learns the question-only classifier from training tasks. The same tasks, the same bytes."""
 
 from __future__ import annotations
 

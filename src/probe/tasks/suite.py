@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from probe.assets.library import Library
+from probe.assets.library import Library, Pool
 from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, same
 from probe.errors import BadData, UnknownName
@@ -24,12 +24,14 @@ class Suite:
         tasks: In a fixed order.
         objects: Fingerprint of each object that appears, by id.
         commitment: To the salt that a private suite was made with; None of a public one.
+        pool: Which objects it was made of; None of suites from before this was written down.
     """
 
     name: str
     tasks: tuple[Task, ...]
     objects: Mapping[str, Fingerprint]
     commitment: str | None = None
+    pool: Pool | None = None
 
     def __getitem__(self, task: str) -> Task:
         """A task by its id.
@@ -46,7 +48,8 @@ class Suite:
 def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
     """A suite of these tasks, with the fingerprints of their objects as they are now."""
     looks = _looks_of(tasks)
-    return Suite(name, tasks, {id: library.fingerprint(id, looks[id]) for id in sorted(looks)})
+    marks = {id: library.fingerprint(id, looks[id]) for id in sorted(looks)}
+    return Suite(name, tasks, marks, pool=library.pool)
 
 
 def _looks_of(tasks: Sequence[Task]) -> dict[str, Looks]:
@@ -66,7 +69,7 @@ def part(suite: Suite, task: Task) -> Suite:
 def selection(suite: Suite, tasks: tuple[Task, ...], name: str) -> Suite:
     """Some tasks of a suite under another name, with the fingerprints of their objects."""
     ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
-    return Suite(name, tasks, {id: suite.objects[id] for id in ids}, suite.commitment)
+    return Suite(name, tasks, {id: suite.objects[id] for id in ids}, suite.commitment, suite.pool)
 
 
 def spaced(tasks: Sequence[_Item], count: int) -> tuple[_Item, ...]:

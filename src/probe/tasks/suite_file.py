@@ -12,6 +12,7 @@ from typing import Annotated, Literal
 import pydantic
 
 from probe import reading
+from probe.assets.library import Pool
 from probe.checksum import with_sum
 from probe.errors import BadData, UnknownName
 from probe.files import read_document, write_bytes
@@ -174,6 +175,8 @@ class SuiteDocument(pydantic.BaseModel, extra="forbid"):
     canary: str = CANARY
     # Of private suites alone: SHA-256 of the salt they were made with.
     commitment: str | None = pydantic.Field(default=None, pattern=r"^[0-9a-f]{64}$")
+    # Of suites since there is a pool for training: which objects they were made of.
+    pool: Pool | None = pydantic.Field(default=None, exclude_if=lambda it: it is None)
     objects: dict[str, tuple[float, ...]]
     manifest: dict[str, str]
     tasks: Annotated[list[TaskDocument], pydantic.FailFast()]
@@ -236,6 +239,7 @@ def _document(suite: Suite) -> SuiteDocument:
     return SuiteDocument(
         name=suite.name,
         commitment=suite.commitment,
+        pool=suite.pool,
         objects=dict(suite.objects),
         manifest={task.id: task.digest() for task in tasks},
         tasks=tasks,
@@ -250,7 +254,7 @@ def read_suite(path: Path) -> Suite:
     """
     document = read_document(path, SuiteDocument, _REMEDY, most=reading.SUITE)
     tasks = tuple(task.task() for task in document.tasks)
-    return Suite(document.name, tasks, document.objects, document.commitment)
+    return Suite(document.name, tasks, document.objects, document.commitment, document.pool)
 
 
 def packaged_suites() -> list[str]:

@@ -64,10 +64,32 @@ def test_every_shape_and_word_and_paint_template_is_used() -> None:
         for n in chain(*tables.OBJECT_FILES.values())
     )
     words = (tables.FOLDER / "words.yaml").read_text("utf-8")
-    shapes = {e.shape for e in entries().values() if not e.shape.startswith("own ")}
+    shapes = {e.shape for e in entries(2).values() if not e.shape.startswith("own ")}
     assert shapes == set(tables._read("shapes"))
     paints = tables._read("paints")
     named = set(re.findall(r"(?:template|finish|bar): (\w+)", text + words))
     assert named - {"$finish"} >= set(paints) - {"blank"}
     spoken = {word for name in re.findall(r"\w[\w ]+", text) for word in name.split()}
     assert set(tables._read("words")) <= spoken
+
+
+def test_more_of_an_earlier_family_says_what_differs() -> None:
+    families: dict = {}
+    family = {"category": "thing", "mass": 0.1, "scale": 1.1, "variants": ["red"]}
+    assert tables._whole("test", family, families) is family
+    more = {"more_of": "thing", "scale": 0.9, "variants": ["blue"]}
+    whole = tables._whole("test", more, families)
+    assert whole == {"category": "thing", "mass": 0.1, "scale": 0.9, "variants": ["blue"]}
+    assert family["variants"] == ["red"]
+    # One object alone is no family.
+    assert tables._whole("test", ENTRY, families) is ENTRY
+    with pytest.raises(BadData, match="'lamp' is no category with variants"):
+        tables._whole("test", more | {"more_of": "lamp"}, families)
+
+
+def test_what_is_more_of_a_family_has_its_shape_in_other_proportions() -> None:
+    orange, teal, red = (entries(2)[f"proc_{it}_mug"] for it in ("orange", "teal", "red"))
+    assert orange.shape == teal.shape == red.shape
+    assert orange.stretch == teal.stretch == (1, 1, 1.2)
+    assert orange.mass == pytest.approx(1.2 * 0.34, rel=0.05)
+    assert "proc_orange_mug" not in entries(1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -11,8 +12,9 @@ from PIL import Image
 
 from probe.errors import BadData
 from probe.tasks.suite_file import CANARY
+from probe.train.choose.chosen import LoadedSelection
 from probe.train.dataset.folder import Form, write_dataset
-from probe.train.dataset.manifest import check_dataset
+from probe.train.dataset.manifest import check_dataset, objects_told
 
 FORM = Form("test", "pixels", 64)
 
@@ -61,6 +63,41 @@ def test_the_card_tells_counts_licences_and_the_canarys_policy(written):
     assert "9 are shown" in card and "64 x 64, made smaller from 1024 x 1024" in card
     whole = b"".join(path.read_bytes() for path in written.rglob("*") if path.is_file())
     assert "canary" in card and CANARY.split()[-1].encode() not in whole
+
+
+def test_the_card_tells_what_the_objects_are_for(tmp_path, ordered, chosen, specs, written):
+    """The tables' objects are made up, of no pool; then some are called like built-in ones."""
+    plain = (written / "README.md").read_text()
+    assert "0 objects are of the pool for training" in plain and "none is set aside" in plain
+    other = renamed(chosen, {"thing_find_1_1": "proc_orange_mug", "thing_find_2_1": "proc_red_mug"})
+    known = specs | dict.fromkeys(("proc_orange_mug", "proc_red_mug"), next(iter(specs.values())))
+    write_dataset(tmp_path / "mixed", ordered, other, FORM, known)
+    card = " ".join((tmp_path / "mixed" / "README.md").read_text().split())
+    assert "1 objects are of the pool for training" in card
+    assert "**1 are set aside for evaluation**" in card
+    counts = check_dataset(tmp_path / "mixed").objects
+    assert (counts["train"], counts["evaluation"]) == (1, 1)
+    assert objects_told(counts) in card
+    assert objects_told({}) not in card
+
+
+def test_a_data_set_of_before_says_nothing_of_its_objects(written):
+    path = written / "manifest.json"
+    told = json.loads(path.read_text())
+    del told["objects"]
+    path.write_text(json.dumps(told))
+    assert "doesn't say" in objects_told(check_dataset(written).objects)
+
+
+def renamed(chosen: LoadedSelection, names: dict[str, str]) -> LoadedSelection:
+    tasks = tuple(
+        replace(task, scene=replace(task.scene, objects=tuple(
+            replace(it, object_id=names.get(it.object_id, it.object_id))
+            for it in task.scene.objects
+        )))
+        for task in chosen.suite.tasks
+    )  # fmt: skip
+    return replace(chosen, suite=replace(chosen.suite, tasks=tasks))
 
 
 def test_it_is_checked_file_by_file(written):

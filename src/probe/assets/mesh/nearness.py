@@ -35,7 +35,9 @@ _SAME_SPREAD, _CLOSE_SPREAD = 0.025, 0.05
 _SHAPE_SPOTS = 800
 _COLOUR_SPOTS = 4000
 _STEPS = 64
-_BINS = (10, 12, 12)
+COLOUR_BINS = (10, 12, 12)
+"""Cells of CIELAB that colours are counted in: L, a, b."""
+
 _LAB_RANGE = ((0, 100), (-60, 60), (-60, 60))
 
 
@@ -71,7 +73,7 @@ def fingerprint(mesh: TexturedMesh) -> Fingerprint:
     distances = np.quantile(pdist(points), (np.arange(_STEPS) + 0.5) / _STEPS)
     pixels = colours_at(mesh, *spots(mesh.vertices, mesh.faces, _COLOUR_SPOTS))
     low, high = np.array(_LAB_RANGE, dtype=float).T
-    counts = np.histogramdd(np.clip(lab(pixels), low, high), bins=_BINS, range=_LAB_RANGE)[0]
+    counts = np.histogramdd(np.clip(lab(pixels), low, high), bins=COLOUR_BINS, range=_LAB_RANGE)[0]
     colours = gaussian_filter(counts, 0.7, mode="nearest").reshape(-1)
     return Fingerprint(points, distances, colours / colours.sum())
 

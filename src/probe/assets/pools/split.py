@@ -15,10 +15,10 @@ from scipy.sparse.csgraph import connected_components
 
 from probe.assets.library import Library
 from probe.assets.mesh.nearness import NearPair
+from probe.assets.pools.division import Part
 from probe.errors import BadData
 from probe.files import read_document, write_text
 
-Part = Literal["train", "evaluation"]
 EVALUATION_SHARE = 0.2
 
 

@@ -26,6 +26,7 @@ def paint(
     metallic: float,
     rng: np.random.Generator,
     wear: np.random.Generator | None = None,
+    side_px: int = SIDE_PX,
 ) -> TexturedMesh:
     """Paint each surface and join all into one mesh, in their order.
 
@@ -35,12 +36,13 @@ def paint(
         metallic: Of the material.
         rng: Source of what paints scatter.
         wear: Source of the traces of use; None for a thing that looks new, without relief.
+        side_px: Width and height of the texture.
     """
     extents = np.array([sheet.extent for sheet, _ in sheets])
-    density, corners = _packed(extents)
-    texture = np.full((SIDE_PX, SIDE_PX, 3), 128, dtype=np.uint8)
-    rough = np.full((SIDE_PX, SIDE_PX), _byte(roughness), dtype=np.uint8)
-    normal = np.full((SIDE_PX, SIDE_PX, 3), (128, 128, 255), dtype=np.uint8)
+    density, corners = _packed(extents, side_px)
+    texture = np.full((side_px, side_px, 3), 128, dtype=np.uint8)
+    rough = np.full((side_px, side_px), _byte(roughness), dtype=np.uint8)
+    normal = np.full((side_px, side_px, 3), (128, 128, 255), dtype=np.uint8)
     uvs: list[Array] = []
     for (sheet, look), (x, y) in zip(sheets, corners, strict=True):
         width, height = _pixels(np.array(sheet.extent), density)
@@ -54,7 +56,7 @@ def paint(
             _put(rough, _byte(np.maximum(roughness * used.roughness, 0.05)), x, y)
             _put(normal, normals_of(used.height, 1.0), x, y)
         offset = np.array([x, y]) + GUTTER_PX
-        uvs.append((offset + sheet.uvs.reshape(-1, 2) * [width, height]) / SIDE_PX)
+        uvs.append((offset + sheet.uvs.reshape(-1, 2) * [width, height]) / side_px)
     maps = () if wear is None else (normal, rough)
     surface = Material(texture, roughness, metallic, *maps)
     return _joined([sheet for sheet, _ in sheets], uvs, surface)
@@ -88,13 +90,13 @@ def _pixels(extent: Array, density: float) -> Array:
     return np.maximum(8, np.round(extent * density)).astype(int)
 
 
-def _packed(extents: Array) -> tuple[float, list[tuple[int, int]]]:
+def _packed(extents: Array, side_px: int) -> tuple[float, list[tuple[int, int]]]:
     """The finest density at which all pictures fit, and the corner of each one's frame."""
     low, high = 200.0, FINEST
-    best = _shelved(extents, low)
+    best = _shelved(extents, low, side_px)
     for _ in range(14):
         middle = (low + high) / 2
-        corners = _shelved(extents, middle)
+        corners = _shelved(extents, middle, side_px)
         if corners is None:
             high = middle
         else:
@@ -104,16 +106,16 @@ def _packed(extents: Array) -> tuple[float, list[tuple[int, int]]]:
     return low, best
 
 
-def _shelved(extents: Array, density: float) -> list[tuple[int, int]] | None:
+def _shelved(extents: Array, density: float, side_px: int) -> list[tuple[int, int]] | None:
     """Corners of frames put on shelves, tallest first; None if they don't fit."""
     sizes = np.array([_pixels(extent, density) for extent in extents]) + 2 * GUTTER_PX
     corners = [(0, 0)] * len(sizes)
     x = y = shelf = 0
     for k in np.argsort(-sizes[:, 1], kind="stable"):
         width, height = (int(v) for v in sizes[k])
-        if x + width > SIDE_PX:
+        if x + width > side_px:
             x, y, shelf = 0, y + shelf, 0
-        if width > SIDE_PX or y + height > SIDE_PX:
+        if width > side_px or y + height > side_px:
             return None
         corners[int(k)] = (x, y)
         x, shelf = x + width, max(shelf, height)

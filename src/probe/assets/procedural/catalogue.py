@@ -9,10 +9,10 @@ import numpy as np
 
 from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body, ConvexPiece
-from probe.assets.procedural.atlas import paint
+from probe.assets.procedural.atlas import SIDE_PX, paint
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.parts import Painted
-from probe.assets.procedural.tables import Edition, ProceduralEntry, entries
+from probe.assets.procedural.tables import NEWEST_EDITION, Edition, ProceduralEntry, entries
 from probe.assets.spec import ObjectSpec
 from probe.errors import UnknownName
 from probe.types import Array, Pose
@@ -80,33 +80,39 @@ def _points(sheets: list[Sheet]) -> Array:
 def first_of_each_shape() -> dict[str, ProceduralEntry]:
     """The first object of each shape; the others of that shape have the same parts."""
     found: dict[str, ProceduralEntry] = {}
-    for entry in entries().values():
+    for entry in entries(NEWEST_EDITION).values():
         found.setdefault(entry.shape, entry)
     return found
 
 
 @cache
-def specs(edition: Edition = 1) -> tuple[ObjectSpec, ...]:
+def specs(edition: Edition) -> tuple[ObjectSpec, ...]:
     """All objects of an edition, in a fixed order; shapes are measured, no texture is drawn."""
     chosen, first = entries(edition).values(), first_of_each_shape()
     extents = {shape: extent(raw_surfaces(first[shape])) for shape in {e.shape for e in chosen}}
     return tuple(_spec(entry, extents[entry.shape]) for entry in chosen)
 
 
-def build(object_id: str, looks: Looks = 1) -> Body:
+def build(object_id: str, looks: Looks = 1, side_px: int = SIDE_PX) -> Body:
     """Mesh and convex pieces of an object, the same bytes each time; shapes are alike in all looks.
+
+    Args:
+        object_id: Which.
+        looks: How its surface looks.
+        side_px: Width and height of its texture; a smaller one is drawn sooner, and its colours
+            are much the same.
 
     Raises:
         UnknownName: No procedural object has this id.
     """
-    known = entries()
+    known = entries(NEWEST_EDITION)
     if object_id not in known:
         raise UnknownName("procedural object", object_id, list(known))
     entry = known[object_id]
     surfaces, pieces = assemble(entry)
     painted = [(sheet, entry.paints[name]) for sheet, name in surfaces]
     wear = None if looks == 1 else rng_of(f"{entry.id} in use")
-    mesh = paint(painted, entry.roughness, entry.metallic, rng_of(entry.id), wear)
+    mesh = paint(painted, entry.roughness, entry.metallic, rng_of(entry.id), wear, side_px)
     return Body(mesh, tuple(ConvexPiece(corners) for corners in pieces))
 
 

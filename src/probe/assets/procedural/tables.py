@@ -26,13 +26,17 @@ Edition = Literal[1, 2]
 """1 has the objects of the suites v1 to behind, in their order; 2 has these and more."""
 
 NEWEST_EDITION: Edition = 2
+"""It has every object there is."""
 
 OBJECT_FILES: dict[Edition, tuple[str, ...]] = {
     1: (
         *("vessels", "food", "packages", "household", "tools", "toys"),
         *("produce", "bakery", "kitchen", "bottles", "desk", "home", "wear", "games", "workshop"),
     ),
-    2: ("table", "cookware", "larder", "bathroom", "office", "leisure", "outdoors", "hardware"),
+    2: (
+        *("table", "cookware", "larder", "bathroom", "office", "leisure", "outdoors", "hardware"),
+        "more",
+    ),
 }
 """The files that each edition adds."""
 
@@ -70,7 +74,7 @@ class ProceduralEntry(Data):
 
 
 @cache
-def entries(edition: Edition = NEWEST_EDITION) -> dict[str, ProceduralEntry]:
+def entries(edition: Edition) -> dict[str, ProceduralEntry]:
     """All objects of an edition by id, those of earlier ones first, in the order of the files.
 
     Raises:
@@ -78,13 +82,36 @@ def entries(edition: Edition = NEWEST_EDITION) -> dict[str, ProceduralEntry]:
     """
     shapes, paints, words = (_mapping(name) for name in ("shapes", "paints", "words"))
     found: dict[str, ProceduralEntry] = {}
+    families: dict[str, dict[str, Any]] = {}
     for name in (name for n, names in OBJECT_FILES.items() if n <= edition for name in names):
         for raw in cast(list[dict[str, Any]], _read(name)):
-            for entry in _entries(name, raw, shapes, paints, words):
+            whole = _whole(name, raw, families)
+            for entry in _entries(name, whole, shapes, paints, words):
                 if entry.id in found:
                     raise BadData(f"{name}.yaml", f"{entry.id} is there twice", "Rename one.")
                 found[entry.id] = entry
     return found
+
+
+def _whole(file: str, raw: dict[str, Any], families: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """A data entry as it stands; what `more_of` names gets more variants, with what else is said.
+
+    Args:
+        file: Where the entry is.
+        raw: The entry.
+        families: Those before it, by category; it is added if it is one.
+
+    Raises:
+        BadData: There is no such family before it.
+    """
+    if "more_of" not in raw:
+        if "variants" in raw:
+            families[raw["category"]] = raw
+        return raw
+    if raw["more_of"] not in families:
+        reason = f"more_of: {raw['more_of']!r} is no category with variants in an earlier place"
+        raise BadData(f"{file}.yaml", reason, "Correct the name.")
+    return families[raw["more_of"]] | {k: v for k, v in raw.items() if k != "more_of"}
 
 
 def _entries(

@@ -9,7 +9,7 @@ from importlib.resources import files
 from probe.assets.spec import ObjectSpec
 from probe.scene.setup import UR5_TABLE
 from probe.train.choose.chosen import LoadedSelection
-from probe.train.dataset.manifest import Manifest
+from probe.train.dataset.manifest import Manifest, objects_told
 
 _PLACES = {"pixels": "in pixels of a picture 1024 wide and high", "0-1000": "in thousandths"}
 
@@ -45,7 +45,8 @@ def card(
         limits=", ".join(
             f"{question_type} {most}" for question_type, most in sorted(document.limits.items())
         ),
-        licences=_licences(_shown(chosen), specs),
+        objects=objects_told(manifest.objects),
+        licences=_licences(shown_in(chosen), specs),
     )
 
 
@@ -62,7 +63,8 @@ def _counts(examples: Mapping[str, Mapping[str, int]]) -> str:
     return "\n".join(rows)
 
 
-def _shown(chosen: LoadedSelection) -> set[str]:
+def shown_in(chosen: LoadedSelection) -> set[str]:
+    """The objects on the tables of what was chosen."""
     return {it.object_id for task in chosen.suite.tasks for it in task.scene.objects}
 
 

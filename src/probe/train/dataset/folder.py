@@ -10,11 +10,12 @@ from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
 
+from probe.assets.pools.division import parts_shown
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData
 from probe.files import check_new, whole_folder, write_bytes, write_text
 from probe.train.choose.chosen import LoadedSelection
-from probe.train.dataset.card import card
+from probe.train.dataset.card import card, shown_in
 from probe.train.dataset.examples import TrainingExample
 from probe.train.dataset.manifest import Manifest, mark_of, write_manifest
 from probe.train.dataset.rows import IMAGE, Row, sharegpt_row, trl_row, vila_row
@@ -115,6 +116,9 @@ def write_dataset(
                 for question_type, settings in sorted(written.examples.items())
             },
             pictures=written.pictures,
+            objects={
+                part or "neither": count for part, count in parts_shown(shown_in(chosen)).items()
+            },
             files={path.relative_to(folder).as_posix(): mark_of(path) for path in files},
         )
         write_text(folder / CARD, card(form.name, manifest, chosen, specs))

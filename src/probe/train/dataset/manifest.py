@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Literal
 
@@ -32,6 +32,8 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
         side_px: Width and height of its pictures.
         examples: How many, by type and setting.
         pictures: How many are shown in all, each as often as it is.
+        objects: How many different ones are on its tables, by what they are for: "train",
+            "evaluation", or "neither" (scans, a user's own); empty in older data sets.
         files: All others, by their path.
     """
 
@@ -40,12 +42,33 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
     side_px: int
     examples: dict[str, dict[str, int]]
     pictures: int
+    objects: dict[str, int] = {}
     files: dict[str, FileMark]
 
     @property
     def total(self) -> int:
         """All examples."""
         return sum(sum(settings.values()) for settings in self.examples.values())
+
+
+def objects_told(objects: Mapping[str, int]) -> str:
+    """A sentence or two on what the objects of a data set are for.
+
+    Args:
+        objects: As in a manifest.
+    """
+    if not objects:
+        return "The data set doesn't say for what its objects are set aside."
+    counts = {name: objects.get(name, 0) for name in ("train", "evaluation", "neither")}
+    told = f"{counts['train']} objects are of the pool for training"
+    if counts["neither"]:
+        told += f", {counts['neither']} of no pool (scans, or somebody's own)"
+    if not counts["evaluation"]:
+        return f"{told}; none is set aside for evaluation."
+    return (
+        f"{told}, and **{counts['evaluation']} are set aside for evaluation**. A model that was "
+        "trained on this has seen them, so nobody can claim that it meets unseen objects in suites."
+    )
 
 
 def mark_of(path: Path) -> FileMark:

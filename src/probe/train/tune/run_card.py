@@ -13,7 +13,7 @@ from typing import Literal
 import pydantic
 
 from probe.files import write_text
-from probe.train.dataset.manifest import Manifest
+from probe.train.dataset.manifest import Manifest, objects_told
 from probe.train.tune import libraries
 from probe.train.tune.started import TrainingStart
 from probe.train.tune.training_log import (
@@ -114,6 +114,7 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         dataset=run.begun.dataset,
         mark=run.begun.dataset_sha256,
         total=manifest.total,
+        objects=objects_told(manifest.objects),
         counts="\n".join(
             f"| {question_type} | {settings.get('agentic', 0)} | {settings.get('direct', 0)} |"
             for question_type, settings in sorted(run.examples.items())
