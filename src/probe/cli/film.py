@@ -75,7 +75,8 @@ def film(
 def _clips(
     records: Path, task: str | None, run: int | None, agent: str | None, renderer: RendererName
 ) -> None:
-    say("Each episode is done again and compared first; that takes about 20 s a manipulation.")
+    took = "about 20 s" if renderer == "filament" else "some minutes"
+    say(f"Each episode is done again and compared first; all that takes {took} a manipulation.")
     for record, made in clipped(records, task=task, run=run, agent=agent, renderer=renderer):
         found = f"{made} clips made" if made else "its clips are there already"
         say(f"{record.task}, {record.agent}, run {record.run}: {found}.")
