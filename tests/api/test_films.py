@@ -13,6 +13,7 @@ import pytest
 from probe.agents.scripted import Scripted
 from probe.api.films import clipped, filmed, recorded
 from probe.cli.report import write_run_report
+from probe.episodes.circumstances import Circumstances
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import write_records
 from probe.episodes.play import play
@@ -23,6 +24,7 @@ from probe.film.cutting import FPS
 from probe.film.footage import CantFilm
 from probe.film.layout import SIZE_PX, STAGE_PX
 from probe.render import driver
+from probe.render.renderer import Renderer
 from probe.report.clips import clip_stem
 from probe.scene.seeds import generator
 from probe.tasks.suite_file import demo_suite, write_suite
@@ -42,6 +44,13 @@ class Fixed:
 
     def act(self, question, history):
         return CALLS[len(history)] if len(history) < len(CALLS) else None
+
+
+class Guess:
+    """Answers at once."""
+
+    def act(self, question, history):
+        return None if history else CALLS[-1]
 
 
 @pytest.fixture(scope="module")
@@ -170,9 +179,13 @@ def test_without_blender_it_is_known_before_an_episode_is_done_again(
 
 @pytest.mark.slow
 @pytest.mark.skipif(find_spec("bpy") is None, reason="Blender's package isn't installed")
-def test_a_record_of_blenders_is_filmed_by_either(folder, record):
+def test_a_record_of_blenders_is_filmed_by_either(folder, library):
     av = pytest.importorskip("av")
-    write_records(folder / "records.jsonl", [by_blender(record)])
+    task, asked = SUITE.tasks[0], Conditions(renderer="blender")
+    seen = Circumstances(conditions=asked, viewpoint=replace(task.viewpoint, renderer="blender"))
+    with Renderer(engine="blender") as blender:
+        record = play(task, Guess(), "fixed", library, blender, seen)
+    write_records(folder / "records.jsonl", [record])
     name, films = f"{SUITE.tasks[0].id}-fixed-0", []
     for renderer, path in (("filament", f"{name}.mp4"), ("blender", f"{name}-blender.mp4")):
         (facts,) = filmed(folder, renderer=renderer)
@@ -185,9 +198,9 @@ def test_a_record_of_blenders_is_filmed_by_either(folder, record):
     one, other = (film[left].mean(axis=2) for film in films)
     assert np.corrcoef(one.ravel(), other.ravel())[0, 1] > 0.9
     assert np.abs(one - other).mean() > 1
-    # What the agent saw is the same picture.
+    # What the agent saw is the same picture, encoded twice; the engines' own differ by 8.
     inset = slice(200, 400), slice(STAGE_PX[0] + 60, None)
-    assert np.abs(films[0][inset] - films[1][inset]).mean() < 0.5
+    assert np.abs(films[0][inset] - films[1][inset]).mean() < 2
 
 
 def test_a_robots_film_has_no_renderer(folder, record):
