@@ -4,19 +4,27 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from importlib.util import find_spec
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from probe.agents.scripted import Scripted
 from probe.api.films import clipped, filmed, recorded
 from probe.cli.report import write_run_report
+from probe.episodes.circumstances import Circumstances
+from probe.episodes.conditions import Conditions
 from probe.episodes.files import write_records
 from probe.episodes.play import play
 from probe.episodes.turns import Call
 from probe.errors import BadData, MissingExtra
+from probe.film import footage
 from probe.film.cutting import FPS
 from probe.film.footage import CantFilm
+from probe.film.layout import SIZE_PX, STAGE_PX
+from probe.render import driver
+from probe.render.renderer import Renderer
 from probe.report.clips import clip_stem
 from probe.scene.seeds import generator
 from probe.tasks.suite_file import demo_suite, write_suite
@@ -24,14 +32,25 @@ from probe.toolshed.result import MOVING
 from recordings import rows_of
 
 SUITE = demo_suite()
-CALLS = (Call.of("perceive_scene"), Call.of("answer_question", {"choice": "E"}))
+CALLS = (
+    Call.of("perceive_scene"),
+    Call.of("push", {"object_id": "object_99", "direction": "left", "distance_cm": 5}),
+    Call.of("answer_question", {"choice": "E"}),
+)
 
 
 class Fixed:
-    """Looks and answers."""
+    """Looks, pushes what isn't there, and answers."""
 
     def act(self, question, history):
         return CALLS[len(history)] if len(history) < len(CALLS) else None
+
+
+class Guess:
+    """Answers at once."""
+
+    def act(self, question, history):
+        return None if history else CALLS[-1]
 
 
 @pytest.fixture(scope="module")
@@ -87,7 +106,7 @@ def test_a_recording_is_made_once_and_kept(folder):
     pytest.importorskip("rerun")
     ((path, made),) = recorded(folder)
     assert made and path == folder / "films" / f"{SUITE.tasks[0].id}-fixed-0.rrd"
-    assert max(row.step or 0 for row in rows_of(path)["/log"]) == 3
+    assert max(row.step or 0 for row in rows_of(path)["/log"]) == len(CALLS) + 1
     before = path.stat().st_mtime_ns
     assert list(recorded(folder)) == [(path, False)]
     assert path.stat().st_mtime_ns == before
@@ -124,6 +143,77 @@ def test_a_forged_record_leaves_no_film(folder, record, write):
 def test_what_isn_t_there_is_said(folder, choice):
     with pytest.raises(BadData, match="holds no such episode"):
         list(filmed(folder, **choice))
+
+
+@pytest.fixture
+def no_blender(monkeypatch):
+    driver.require_blender.cache_clear()
+    monkeypatch.setattr(driver, "find_spec", lambda name: None)
+    yield
+    driver.require_blender.cache_clear()
+
+
+@pytest.mark.parametrize("make", [filmed, clipped, recorded])
+def test_without_blender_its_record_is_refused_in_words(folder, record, no_blender, make):
+    pytest.importorskip("rerun" if make is recorded else "av")
+    write_records(folder / "records.jsonl", [by_blender(record)])
+    with pytest.raises(MissingExtra, match=r"Drawing with Blender .*\.\[blender\]"):
+        list(make(folder))
+    assert {path.name for path in folder.iterdir()} == {"suite.json", "records.jsonl"}
+
+
+def by_blender(record):
+    """The record as if Blender had drawn its pictures, on request."""
+    viewpoint = replace(record.viewpoint, renderer="blender")
+    return replace(record, viewpoint=viewpoint, conditions=Conditions(renderer="blender"))
+
+
+@pytest.mark.parametrize("make", [filmed, clipped])
+def test_without_blender_it_is_known_before_an_episode_is_done_again(
+    folder, no_blender, monkeypatch, make
+):
+    pytest.importorskip("av")
+    monkeypatch.setattr(footage, "set_table", None)
+    with pytest.raises(MissingExtra, match=r"Drawing with Blender .*\.\[blender\]"):
+        list(make(folder, renderer="blender"))
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(find_spec("bpy") is None, reason="Blender's package isn't installed")
+def test_a_record_of_blenders_is_filmed_by_either(folder, library):
+    av = pytest.importorskip("av")
+    task, asked = SUITE.tasks[0], Conditions(renderer="blender")
+    seen = Circumstances(conditions=asked, viewpoint=replace(task.viewpoint, renderer="blender"))
+    with Renderer(engine="blender") as blender:
+        record = play(task, Guess(), "fixed", library, blender, seen)
+    write_records(folder / "records.jsonl", [record])
+    name, films = f"{SUITE.tasks[0].id}-fixed-0", []
+    for renderer, path in (("filament", f"{name}.mp4"), ("blender", f"{name}-blender.mp4")):
+        (facts,) = filmed(folder, renderer=renderer)
+        assert facts.path == folder / "films" / path
+        with av.open(facts.path) as film:
+            assert film.metadata["comment"] == f"Stage drawn by {renderer}"
+            films.append(next(film.decode(video=0)).to_ndarray(format="rgb24").astype(int))
+    # Robot, table and room stand in the same places, in somewhat other shades.
+    left = slice(SIZE_PX[1] - STAGE_PX[1], None), slice(STAGE_PX[0])
+    one, other = (film[left].mean(axis=2) for film in films)
+    assert np.corrcoef(one.ravel(), other.ravel())[0, 1] > 0.9
+    assert np.abs(one - other).mean() > 1
+    # What the agent saw is the same picture, encoded twice; the engines' own differ by 8.
+    inset = slice(200, 400), slice(STAGE_PX[0] + 60, None)
+    assert np.abs(films[0][inset] - films[1][inset]).mean() < 2
+
+
+def test_a_robots_film_has_no_renderer(folder, record):
+    scene = replace(record.start.scene, objects=())
+    bare = replace(record.start, scene=scene)
+    steps = tuple(replace(step, after=replace(step.after, scene=scene)) for step in record.steps)
+    frames = tuple(f"frames/{SUITE.tasks[0].id}-000/{n:03}" for n in range(len(steps) + 1))
+    write_records(
+        folder / "records.jsonl", [replace(record, start=bare, steps=steps, frames=frames)]
+    )
+    with pytest.raises(BadData, match=r"--renderer blender: draws nothing of .*camera's pictures"):
+        list(filmed(folder, renderer="blender"))
 
 
 def test_no_speed_is_no_speed(folder):

@@ -18,6 +18,7 @@ from probe.errors import BadData
         ({"clips": True, "format": "gif"}, "--format: does nothing with --clips"),
         ({"clips": True, "speed": 1.0}, "--speed: does nothing with --clips"),
         ({"format": "rrd", "speed": 2.0}, "--speed: does nothing with --format rrd"),
+        ({"format": "rrd", "renderer": "blender"}, "--renderer: does nothing with --format rrd"),
     ],
 )
 def test_what_would_do_nothing_is_refused(tmp_path: Path, said: dict[str, Any], words: str):

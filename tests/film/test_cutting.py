@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -57,6 +59,16 @@ def test_a_quick_grip_is_seen() -> None:
     shots = moving(cut(footage([0.0] * len(grip), grip), 3.0, [(9, 9)]))
     slow = [shot for shot in shots if shot.speed == SLOW]
     assert 1.4 < len(slow) / FPS < 1.8
+
+
+def test_fingers_of_a_parked_arm_close_on_nothing_and_no_slower_than_the_arm_moves() -> None:
+    closing = list(np.linspace(0.1, 0.0, 100))
+    filmed = footage([0.0] * 100, closing)
+    parked = FIND.setup.mount.parked
+    at_rest = tuple(replace(moment, joints=np.array(parked)) for moment in filmed.moments)
+    shots = moving(cut(replace(filmed, moments=at_rest), 1.0, [(9, 9)]))
+    assert {shot.speed for shot in shots} == {1.0}
+    assert len(shots) / FPS == pytest.approx(100 * SAMPLE_TIME, abs=0.1)
 
 
 def test_rest_is_cut() -> None:

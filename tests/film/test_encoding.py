@@ -37,6 +37,20 @@ def test_the_same_frames_give_the_same_bytes(form: FilmFormat) -> None:
     assert encoded(FRAMES, 25, form) == encoded(FRAMES, 25, form)
 
 
+@pytest.mark.parametrize("form", ["mp4", "webm"])
+def test_a_film_says_what_drew_it(form: FilmFormat) -> None:
+    av = pytest.importorskip("av")
+    for said in ("Stage drawn by blender", ""):
+        with av.open(io.BytesIO(encoded(FRAMES, 25, form, said))) as film:
+            told = {name.lower(): value for name, value in film.metadata.items()}
+        assert told.get("comment", "") == said
+
+
+def test_a_gif_says_what_drew_it() -> None:
+    with Image.open(io.BytesIO(encoded(FRAMES, 25, "gif", "Stage drawn by blender"))) as film:
+        assert film.info["comment"] == b"Stage drawn by blender"
+
+
 def test_a_gif_holds_a_frame_as_long_as_it_stands() -> None:
     with Image.open(io.BytesIO(encoded(FRAMES, 25, "gif"))) as film:
         assert film.n_frames == 2  # pyright: ignore[reportAttributeAccessIssue]

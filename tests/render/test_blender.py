@@ -1,7 +1,9 @@
 """Blender's pictures beside Filament's: the same scene, aligned, in the same colours; the bytes."""
 
 import os
+import resource
 import signal
+from dataclasses import replace
 from importlib.util import find_spec
 
 import numpy as np
@@ -115,6 +117,44 @@ def test_bytes_do_not_depend_on_what_was_drawn_before(blender):
 
 def picture(renderer, light=AMBIENT):
     return renderer.draw([POST], CAMERA, rgb=True, light=light).rgb.tobytes()
+
+
+def test_a_series_shows_each_moment_and_always_in_the_same_bytes(blender):
+    aside = replace(POST, pose=Pose((0.1, 0.1, 0.0)))
+    moments = [[POST], [aside], CARDS, [POST]]
+    shown = blender.series(moments, CAMERA, lamp(), 20.0)
+    with Renderer(engine="blender") as another:
+        load(another)
+        again = another.series(moments, CAMERA, lamp(), 20.0)
+    assert [one.tobytes() for one in again] == [one.tobytes() for one in shown]
+    alone = [
+        blender.draw(moment, CAMERA, rgb=True, light=lamp()).rgb.astype(int) for moment in moments
+    ]
+    # Series are drawn with fewer samples.
+    off = [[np.abs(one - other).mean() for other in alone] for one in shown]
+    assert [int(np.argmin(row)) for row in off[:3]] == [0, 1, 2]
+    assert max(off[n][n] for n in range(4)) < 2
+    assert np.abs(shown[0].astype(int) - shown[3]).mean() < 0.5
+
+
+def test_a_series_doesn_t_see_beyond_its_horizon(blender):
+    (near,) = blender.series([[POST]], CAMERA, AMBIENT, 0.3)
+    assert np.ptp(near.reshape(-1, 3), axis=0).max() <= 1
+
+
+def test_the_time_that_blender_took_is_known_when_it_has_ended():
+    before = children_seconds()
+    with Renderer(engine="blender") as renderer:
+        load(renderer)
+        picture(renderer)
+        processes = psutil.Process(renderer.pid).children(recursive=True)
+        easel = next(p for p in processes if "probe.render.blender" in p.cmdline())
+        took = easel.cpu_times().user
+    assert children_seconds() - before >= took > 1
+
+
+def children_seconds():
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
 
 
 def test_a_killed_blender_is_started_again_and_none_is_left(blender):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from probe.api.resources import everything
@@ -21,6 +23,7 @@ from probe.render.renderer import Renderer
 from probe.render.renderers import Renderers
 from probe.report.clips import CLIPS, clip_stem
 from probe.runs.checks.folder import read_checked
+from probe.scene.setup import RendererName
 from probe.tasks.suite import Suite, check_objects, part
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
@@ -40,6 +43,7 @@ def filmed(
     run: int | None = None,
     agent: str | None = None,
     form: FilmFormat = "mp4",
+    renderer: RendererName = "filament",
     speed: float = 1.0,
     watch: Watch = lambda numbers, _: numbers,
 ) -> Generator[FilmFacts]:
@@ -54,6 +58,7 @@ def filmed(
         run: Number of a run; by default all.
         agent: Name of an agent; by default all.
         form: Of the files.
+        renderer: Draws robot, table and room. What the agent saw is drawn as the record says.
         speed: Of motions other than closing fingers, of life's.
         watch: Told of each picture.
 
@@ -62,24 +67,24 @@ def filmed(
         CantFilm: An episode can't be done again, or not as it was.
         OtherTools: Tools of another version made it.
         NoPoses: Whether a robot's answer is right depends on where things lie.
-        MissingExtra: PyAV isn't installed.
+        MissingExtra: PyAV isn't installed, or Blender where it is to draw.
     """
     if speed <= 0:
         raise BadData("--speed", f"{speed:g} is no speed", "Say more than 0")
-    place = Path(folder)
-    suite, chosen = _chosen(place, task, run, agent)
-    things = everything()
-    with Renderers(things.light_cache) as drawing:
-        for record in chosen:
-            path = _path(place, out, record, form)
+    chosen = _Episodes.of(folder, task, run, agent)
+    shown = partial(_film, form=form, stage=renderer, speed=speed, watch=watch)
+    with Renderers(chosen.things.light_cache) as drawing:
+        for record in chosen.records:
+            path = chosen.path(out, record, form, renderer)
             if path.exists():
                 yield FilmFacts(path, 0.0, 0, 0.0)
             elif record.frames:
-                asked = suite[record.task]
-                yield film_robot(asked, record, place, path, form, speed=speed, watch=watch)
+                _refuse_stage(record, renderer)
+                asked = chosen.suite[record.task]
+                yield film_robot(asked, record, chosen.place, path, form, speed=speed, watch=watch)
             else:
-                asked, paint = _asked(suite, record, things), drawing["filament"]
-                yield _film(asked, record, things, paint, path, form, speed=speed, watch=watch)
+                own = _own(drawing, record, renderer)
+                yield shown(chosen.asked(record), record, chosen.things, own, path)
 
 
 def recorded(
@@ -105,20 +110,24 @@ def recorded(
     Raises:
         BadData, CantFilm, OtherTools, MissingExtra: As filmed().
     """
-    place = Path(folder)
-    suite, chosen = _chosen(place, task, run, agent)
-    things = everything()
-    with Renderer(things.light_cache) as drawing:
-        for record in chosen:
-            path = _path(place, out, record, "rrd")
+    chosen = _Episodes.of(folder, task, run, agent)
+    with Renderers(chosen.things.light_cache) as drawing:
+        for record in chosen.records:
+            path = chosen.path(out, record, "rrd")
             missing = not path.exists()
             if missing:
-                write_recording(_asked(suite, record, things), record, things, drawing, path)
+                own = _own(drawing, record)
+                write_recording(chosen.asked(record), record, chosen.things, own, path)
             yield path, missing
 
 
 def clipped(
-    folder: str | Path, *, task: str | None = None, run: int | None = None, agent: str | None = None
+    folder: str | Path,
+    *,
+    task: str | None = None,
+    run: int | None = None,
+    agent: str | None = None,
+    renderer: RendererName = "filament",
 ) -> Generator[tuple[EpisodeRecord, int]]:
     """Write a short loop of each manipulation for a folder's report, into "clips" beside records.
 
@@ -130,50 +139,90 @@ def clipped(
         task: Id of a task; by default all.
         run: Number of a run; by default all.
         agent: Name of an agent; by default all.
+        renderer: As in filmed().
 
     Raises:
         BadData, CantFilm, OtherTools, MissingExtra: As filmed().
     """
-    place = Path(folder)
-    suite, chosen = _chosen(place, task, run, agent)
-    things = everything()
-    with Renderer(things.light_cache) as drawing:
-        for record in chosen:
+    chosen = _Episodes.of(folder, task, run, agent)
+    with Renderers(chosen.things.light_cache) as drawing:
+        for record in chosen.records:
             moving = [n for n, step in enumerate(record.steps, start=1) if step.call.name in MOVING]
-            paths = {n: place / CLIPS / f"{clip_stem(record, n)}.webm" for n in moving}
+            paths = {n: chosen.place / CLIPS / f"{clip_stem(record, n)}.webm" for n in moving}
             if not moving:
                 continue
             if any(path.exists() for path in paths.values()):
                 yield record, 0
                 continue
-            clips = clips_of(_asked(suite, record, things), record, things, drawing)
+            own = _own(drawing, record, renderer)
+            clips = clips_of(chosen.asked(record), record, chosen.things, own, stage=renderer)
             for clip in clips:
                 write_bytes(paths[clip.call + 1], clip.content)
             yield record, len(clips)
 
 
-def _chosen(
-    place: Path, task: str | None, run: int | None, agent: str | None
-) -> tuple[Suite, list[EpisodeRecord]]:
-    suite = read_suite(place / SUITE)
-    wanted = [record for record in read_checked(place, suite) if record.end != "fault"]
-    for name, value in (("task", task), ("run", run), ("agent", agent)):
-        if value is not None:
-            wanted = [record for record in wanted if getattr(record, name) == value]
-    if not wanted:
-        raise BadData(place, "holds no such episode", "Look into `probe report` for what there is")
-    return suite, wanted
+def _own(drawing: Renderers, record: EpisodeRecord, stage: RendererName = "filament") -> Renderer:
+    """What drew the pictures of an episode, which sees to it that the stage can be drawn, too."""
+    drawing.require(stage)
+    return drawing[record.viewpoint.renderer]
 
 
-def _asked(suite: Suite, record: EpisodeRecord, things: Library) -> Task:
-    """An episode's task, whose objects are what they were when the suite was made."""
-    task = suite[record.task]
-    check_objects(part(suite, task), things)
-    return task
+def _refuse_stage(record: EpisodeRecord, stage: RendererName) -> None:
+    if stage != "filament":
+        reason = f"draws nothing of {record.task}, run {record.run} of {record.agent}"
+        remedy = "A robot's film is made of its camera's pictures: leave the option out"
+        raise BadData(f"--renderer {stage}", reason, remedy)
 
 
-def _path(place: Path, out: str | Path | None, record: EpisodeRecord, ending: str) -> Path:
-    """An episode's file, with a name of signs that every disk takes."""
-    named = f"{record.task}-{record.agent}-{record.run}"
-    name = "".join(sign if sign.isalnum() or sign in "-_." else "_" for sign in named)
-    return Path(out or place / FILMS) / f"{name}.{ending}"
+@dataclass(frozen=True)
+class _Episodes:
+    """Those episodes of a folder that were asked for.
+
+    Attributes:
+        place: The folder.
+        suite: Its suite.
+        records: Of the episodes; at least one.
+        things: All objects that there are.
+    """
+
+    place: Path
+    suite: Suite
+    records: Sequence[EpisodeRecord]
+    things: Library
+
+    @staticmethod
+    def of(folder: str | Path, task: str | None, run: int | None, agent: str | None) -> _Episodes:
+        """Read a folder.
+
+        Raises:
+            BadData: The folder can't be read, or holds no such episode.
+        """
+        place = Path(folder)
+        suite = read_suite(place / SUITE)
+        wanted = [record for record in read_checked(place, suite) if record.end != "fault"]
+        for name, value in (("task", task), ("run", run), ("agent", agent)):
+            if value is not None:
+                wanted = [record for record in wanted if getattr(record, name) == value]
+        if not wanted:
+            remedy = "Look into `probe report` for what there is"
+            raise BadData(place, "holds no such episode", remedy)
+        return _Episodes(place, suite, wanted, everything())
+
+    def asked(self, record: EpisodeRecord) -> Task:
+        """An episode's task, whose objects are what they were when the suite was made."""
+        task = self.suite[record.task]
+        check_objects(part(self.suite, task), self.things)
+        return task
+
+    def path(
+        self,
+        out: str | Path | None,
+        record: EpisodeRecord,
+        ending: str,
+        stage: RendererName = "filament",
+    ) -> Path:
+        """An episode's file, with a name of signs that every disk takes."""
+        drawn = "" if stage == "filament" else f"-{stage}"
+        named = f"{record.task}-{record.agent}-{record.run}{drawn}"
+        name = "".join(sign if sign.isalnum() or sign in "-_." else "_" for sign in named)
+        return Path(out or self.place / FILMS) / f"{name}.{ending}"

@@ -11,6 +11,7 @@ import tyro
 from probe.api.films import clipped, filmed, recorded
 from probe.cli.option_conflicts import refuse_stray
 from probe.cli.screen import say, track
+from probe.scene.setup import RendererName
 
 
 def film(
@@ -21,6 +22,7 @@ def film(
     out: Path | None = None,
     format: Literal["mp4", "webm", "gif", "rrd"] | None = None,
     speed: float | None = None,
+    renderer: RendererName | None = None,
     clips: bool = False,
 ) -> None:
     """Film recorded episodes: simulated ones are done again, of a robot's the pictures are shown.
@@ -35,17 +37,19 @@ def film(
         agent: Name of an agent, as in the records; by default all.
         out: Folder for the films; by default "films" in that of the records.
         format: Of the files: by default mp4; rrd is a recording for Rerun's viewer.
-        speed: How many times as fast as life the arm moves, by default 1; in simulation, closing
-            fingers are shown at half of life's speed.
+        speed: How many times as fast as life the arm moves, by default 1; in simulation, fingers
+            that close on something are shown at half of life's speed.
+        renderer: What draws robot, table and room, by default filament; blender needs the extra of
+            that name, and much more time. What the agent saw is drawn as when it saw it.
         clips: Make no films but a short loop of each manipulation, which `probe report` shows.
     """
     if clips:
         given = {"--out": out, "--format": format, "--speed": speed}
         refuse_stray("film", "with --clips", given)
-        _clips(records, task, run, agent)
+        _clips(records, task, run, agent, renderer or "filament")
         return
     if format == "rrd":
-        refuse_stray("film", "with --format rrd", {"--speed": speed})
+        refuse_stray("film", "with --format rrd", {"--speed": speed, "--renderer": renderer})
         _recordings(records, out, task, run, agent)
         return
     say("What was simulated is done again and compared first; the bar then counts pictures.")
@@ -56,6 +60,7 @@ def film(
         run=run,
         agent=agent,
         form=format or "mp4",
+        renderer=renderer or "filament",
         speed=1.0 if speed is None else speed,
         watch=_watch,
     ):
@@ -67,9 +72,12 @@ def film(
             say(f"{facts.path} is there already.")
 
 
-def _clips(records: Path, task: str | None, run: int | None, agent: str | None) -> None:
-    say("Each episode is done again and compared first; that takes about 20 s a manipulation.")
-    for record, made in clipped(records, task=task, run=run, agent=agent):
+def _clips(
+    records: Path, task: str | None, run: int | None, agent: str | None, renderer: RendererName
+) -> None:
+    took = "about 20 s" if renderer == "filament" else "some minutes"
+    say(f"Each episode is done again and compared first; all that takes {took} a manipulation.")
+    for record, made in clipped(records, task=task, run=run, agent=agent, renderer=renderer):
         found = f"{made} clips made" if made else "its clips are there already"
         say(f"{record.task}, {record.agent}, run {record.run}: {found}.")
     say(f"`probe report {records}` shows them.")

@@ -12,9 +12,11 @@ from probe.episodes.record import EpisodeRecord
 from probe.film.cutting import moments_in_motion
 from probe.film.drawing import StageDrawer, stage_drawer
 from probe.film.encoding import encoded, require_encoder
+from probe.film.filming import drawn_by
 from probe.film.footage import FilmedCall, Footage, take
 from probe.film.watched_world import SAMPLE_TIME
 from probe.render.renderer import Renderer
+from probe.scene.setup import RendererName
 from probe.stage.cameras import whole_view
 from probe.tasks.task import Task
 
@@ -42,7 +44,12 @@ class Clip:
 
 
 def clips_of(
-    task: Task, record: EpisodeRecord, library: Library, renderer: Renderer
+    task: Task,
+    record: EpisodeRecord,
+    library: Library,
+    renderer: Renderer,
+    *,
+    stage: RendererName = "filament",
 ) -> tuple[Clip, ...]:
     """A clip of each call of an episode during which something moved.
 
@@ -52,8 +59,9 @@ def clips_of(
         task: What the record is about.
         record: The episode.
         library: Has the task's objects.
-        renderer: Draws what the station sees; what was loaded in it is replaced. The stage has one
-            of its own.
+        renderer: Draws what the station sees, so it is the record's kind; what was loaded in it is
+            replaced. The stage has one of its own.
+        stage: What draws the stage; the files say so.
 
     Raises:
         CantFilm, OtherTools, MissingExtra: As film() does.
@@ -61,7 +69,7 @@ def clips_of(
     require_encoder()
     footage = take(task, record, library, renderer)
     moving = moments_in_motion(footage)
-    with stage_drawer(footage, library) as drawer:
+    with stage_drawer(task.scene, library, stage) as drawer:
         clips = [
             _clip(number, call, footage, moving, drawer)
             for number, call in enumerate(footage.calls)
@@ -77,6 +85,7 @@ def _clip(
         return None
     spaced: list[int] = np.linspace(0, len(shown) - 1, FRAMES).round().astype(int).tolist()
     moments = [footage.moments[shown[place]] for place in spaced]
-    pictures = drawer.draw(moments, whole_view(footage.task.setup, *CLIP_PX))
-    content = encoded(((picture, 1) for picture in pictures), CLIP_FPS, "webm")
+    drawn = drawer.draw_all(moments, whole_view(footage.task.setup, *CLIP_PX))
+    said = drawn_by(drawer.renderer.name)
+    content = encoded(((picture, 1) for _, picture in drawn), CLIP_FPS, "webm", said)
     return Clip(number, content, len(shown) * SAMPLE_TIME * CLIP_FPS / FRAMES)

@@ -16,13 +16,16 @@ FPS = 25
 """Frames a second of a film."""
 
 SLOW = 0.5
-"""Speed at which closing fingers are shown, of life's."""
+"""Speed at which fingers are shown that close on something, of life's."""
 
 _STILL_RAD, _STILL_M = 2e-4, 2e-4
 """What a joint, a finger or an object moves at most between two moments of rest."""
 
 _CLOSING_M = 3e-4
 """What the pads approach each other at least between two moments while they close."""
+
+_PARKED_RAD = 0.02
+"""How far from where it is parked each joint stands at most when the arm counts as parked."""
 
 _AROUND = 0.35
 """Simulated seconds before and after closing that are shown as slowly: it takes 0.1 s itself."""
@@ -67,7 +70,7 @@ def cut(footage: Footage, speed: float, texts: Sequence[tuple[int, int]]) -> lis
         texts: Of each call, how many signs its captions have before and after it is done.
     """
     steady = _is_steady(footage.moments)
-    gripping = _is_gripping(footage.moments)
+    gripping = _is_gripping(footage.moments, footage.task.setup.mount.parked)
 
     def motion(first: int, last: int) -> Iterator[Moving]:
         return _motion(first, last, steady, gripping, speed)
@@ -137,9 +140,13 @@ def _is_steady(moments: Sequence[TableMoment]) -> Array:
     return np.append(rest, True)
 
 
-def _is_gripping(moments: Sequence[TableMoment]) -> Array:
-    """Whether the pads approach each other then or nearly then, shape (n,)."""
+def _is_gripping(moments: Sequence[TableMoment], parked: Sequence[float]) -> Array:
+    """Whether the pads approach each other then or nearly then, shape (n,).
+
+    Where the arm is parked they close on nothing: they only take the width that they will need.
+    """
     change = np.diff([moment.opening for moment in moments])
-    closing = np.flatnonzero(change < -_CLOSING_M)
-    away = np.abs(np.arange(len(moments))[:, None] - closing).min(axis=1, initial=len(moments))
-    return away * SAMPLE_TIME <= _AROUND
+    away = np.abs(np.array([moment.joints for moment in moments]) - parked).max(axis=1)
+    closing = np.flatnonzero((change < -_CLOSING_M) & (away[1:] > _PARKED_RAD))
+    apart = np.abs(np.arange(len(moments))[:, None] - closing).min(axis=1, initial=len(moments))
+    return apart * SAMPLE_TIME <= _AROUND

@@ -7,29 +7,31 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from probe.assets.library import Library
-from probe.film.footage import Footage
 from probe.film.watched_world import TableMoment
-from probe.render.protocol import TableTop
+from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
+from probe.scene.setup import RendererName
 from probe.stage.cameras import FAR
 from probe.stage.light import stage_light
 from probe.stage.stage import FilmStage
 from probe.types import Array, Camera
 
-SERIES = 48
-"""Pictures drawn one after another. A film's bytes depend on it. The first of each takes 2 CPU
-seconds more, and each later one leaves 5 MB of memory behind."""
+SERIES: dict[RendererName, int] = {"filament": 48, "blender": 8}
+"""Pictures drawn one after another. A film's bytes depend on it. The first of each takes Filament 2
+CPU seconds more, and each later one leaves 5 MB of memory behind; with Blender nobody hears of any
+before all of them are there."""
 
 
 @dataclass(frozen=True, eq=False)
 class StageDrawer:
-    """A renderer of its own with a footage's objects and stage loaded; see stage_drawer()."""
+    """A renderer of its own with a scene's objects and stage loaded; see stage_drawer()."""
 
     renderer: Renderer
     stage: FilmStage
 
     def draw(self, moments: Sequence[TableMoment], camera: Camera) -> tuple[Array, ...]:
-        """Pictures of moments, at most SERIES of them, uint8, each of shape (h, w, 3)."""
+        """Pictures of moments, as many as a series may have, uint8, each of shape (h, w, 3)."""
         placed = [
             (*moment.objects, *self.stage.placed(moment.joints, moment.opening))
             for moment in moments
@@ -40,23 +42,29 @@ class StageDrawer:
         self, moments: Sequence[TableMoment], camera: Camera
     ) -> Generator[tuple[int, Array]]:
         """Numbers and pictures of any number of moments, in order."""
-        for start in range(0, len(moments), SERIES):
-            drawn = self.draw(moments[start : start + SERIES], camera)
+        most = SERIES[self.renderer.name]
+        for start in range(0, len(moments), most):
+            drawn = self.draw(moments[start : start + most], camera)
             yield from enumerate(drawn, start)
 
 
 @contextmanager
-def stage_drawer(footage: Footage, library: Library) -> Generator[StageDrawer]:
-    """Start a renderer for a footage's stage, and end it.
+def stage_drawer(scene: Scene, library: Library, engine: RendererName) -> Generator[StageDrawer]:
+    """Start a renderer for a scene's objects and its stage, and end it.
 
     No station and no tool ever sees with it: they have renderers of their own, which are given
     objects alone.
+
+    Args:
+        scene: Whose table it is.
+        library: Has its objects.
+        engine: What draws.
+
+    Raises:
+        NoGraphicsDriver, MissingExtra: As Renderer.
     """
-    scene = footage.task.scene
-    table = library.table(scene.table)
+    table = library.table(scene.table, scene.setup.looks)
     stage = FilmStage.of(scene.setup, table.texture)
-    meshes = {each.object_id: library.body(each.object_id).mesh for each in scene.objects}
-    top = TableTop(table.surface, table.tile_size, scene.setup.table_size)
-    with Renderer(library.light_cache) as renderer:
-        renderer.load({**meshes, **stage.meshes}, top)
+    with Renderer(library.light_cache, engine) as renderer:
+        load_scene(renderer, scene, library, table, stage.meshes)
         yield StageDrawer(renderer, stage)

@@ -36,7 +36,9 @@ def require_encoder() -> None:
         raise MissingExtra("Writing films", "film") from error
 
 
-def encoded(frames: Iterable[tuple[Array, int]], fps: int, form: FilmFormat) -> bytes:
+def encoded(
+    frames: Iterable[tuple[Array, int]], fps: int, form: FilmFormat, comment: str = ""
+) -> bytes:
     """A whole film.
 
     Args:
@@ -44,14 +46,17 @@ def encoded(frames: Iterable[tuple[Array, int]], fps: int, form: FilmFormat) -> 
             how many frames each stands.
         fps: Frames a second.
         form: Of the file.
+        comment: What it says of itself to whoever asks.
 
     Raises:
         MissingExtra: PyAV isn't installed, and it isn't to be a GIF.
     """
-    return _gif(frames, fps) if form == "gif" else _video(frames, fps, form)
+    if form == "gif":
+        return _gif(frames, fps, comment)
+    return _video(frames, fps, form, comment)
 
 
-def _video(frames: Iterable[tuple[Array, int]], fps: int, form: FilmFormat) -> bytes:
+def _video(frames: Iterable[tuple[Array, int]], fps: int, form: FilmFormat, comment: str) -> bytes:
     require_encoder()
     import av
 
@@ -59,6 +64,7 @@ def _video(frames: Iterable[tuple[Array, int]], fps: int, form: FilmFormat) -> b
     codec, options = _CODECS[form]
     first = next(rest)
     with av.open(file, "w", format=form, options={"fflags": "+bitexact"}) as container:
+        container.metadata.update({"comment": comment} if comment else {})
         stream = cast(av.VideoStream, container.add_stream(codec, rate=fps, options=options))
         stream.height, stream.width = first[0].shape[:2]
         stream.pix_fmt = "yuv420p"
@@ -73,7 +79,7 @@ def _video(frames: Iterable[tuple[Array, int]], fps: int, form: FilmFormat) -> b
     return file.getvalue()
 
 
-def _gif(frames: Iterable[tuple[Array, int]], fps: int) -> bytes:
+def _gif(frames: Iterable[tuple[Array, int]], fps: int, comment: str) -> bytes:
     images: list[Image.Image] = []
     times: list[int] = []
     for picture, count in frames:
@@ -86,7 +92,14 @@ def _gif(frames: Iterable[tuple[Array, int]], fps: int) -> bytes:
     small = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     file = io.BytesIO()
     small[0].save(
-        file, "GIF", save_all=True, append_images=small[1:], duration=times, loop=0, disposal=1
+        file,
+        "GIF",
+        save_all=True,
+        append_images=small[1:],
+        duration=times,
+        loop=0,
+        disposal=1,
+        comment=comment,
     )
     return file.getvalue()
 

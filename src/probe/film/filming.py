@@ -19,6 +19,7 @@ from probe.film.encoding import FilmFormat, encoded, require_encoder
 from probe.film.footage import take
 from probe.film.layout import STAGE_PX, Layout
 from probe.render.renderer import Renderer
+from probe.scene.setup import RendererName
 from probe.stage.cameras import whole_view
 from probe.tasks.task import Task
 from probe.types import Array
@@ -53,6 +54,7 @@ def film(
     path: Path,
     form: FilmFormat = "mp4",
     *,
+    stage: RendererName = "filament",
     speed: float = 1.0,
     watch: Watch = lambda numbers, _: numbers,
 ) -> FilmFacts:
@@ -62,17 +64,18 @@ def film(
         task: What the record is about.
         record: The episode.
         library: Has the task's objects.
-        renderer: Draws what the station sees; what was loaded in it is replaced. The stage has one
-            of its own.
+        renderer: Draws what the station sees, so it is the record's kind; what was loaded in it is
+            replaced. The stage has one of its own.
         path: The film's file, which is written whole or not at all.
         form: Of the file.
+        stage: What draws the stage; the file says so.
         speed: Of motions other than closing fingers, of life's.
         watch: Told of each picture that is drawn.
 
     Raises:
         CantFilm: The episode can't be done again, or not as it was.
         OtherTools: Tools of another version made the record.
-        MissingExtra: PyAV isn't installed.
+        MissingExtra: PyAV isn't installed, or Blender where it is to draw.
         OutputFailed: The file can't be written.
     """
     if form != "gif":
@@ -81,16 +84,21 @@ def film(
     captions = captions_of(footage.calls, record, score(task, record, renderer))
     shots = cut(footage, speed, [caption.signs for caption in captions])
     began = cpu_seconds()
-    with stage_drawer(footage, library) as drawer:
+    with stage_drawer(task.scene, library, stage) as drawer:
         camera = whole_view(task.setup, *STAGE_PX)
         moments = [footage.moments[number] for number in shown(shots)]
         pictures = (picture for _, picture in drawer.draw_all(moments, camera))
         layout = Layout(footage.question, captions, footage.pictures)
         frames = composed(layout, shots, pictures, watch)
-        content = encoded(frames, FPS, form)
+        content = encoded(frames, FPS, form, drawn_by(stage))
     write_bytes(path, content)
     seconds = sum(shot.frames for shot in shots) / FPS
     return FilmFacts(path, seconds, len(moments), cpu_seconds() - began)
+
+
+def drawn_by(stage: RendererName) -> str:
+    """What a file says of its pictures."""
+    return f"Stage drawn by {stage}"
 
 
 def shown(shots: Sequence[FilmShot]) -> list[int]:

@@ -16,7 +16,7 @@ from probe.render.illumination import Illumination, Sun
 from probe.types import Array, Camera, Pose
 
 NEAR, FAR = 0.05, 20.0
-"""Clipping distances in metres."""
+"""Clipping distances in metres; a series says how far it sees."""
 
 _SUN_SIZE_DEG = 4.0
 """Apparent diameter of the sun: what makes shadows soft."""
@@ -114,12 +114,12 @@ def sun_of(sun: Sun) -> bpy.types.Object:
     return made
 
 
-def camera_of(camera: Camera) -> bpy.types.Object:
-    """A pinhole camera."""
+def camera_of(camera: Camera, far: float) -> bpy.types.Object:
+    """A pinhole camera that sees so many metres."""
     lens = bpy.data.cameras.new("camera")
     lens.sensor_fit = "VERTICAL"
     lens.angle_y = math.radians(camera.fov_y_deg)
-    lens.clip_start, lens.clip_end = NEAR, FAR
+    lens.clip_start, lens.clip_end = NEAR, far
     made = bpy.data.objects.new("camera", lens)
     made.matrix_world = (camera.world_from_camera @ _OPENCV_FROM_BLENDER).matrix.T.tolist()
     return made

@@ -39,6 +39,8 @@ class Painter(Protocol):
 
     def series(self, request: DrawSeries) -> Iterator[Array]: ...
 
+    def end(self) -> None: ...
+
 
 class FilamentPainter:
     """A forked child for each picture."""
@@ -84,6 +86,9 @@ class FilamentPainter:
             yield cast(Array, child.receive())
         child.end(patience=None)
 
+    def end(self) -> None:
+        """Every child has ended with its pictures."""
+
 
 class BlenderPainter:
     """One process of Blender's for all pictures: starting it takes seconds, and it forgets all."""
@@ -104,9 +109,15 @@ class BlenderPainter:
             return cast(Array, self._process.receive())
 
     def series(self, request: DrawSeries) -> Iterator[Array]:
-        for moment in request.moments:
-            self.begin(DrawRequest(moment, request.camera, request.light))
+        """All pictures of one scene, which is filled once."""
+        with _end_alike():
+            self._process.send(request)
+        for _ in request.moments:
             yield self.finish()
+
+    def end(self) -> None:
+        """End Blender's process, which waits and keeps nothing, and learn the CPU time it took."""
+        self._process.kill()
 
 
 @contextmanager

@@ -145,4 +145,6 @@ def _painter(client: Connection, engine: str, cache: str | None) -> Painter:
 if __name__ == "__main__":
     handle, engine, *folder = sys.argv[1:]
     connection = Connection(int(handle))
-    serve(connection, _painter(connection, engine, folder[0] if folder else None))
+    chosen = _painter(connection, engine, folder[0] if folder else None)
+    serve(connection, chosen)
+    chosen.end()

@@ -11,6 +11,7 @@ from probe.assets.mesh.mesh import TexturedMesh
 from probe.film.footage import Footage
 from probe.film.recording.stream import RecordingWriter
 from probe.film.watched_world import TableMoment
+from probe.scene.scene import Scene
 from probe.scene.setup import Setup
 from probe.stage.furniture import furniture
 from probe.stage.part import StagePiece
@@ -23,14 +24,14 @@ def object_entity(instance: int, library: Library, object_id: str) -> str:
     return f"world/objects/{instance} {library[object_id].name}".replace(" ", "_")
 
 
-def tell_looks(writer: RecordingWriter, footage: Footage, library: Library) -> None:
+def tell_looks(writer: RecordingWriter, scene: Scene, library: Library) -> None:
     """All that has a shape."""
-    scene = footage.task.scene
+    looks = scene.setup.looks
     for placed in scene.objects:
-        mesh = library.body(placed.object_id).mesh
+        mesh = library.body(placed.object_id, looks).mesh
         writer.body(object_entity(placed.instance, library, placed.object_id), mesh)
     _tell_pieces(writer, "world/robot", robot_pieces(scene.setup))
-    colour = library.table(scene.table).texture.reshape(-1, 3).mean(axis=0) / 255
+    colour = library.table(scene.table, looks).texture.reshape(-1, 3).mean(axis=0) / 255
     _tell_pieces(writer, "world/furniture", furniture(scene.setup, colour))
 
 

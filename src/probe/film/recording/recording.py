@@ -68,7 +68,7 @@ def recording_of(footage: Footage, graded: Score, library: Library) -> bytes:
     record, setup = footage.record, footage.task.setup
     name = f"{record.task}, {record.agent}, run {record.run}"
     writer = RecordingWriter(name, layout(setup))
-    tell_looks(writer, footage, library)
+    tell_looks(writer, footage.task.scene, library)
     tell_motion(writer, footage, library)
     writer.at(_when(footage, 0), 1)
     writer.text(_question(footage))
