@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -201,7 +202,11 @@ def roots() -> set[str]:
     """Where everything in the package is begun from."""
     commands = {f"probe.cli.{command.module}" for command in COMMANDS.values()}
     parts = {f"probe.question_types.{name}.{part}" for name in question_types() for part in PARTS}
-    return {"probe", *STARTED_BY_NAME, *commands, *parts}
+    scripts = [path.read_text("utf-8") for path in (ROOT / "scripts").glob("*.py")]
+    by_scripts = {
+        name for text in scripts for name in re.findall(r"^from (probe\.\S+)", text, re.M)
+    }
+    return {"probe", *STARTED_BY_NAME, *commands, *parts, *by_scripts}
 
 
 def test_nothing_is_there_for_tests_and_benchmarks_alone():
