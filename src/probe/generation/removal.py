@@ -85,17 +85,21 @@ class RemovalView:
         return [then[number].fraction - first[number].fraction for number in others]
 
     def revealed(self, covering: int, target: int) -> dict[str, float]:
+        """Visible shares without one thing; see revealed_without()."""
+        return self.revealed_without([covering], target)
+
+    def revealed_without(self, removed: Collection[int], target: int) -> dict[str, float]:
         """Visible shares of what is hidden without what hides it, as a certificate names them.
 
         Args:
-            covering: What hides it, an instance on the stage.
+            removed: What hides it, instances on the stage.
             target: What is hidden, an instance of the scene.
 
         Raises:
             Rejected: It is too little, or another thing comes into view as well.
         """
         measured: dict[str, float] = {}
-        for how, after in self.removals([covering]):
+        for how, after in self.removals(removed):
             measured[f"revealed_{how}"] = shown = self.share(after, target)
             if shown < REVEALED_SHARE:
                 raise Rejected(f"revealed {how}", f"only {shown:.0%} show")

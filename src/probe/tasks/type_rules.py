@@ -26,6 +26,10 @@ class TypeRules:
         pointed: Whether a named option needs a point on the object.
         strata: Whether a little of its target may show at first: it is then reported in two parts.
         naive: Share that counting what shows makes right, where that is more than a guess.
+        exact: Whether an answer counts only if what is named has left the table at the end and
+            everything else is where it was; see grade().
+        copies: Whether the thing that its subject names is there several times.
+        searched: Whether "none of the above" is known only once all that is hidden has been seen.
     """
 
     forms: Mapping[Form, frozenset[str]]
@@ -34,6 +38,9 @@ class TypeRules:
     pointed: bool = False
     strata: bool = False
     naive: float = 0.0
+    exact: bool = False
+    copies: bool = False
+    searched: bool = False
 
     @property
     def paired(self) -> bool:

@@ -1,0 +1,67 @@
+"""The rules that every scene of Nested keeps, whichever candidate is at the bottom."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from probe.generation.object_selection import ObjectSelection
+from probe.generation.removal import GhostRemoval, RemovalView
+from probe.generation.result import Rejected
+from probe.generation.twins import Twin, check_hidden
+from probe.generation.visibility_rules import HIDDEN_SHARE, is_hidden, is_seen
+from probe.question_types.nested.truth import which_nested
+
+
+@dataclass(frozen=True, eq=False)
+class Judge:
+    """Checks the rules of Nested on one twin after the other and keeps what it measured.
+
+    Attributes:
+        cast: Who plays.
+        ghosts: Take things away.
+        measures: By candidate.
+    """
+
+    cast: ObjectSelection
+    ghosts: GhostRemoval
+    measures: dict[int, Mapping[str, float]] = field(default_factory=dict[int, Mapping[str, float]])
+
+    def check(self, twin: Twin) -> None:
+        """All rules on one scene; cheap ones first.
+
+        Raises:
+            Rejected: It breaks one.
+        """
+        look, scene, view = self.ghosts.look(twin), twin.scene, self.ghosts.view
+        target, inner, outer = (look.number_of[n] for n in (1, *self.cast.covering))
+        seen = look.before([target, inner, outer])
+        check_hidden(seen[target])
+        if not is_hidden(seen[inner]):
+            raise Rejected("inner shows", f"{seen[inner].fraction:.0%} of the inner cover show")
+        if not is_seen(seen[outer]):
+            raise Rejected("cover unseen", f"{seen[outer].fraction:.0%} of the cover show")
+        shapes = view.silhouettes(scene, [placed.instance for placed in scene.objects])
+        try:
+            found, between = which_nested(scene, [scene[target].object_id], outer, shapes)
+        except ValueError as failure:
+            raise Rejected("under", "the three don't lie beneath each other") from failure
+        assert (found.instance, between) == (target, inner)
+        self.measures[twin.candidate] = {
+            "hidden_share": seen[target].fraction,
+            **self._first_step(look, target, inner),
+            **look.revealed_without(self.cast.covering, target),
+        }
+
+    def _first_step(self, look: RemovalView, target: int, inner: int) -> dict[str, float]:
+        """What shows once the outer cover is gone: the inner one, and still nothing beneath.
+
+        Raises:
+            Rejected: It is otherwise.
+        """
+        _, outer = self.cast.covering
+        shown = look.revealed(outer, inner)
+        for how, after in look.removals([outer]):
+            if (share := look.share(after, target)) > HIDDEN_SHARE:
+                raise Rejected(f"one tells {how}", f"{share:.0%} show without the outer cover")
+        return {f"inner_{name}": share for name, share in shown.items()}
