@@ -94,10 +94,18 @@ def test_where_the_table_is_graded_what_is_named_is_part_of_it(renderer):
     assert necessary_removals(plain, LIBRARY, renderer) == (2,)
 
 
-def test_none_of_them_is_known_once_all_that_is_hidden_shows(renderer):
-    spots = [CUBE, LID, ("black_cube", 0.2, 0.0, 0.0), ("green_lid", 0.2, 0.0, 0.03)]
-    listed = task(*spots, question_type="decoys")
+def test_none_of_them_is_known_once_all_copies_of_the_cover_are_gone(renderer):
+    copy = [("black_cube", 0.2, 0.0, 0.0), ("blue_lid", 0.2, 0.0, 0.03)]
+    other = [("pink_bar", -0.2, 0.0, 0.0), ("brown_board", -0.2, 0.0, 0.03)]
+    listed = replace(task(CUBE, LID, *copy, *other, question_type="decoys"), cover=2)
     assert necessary_removals(listed, LIBRARY, renderer) == (2,)
-    none = task(*spots, question_type="decoys", answer="E")
-    assert necessary_removals(none, LIBRARY, renderer) == (2, 4)
-    assert necessary_removals(task(*spots, answer="E"), LIBRARY, renderer) == (2,)
+    assert necessary_removals(replace(listed, answer="E"), LIBRARY, renderer) == (2, 4)
+    beneath = replace(listed, question_type="beneath", answer="E")
+    assert necessary_removals(beneath, LIBRARY, renderer) == (2,)
+
+
+def test_none_of_them_is_known_once_the_whole_table_shows(renderer):
+    other = [("pink_bar", -0.2, 0.0, 0.0), ("brown_board", -0.2, 0.0, 0.03)]
+    listed = task(CUBE, LID, *other, question_type="find")
+    assert necessary_removals(listed, LIBRARY, renderer) == (2,)
+    assert necessary_removals(replace(listed, answer="E"), LIBRARY, renderer) == (2, 4)

@@ -20,6 +20,7 @@ from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.tasks.task import NONE_OF_THE_ABOVE, Task
+from probe.tasks.truth import lies_under
 from probe.tasks.type_rules import rules_of
 from probe.types import Array
 
@@ -62,13 +63,27 @@ class RemovalSearch:
     def evidence(self, task: Task) -> tuple[int, ...]:
         """Instances that have to show before a task can be answered with certainty.
 
-        They are its targets; that something is *not* there is known once all that is hidden shows.
+        They are its targets; that something is *not* there may take more.
         """
-        wanted = set(task.targets)
+        wanted, where = set(task.targets), rules_of(task.question_type).searched
         texts = {option.letter: option.text for option in task.options}
-        if rules_of(task.question_type).searched and texts[task.answer] == NONE_OF_THE_ABOVE:
+        if texts[task.answer] == NONE_OF_THE_ABOVE and where == "table":
             wanted |= {n for n, seen in self._shares(self.scene).items() if not is_seen(seen)}
+        if texts[task.answer] == NONE_OF_THE_ABOVE and where == "copies":
+            wanted |= self._beneath_copies(task)
         return tuple(sorted(wanted))
+
+    def _beneath_copies(self, task: Task) -> set[int]:
+        """All that lies beneath anything that is the same as a task's cover."""
+        assert task.cover is not None
+        like = self.scene[task.cover].object_id
+        shapes = self.view.silhouettes(self.scene, [it.instance for it in self.scene.objects])
+        covers = [it.instance for it in self.scene.objects if it.object_id == like]
+        return {
+            number
+            for number, shape in shapes.items()
+            if number not in covers and any(lies_under(shape, shapes[it]) for it in covers)
+        }
 
     def fewest(
         self, evidence: Collection[int], required: Collection[int] = ()

@@ -7,5 +7,5 @@ RULES = TypeRules(
     answers="objects",
     fewest_targets=1,
     copies=True,
-    searched=True,
+    searched="copies",
 )

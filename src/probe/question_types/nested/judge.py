@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from probe.generation.object_selection import ObjectSelection
-from probe.generation.removal import GhostRemoval, RemovalView
+from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected
 from probe.generation.twins import Twin, check_hidden
-from probe.generation.visibility_rules import HIDDEN_SHARE, is_hidden, is_seen
+from probe.generation.visibility_rules import is_hidden, is_seen
 from probe.question_types.nested.truth import which_nested
 
 
@@ -43,25 +43,14 @@ class Judge:
             raise Rejected("cover unseen", f"{seen[outer].fraction:.0%} of the cover show")
         shapes = view.silhouettes(scene, [placed.instance for placed in scene.objects])
         try:
-            found, between = which_nested(scene, [scene[target].object_id], outer, shapes)
+            _, between = which_nested(scene, [scene[target].object_id], outer, shapes)
         except ValueError as failure:
             raise Rejected("under", "the three don't lie beneath each other") from failure
-        assert (found.instance, between) == (target, inner)
+        if between != inner:
+            raise Rejected("under", "another thing lies between the two")
+        first = look.revealed_without([self.cast.covering[1]], inner, still=[target])
         self.measures[twin.candidate] = {
             "hidden_share": seen[target].fraction,
-            **self._first_step(look, target, inner),
+            **{f"inner_{name}": share for name, share in first.items()},
             **look.revealed_without(self.cast.covering, target),
         }
-
-    def _first_step(self, look: RemovalView, target: int, inner: int) -> dict[str, float]:
-        """What shows once the outer cover is gone: the inner one, and still nothing beneath.
-
-        Raises:
-            Rejected: It is otherwise.
-        """
-        _, outer = self.cast.covering
-        shown = look.revealed(outer, inner)
-        for how, after in look.removals([outer]):
-            if (share := look.share(after, target)) > HIDDEN_SHARE:
-                raise Rejected(f"one tells {how}", f"{share:.0%} show without the outer cover")
-        return {f"inner_{name}": share for name, share in shown.items()}
