@@ -16,7 +16,7 @@ from probe.episodes.noise import NOISES
 from probe.episodes.oracle_view import oracle_view
 from probe.episodes.play import play, score
 from probe.generation.attempt import Attempt
-from probe.generation.movable import _steps
+from probe.generation.movable import steps
 from probe.generation.necessary import NECESSARY, necessary_removals
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
@@ -137,7 +137,7 @@ def test_the_oracle_view_takes_away_all_that_is_necessary(
 def test_the_inner_cover_has_to_be_movable_too(library: Library, renderer: Renderer):
     task = TASKS["nested"]
     load_scene(renderer, task.scene, library)
-    (outer, before), (inner, after) = _steps(task, renderer)
+    (outer, before), (inner, after) = steps(task, renderer)
     assert (outer, tuple(before)) == (task.cover, ())
     assert {outer, inner} == set(necessary_removals(task, library, renderer) or ())
     assert tuple(after) == (outer,)

@@ -43,7 +43,7 @@ _DIRECTIONS: tuple[Direction, ...] = ("up", "down", "left", "right")
 def immovable(task: Task, library: Library, renderer: Renderer) -> str | None:
     """Which of the things that have to go can't be moved, for people; None if all can."""
     load_scene(renderer, task.scene, library)
-    for instance, first in _steps(task, renderer):
+    for instance, first in steps(task, renderer):
         worked = failed = 0
         while worked < ENOUGH and failed <= TRIES - ENOUGH:
             if _goes(task, instance, first, worked + failed, library, renderer):
@@ -76,7 +76,7 @@ def necessary(task: Task, renderer: Renderer, gone: Collection[int] = ()) -> tup
     return tuple(sorted(found, key=lambda number: -scene[number].pose.position[2]))
 
 
-def _steps(task: Task, renderer: Renderer) -> Iterator[tuple[int, Sequence[int]]]:
+def steps(task: Task, renderer: Renderer) -> Iterator[tuple[int, Sequence[int]]]:
     """What has to go, each with what goes before it: covers under covers come after those.
 
     These are looked for where a certificate says how many have to go; older types have none.

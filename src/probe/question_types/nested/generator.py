@@ -17,7 +17,7 @@ from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.generation.twins import draw_post, draw_twins
 from probe.question_types.nested.casting import NEEDS, select_nested
-from probe.question_types.nested.judge import Judge
+from probe.question_types.nested.judge import StackJudge
 from probe.question_types.nested.stack import build_stack
 from probe.question_types.nested.truth import which_nested
 from probe.render.renderer import Renderer
@@ -40,7 +40,7 @@ def generate_nested(
     stage = Stage(cast.specs, library, [post], plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
-    judge = Judge(cast, GhostRemoval(stage, view, frame))
+    judge = StackJudge(cast, GhostRemoval(stage, view, frame))
 
     def nest(target: int) -> Poses:
         return build_stack(cast, stage, target, post, rng)

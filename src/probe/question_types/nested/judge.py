@@ -14,7 +14,7 @@ from probe.question_types.nested.truth import which_nested
 
 
 @dataclass(frozen=True, eq=False)
-class Judge:
+class StackJudge:
     """Checks the rules of Nested on one twin after the other and keeps what it measured.
 
     Attributes:
