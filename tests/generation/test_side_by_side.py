@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from probe.assets.library import Library
 from probe.generation.alike import sides_alike
 from probe.generation.covers import Cover
+from probe.generation.object_selection import ObjectSelection
 from probe.generation.plan import plan
 from probe.generation.side_by_side import COVERS, draw_posts
 from probe.generation.task_generator import generator_of
@@ -41,6 +42,7 @@ def test_what_lies_beneath_the_covers_is_alike_and_can_be_told_apart(
 ):
     rng = generator(seed, "cast")
     cast = generator_of(question_type).select(library, plan(question_type, 1000 * seed), rng)
+    assert isinstance(cast, ObjectSelection)
     hidden = [*cast.candidates, *cast.beneath]
     assert (len(cast.candidates), len(cast.beneath), len(cast.covers)) == (5, COVERS - 1, COVERS)
     assert sides_alike(hidden, 0.1)

@@ -5,7 +5,7 @@ from probe.tasks.task import Task
 
 
 def _covers(task: Task, sight: TableSight) -> set[int]:
-    outer = set() if task.cover is None else {task.cover}
+    outer = set[int]() if task.cover is None else {task.cover}
     return outer | sight.over(set(task.targets), set(task.targets))
 
 
