@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from probe.agents.moves import Way
 from probe.agents.phrases import PhraseBook
 from probe.agents.scripted import Scripted
 from tabletops import Block, Obedient, spec
@@ -32,7 +35,7 @@ BOWLS = [
 ]
 
 
-def agent(question_type: str, subject: str, first="grasp") -> Scripted:
+def agent(question_type: str, subject: str, first: Way = "grasp") -> Scripted:
     rng = np.random.default_rng
     return Scripted(question_type, subject, rng(5), first, say=PhraseBook(rng(6)))
 
@@ -84,7 +87,7 @@ def test_nested_follows_a_cover_that_is_pushed_and_drags_the_others_along(play):
 
 def _shifted(block: Block, by: tuple[int, int, int, int]) -> Block:
     box = tuple(c + d for c, d in zip(block.box, by, strict=True))
-    return Block(block.instance, box, block.height, block.colour)
+    return replace(block, box=box)
 
 
 @pytest.mark.parametrize(("place", "lifted"), [(0, 1), (1, 2), (2, 3)])
