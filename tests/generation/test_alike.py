@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import draw_alike, told_apart, unlike
+from probe.generation.alike import draw_alike, sides_alike, told_apart, unlike
 from probe.generation.result import Rejected
 
 
@@ -103,3 +104,24 @@ def test_why_nothing_can_be_drawn_is_told():
         draw_alike([], POOL, 0.25, 5, np.random.default_rng(0))
     with pytest.raises(Rejected, match=r"only 3 of 5 alike: .*red ball"):
         draw_alike(POOL[:3], POOL, 0.25, 5, np.random.default_rng(0))
+
+
+def test_where_all_sides_count_a_taller_one_is_not_taken():
+    tall = [replace(one, size=(*one.size[:2], 2 * one.size[2])) for one in POOL if "red" in one.id]
+    pool = [*(one for one in POOL if "red" not in one.id), *tall]
+    for seed in range(20):
+        rng = np.random.default_rng(seed)
+        drawn = draw_alike(pool, pool, 0.1, 4, rng, sides=0.1)
+        assert sides_alike(drawn, 0.1)
+        heights = [one.size[2] for one in drawn]
+        assert max(heights) <= 1.1 * min(heights)
+    assert any(
+        not sides_alike(draw_alike(pool, pool, 0.1, 4, np.random.default_rng(seed)), 0.1)
+        for seed in range(20)
+    )
+
+
+def test_sides_are_compared_as_things_stand():
+    one = POOL[0]
+    assert sides_alike([one, replace(one, size=(one.size[1], one.size[0], one.size[2]))], 0.0)
+    assert not sides_alike([one, replace(one, size=(*one.size[:2], 1.2 * one.size[2]))], 0.1)

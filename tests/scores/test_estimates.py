@@ -43,6 +43,11 @@ def test_counting_what_shows_is_the_naive_ceiling_of_count():
     assert naive_by_type(roster("count-1", options=2)) == {"count": 0.5}
 
 
+def test_nobody_removes_things_by_a_guess():
+    both = roster("exact-1", "reduce-1")
+    assert chance_by_type(both) == naive_by_type(both) == {"exact": 0.0, "reduce": 0.2}
+
+
 def test_chance_is_a_mean_over_tasks():
     mixed = {**roster("size-1", "size-2", options=2), **roster("size-3", options=5)}
     assert chance_by_type(mixed)["size"] == pytest.approx((0.5 + 0.5 + 0.2) / 3)

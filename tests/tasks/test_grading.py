@@ -94,6 +94,44 @@ def test_other_types_look_at_the_letter_alone(question_type, position):
     assert grade(task, FinalAnswer(None), seen).outcome == "unanswered"
 
 
+MUG, LIME, LEMON = 1, 2, 3
+BASKET, FLOOR = (-0.5, -0.45, 0.02), (0.9, 0.0, -0.75)
+EXACT = replace(FIND, question_type="exact", named=(MUG,))
+
+
+def table(**places: tuple[float, float, float]) -> LastView:
+    """The table of the start with some things elsewhere, by name."""
+    moved = {{"mug": MUG, "lime": LIME, "lemon": LEMON}[name]: at for name, at in places.items()}
+    placed = tuple(
+        replace(o, pose=replace(o.pose, position=moved.get(o.instance, o.pose.position)))
+        for o in SCENE.objects
+    )
+    return LastView(np.zeros((0, 0), np.int32), Scene(7, "oak", placed))
+
+
+@pytest.mark.parametrize(
+    ("end", "outcome"),
+    [
+        (table(mug=BASKET), "right"),
+        (table(), "not removed"),
+        (table(mug=FLOOR), "not removed"),
+        (table(mug=(0.3, 0.0, 0.0)), "not removed"),
+        (table(mug=BASKET, lemon=BASKET), "others removed"),
+        (table(mug=BASKET, lime=FLOOR), "others removed"),
+        (table(mug=BASKET, lemon=(-0.1, 0.099, 0.02)), "right"),
+        (table(mug=BASKET, lemon=(-0.1, 0.101, 0.02)), "others moved"),
+        (table(mug=BASKET, lemon=(-0.1, 0.05, 0.08)), "others moved"),
+        (table(mug=BASKET, lime=(0.1 + 0.06, 1 / 3, 0.02)), "others moved"),
+    ],
+)
+def test_exact_grades_the_table_as_well(end, outcome):
+    assert grade(EXACT, FinalAnswer("B"), end) == Score(outcome == "right", True, outcome)
+    assert grade(EXACT, FinalAnswer("A"), end) == WRONG
+    assert grade(EXACT, FinalAnswer(None), end).outcome == "unanswered"
+    none = replace(EXACT, answer="E")
+    assert grade(none, FinalAnswer("E"), end) == Score(outcome == "right", True, outcome)
+
+
 @pytest.mark.parametrize(
     ("position", "place"),
     [

@@ -36,6 +36,7 @@ class Search:
         removed_last: Whether the last manipulation took a thing off the table.
         say: Gives the words that go with each call.
         scale: Of the pictures.
+        gentle: Whether it only lifts, and nothing but what it is to clear: others may not move.
     """
 
     keep: Callable[[Seen], bool]
@@ -46,6 +47,7 @@ class Search:
     removed_last: bool = False
     say: Say = silent
     scale: PictureScale = USUAL_SCALE
+    gentle: bool = False
     _tried: defaultdict[str, list[tuple[Way, Outcome]]] = field(
         default_factory=lambda: defaultdict[str, list[tuple[Way, Outcome]]](list)
     )
@@ -111,6 +113,8 @@ class Search:
 
     def _way(self, name: str) -> Way:
         """What to try on a thing: lift it if possible, push it where that can't be done."""
+        if self.gentle:
+            return "grasp"
         tried = self._tried[name]
         if not tried:
             return self.first
@@ -123,7 +127,7 @@ class Search:
     def _obstacle(self, seen: Seen) -> Seen | None:
         """What lies on a thing that couldn't be lifted, the highest that may be moved; or None."""
         tried = self._tried[seen.name or ""]
-        if not tried or tried[-1][1] not in ("no grip", "blocked", "unfound"):
+        if self.gentle or not tried or tried[-1][1] not in ("no grip", "blocked", "unfound"):
             return None
         over = self.graph.over(seen)
         movable = [s for s in self.graph.named if s.number in over and not self.keep(s)]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan, answer, none_of_them
 from probe.agents.phrases import Reason
-from probe.agents.reading import Box, Graph, same
+from probe.agents.reading import Box, Graph, Seen, same
 from probe.agents.type_plan import ScriptedQuestion
 from probe.episodes.turns import Question
 
@@ -49,52 +49,57 @@ def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[
     )
     yield from search.begin()
     known = {seen.name for seen in search.graph.named}
-    place = _around([seen.box for name in names for seen in search.graph.called(name)])
+    place = around(seen.box for name in names for seen in search.graph.called(name))
     found: FoundAnswer | None = None
     while place is not None:
         left = [seen for name in names for seen in search.graph.called(name)]
         fresh = [seen for seen in left if search.may_clear(seen)]
         # Pushed, a cover takes along what is beneath: that is where it went.
-        place = _around([place, *(seen.box for seen in left)]) or place
+        place = around([place, *(seen.box for seen in left)]) or place
         if not fresh or len(names) == 1:
-            found = _uncovered(question, search.graph, known, place)
+            found = uncovered(question, search.graph, known, [place])
         if found is not None:
             break
         if fresh:
             # What lies on top of the others goes first: it would drag them along.
             highest = min(fresh, key=lambda seen: len(search.graph.over(seen)))
             yield from search.clear(highest, why)
-        elif not (yield from _clear_around(search, place, known)):
+        elif not (yield from clear_around(search, place, known)):
             break
     yield from conclude(asked, found, search)
 
 
-def _around(boxes: Sequence[Box]) -> Box | None:
+def around(boxes: Iterable[Box]) -> Box | None:
     """The box around all of some; None around none."""
-    if not boxes:
+    some = list(boxes)
+    if not some:
         return None
-    left, top, right, bottom = zip(*boxes, strict=True)
+    left, top, right, bottom = zip(*some, strict=True)
     return min(left), min(top), max(right), max(bottom)
 
 
-def _uncovered(
-    question: Question, graph: Graph, known: set[str | None], place: Box
+def newcomers(graph: Graph, known: Collection[str | None], places: Sequence[Box]) -> list[Seen]:
+    """What shows in some places and can be named, but wasn't known."""
+    return [seen for seen in _here(graph, places) if seen.name and seen.name not in known]
+
+
+def uncovered(
+    question: Question, graph: Graph, known: Collection[str | None], places: Sequence[Box]
 ) -> FoundAnswer | None:
-    """Letter of what came to light in a place; None as long as that isn't clear."""
-    here = [s for s in graph.objects if _inside(s.point, place)]
-    new = [s.name for s in here if s.name is not None and s.name not in known]
+    """Letter of what came to light in some places; None as long as that isn't clear."""
+    new = [seen.name or "" for seen in newcomers(graph, known, places)]
     letters = {letter: n for letter, text in question.options for n in new if same(n, text)}
     if len(letters) == 1:
         ((letter, name),) = letters.items()
         return FoundAnswer(letter, "came out", {"thing": name})
-    half_hidden = any(s.name is None for s in here)
+    half_hidden = any(seen.name is None for seen in _here(graph, places))
     none = none_of_them(question)
     if none is None or not new or letters or half_hidden:
         return None
     return FoundAnswer(none, "came out none", {"thing": new[0]})
 
 
-def _clear_around(search: Search, place: Box, known: set[str | None]) -> Plan[bool]:
+def clear_around(search: Search, place: Box, known: Collection[str | None]) -> Plan[bool]:
     """Move away the largest thing in a place that was already known; False if there is none."""
     here = [s for s in search.graph.named if _inside(s.point, place) and s.name in known]
     here = [seen for seen in here if search.may_clear(seen)]
@@ -102,6 +107,10 @@ def _clear_around(search: Search, place: Box, known: set[str | None]) -> Plan[bo
         return False
     yield from search.clear(max(here, key=lambda seen: seen.area), Reason("place"))
     return True
+
+
+def _here(graph: Graph, places: Sequence[Box]) -> list[Seen]:
+    return [seen for seen in graph.objects if any(_inside(seen.point, it) for it in places)]
 
 
 def _inside(point: tuple[int, int], box: Box) -> bool:

@@ -28,8 +28,9 @@ class NoPoses(ProbeError):
 
     def __init__(self, task: str) -> None:
         super().__init__(
-            f"{task} asks for a point, and a robot's record keeps pictures instead of poses: "
-            "whether a point is right can't be told. Leave such tasks out of a robot's folder."
+            f"{task} asks for a point, or that nothing moves but what is named, and a robot's "
+            "record keeps pictures instead of poses: whether that is right can't be told. "
+            "Leave such tasks out of a robot's folder."
         )
 
 

@@ -15,6 +15,9 @@ from probe.scene.turns import Leads, in_turn, nobody
 TWIN_TOLERANCE = 0.10
 """Candidates' longest sides differ by at most this share where each must do in a twin scene."""
 
+SIDES_TOLERANCE = 0.10
+"""The same of each of their sides as they stand, where height may tell what a cover rests on."""
+
 LOOSE_TOLERANCE = 0.25
 """The same where only one of them is ever on the table."""
 
@@ -32,6 +35,12 @@ def longest(spec: ObjectSpec) -> float:
     return max(spec.size)
 
 
+def sides_alike(specs: Sequence[ObjectSpec], tolerance: float) -> bool:
+    """Whether length, width and height of things, as they stand, each differ by such a share."""
+    sides = np.array([(*sorted(spec.size[:2]), spec.size[2]) for spec in specs])
+    return bool((sides.max(axis=0) <= sides.min(axis=0) * (1 + tolerance)).all())
+
+
 def draw_alike(
     pool: Sequence[ObjectSpec],
     library: Sequence[ObjectSpec],
@@ -40,6 +49,7 @@ def draw_alike(
     rng: np.random.Generator,
     *,
     one_colour: bool = False,
+    sides: float | None = None,
     leads: Leads = nobody,
 ) -> tuple[ObjectSpec, ...]:
     """Draw objects alike in size and in how common their category is.
@@ -54,6 +64,7 @@ def draw_alike(
         count: How many.
         rng: Draws them.
         one_colour: Whether their names are to say the same colours, or none.
+        sides: Of length, width and height as they stand, as a share; None for any.
         leads: Which are to be drawn wherever they can.
 
     Raises:
@@ -65,6 +76,8 @@ def draw_alike(
     enough = min(_ENOUGH_LEADING, sum(map(leads, pool)))
 
     def go_together(specs: Sequence[ObjectSpec]) -> bool:
+        if sides is not None and not sides_alike(specs, sides):
+            return False
         return _alike(specs, tolerance, common) and not (one_colour and _colours_differ(specs))
 
     drawn, best = list[ObjectSpec](), list[ObjectSpec]()

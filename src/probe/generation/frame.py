@@ -62,8 +62,9 @@ def frame_of(
     cast: ObjectSelection, seed: int, table: str, rng: np.random.Generator, setup: Setup
 ) -> SceneFrame:
     """A frame that gives all candidates the same number, so that twins differ in nothing else."""
-    drawn = _numbers(len(cast.covers) + len(cast.others) + 1, rng)
+    rest = (*cast.secrets, *cast.covering, *cast.crowd)
+    drawn = _numbers(len(rest) + 1, rng)
     number_of = dict.fromkeys(range(1, len(cast.candidates) + 1), drawn[0])
-    number_of |= dict(zip((*cast.covering, *cast.crowd), drawn[1:], strict=True))
+    number_of |= dict(zip(rest, drawn[1:], strict=True))
     ids = {number: spec.id for number, spec in enumerate(cast.specs, start=1)}
     return SceneFrame(seed, table, ids, number_of, setup)

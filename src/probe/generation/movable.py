@@ -7,13 +7,14 @@ move these things on the table as it is. Each is tried by the skills alone, with
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 import numpy as np
 
 from probe.assets.library import Library
 from probe.episodes.arm_skills import ArmSkills
 from probe.episodes.noise import NOISES
+from probe.generation.necessary import NECESSARY
 from probe.generation.visibility_rules import LITTLE
 from probe.perception.oracle import NOTICED_PX
 from probe.render.photograph import labels_of, load_scene
@@ -42,10 +43,10 @@ _DIRECTIONS: tuple[Direction, ...] = ("up", "down", "left", "right")
 def immovable(task: Task, library: Library, renderer: Renderer) -> str | None:
     """Which of the things that have to go can't be moved, for people; None if all can."""
     load_scene(renderer, task.scene, library)
-    for instance in necessary(task, renderer):
+    for instance, first in steps(task, renderer):
         worked = failed = 0
         while worked < ENOUGH and failed <= TRIES - ENOUGH:
-            if _goes(task, instance, worked + failed, library, renderer):
+            if _goes(task, instance, first, worked + failed, library, renderer):
                 worked += 1
             else:
                 failed += 1
@@ -55,15 +56,15 @@ def immovable(task: Task, library: Library, renderer: Renderer) -> str | None:
     return None
 
 
-def necessary(task: Task, renderer: Renderer) -> tuple[int, ...]:
+def necessary(task: Task, renderer: Renderer, gone: Collection[int] = ()) -> tuple[int, ...]:
     """Instances that have to go before the answer shows, topmost first.
 
     They are what the question wants removed, its cover, and whatever hides most of a target that
-    doesn't show. The renderer must have the task's objects loaded.
+    doesn't show, once some are gone. The renderer must have the task's objects loaded.
     """
-    scene, camera = task.scene, task.viewpoint.camera
+    scene, camera = task.scene.without(*gone), task.viewpoint.camera
     labels = labels_of(renderer, scene, camera)
-    found = {*task.named, *([task.cover] if task.cover is not None else [])}
+    found = {*task.named, *([task.cover] if task.cover is not None else [])} - {*gone}
     alone = renderer.outlines([scene[target] for target in task.targets], camera)
     for target, mask in alone.items():
         over = np.bincount(labels[mask], minlength=target + 1)
@@ -75,11 +76,34 @@ def necessary(task: Task, renderer: Renderer) -> tuple[int, ...]:
     return tuple(sorted(found, key=lambda number: -scene[number].pose.position[2]))
 
 
-def _goes(task: Task, instance: int, number: int, library: Library, renderer: Renderer) -> bool:
+def steps(task: Task, renderer: Renderer) -> Iterator[tuple[int, Sequence[int]]]:
+    """What has to go, each with what goes before it: covers under covers come after those.
+
+    These are looked for where a certificate says how many have to go; older types have none.
+    """
+    gone = list(necessary(task, renderer))
+    for instance in gone:
+        yield instance, _over(task, instance)
+    if NECESSARY not in task.certificate.measures:
+        return
+    while beneath := [n for n in necessary(task, renderer, gone) if n not in gone]:
+        for instance in beneath:
+            yield instance, tuple(gone)
+        gone += beneath
+
+
+def _goes(
+    task: Task,
+    instance: int,
+    first: Sequence[int],
+    number: int,
+    library: Library,
+    renderer: Renderer,
+) -> bool:
     """Whether a thing leaves its place: into the basket, or if need be and it will do, aside."""
     station = SimulatedStation(World(task.scene, library), renderer, task.viewpoint.camera)
     skills = ArmSkills(NOISES["paper"], task.seed, FIRST_RUN + number)
-    for other in _over(task, instance):
+    for other in first:
         station.take_away(other)
     for _ in range(_GRASPS):
         frame = station.observe(rgb=False)

@@ -43,12 +43,14 @@ class ObjectSelection:
         eligible: Indices of those of which that one is drawn; all, or those that lead.
         covers: The lowest first; at least one.
         others: The crowd.
+        beneath: What lies under further covers.
     """
 
     candidates: tuple[ObjectSpec, ...]
     eligible: tuple[int, ...]
     covers: tuple[Cover, ...]
     others: tuple[ObjectSpec, ...]
+    beneath: tuple[ObjectSpec, ...] = ()
 
     def draw_true(self, rng: np.random.Generator) -> int:
         """Index of the candidate that is on the table."""
@@ -57,12 +59,19 @@ class ObjectSelection:
     @property
     def specs(self) -> tuple[ObjectSpec, ...]:
         """All of them, in the order of their instances on a stage."""
-        return (*self.candidates, *(cover.spec for cover in self.covers), *self.others)
+        covers = (cover.spec for cover in self.covers)
+        return (*self.candidates, *self.beneath, *covers, *self.others)
+
+    @property
+    def secrets(self) -> tuple[int, ...]:
+        """Instances on a stage of what lies under further covers."""
+        first = len(self.candidates) + 1
+        return tuple(range(first, first + len(self.beneath)))
 
     @property
     def covering(self) -> tuple[int, ...]:
-        """The covers' instances on a stage; candidates come before them."""
-        first = len(self.candidates) + 1
+        """The covers' instances on a stage; what they hide comes before them."""
+        first = len(self.candidates) + len(self.beneath) + 1
         return tuple(range(first, first + len(self.covers)))
 
     @property
@@ -76,10 +85,13 @@ def hideable(library: Library, largest: float = LARGEST) -> list[ObjectSpec]:
     return [spec for spec in library.specs if SMALLEST <= longest(spec) <= largest]
 
 
-def needs_alike(largest: float, tolerance: float, count: int = CANDIDATES) -> str:
+def needs_alike(
+    largest: float, tolerance: float, count: int = CANDIDATES, *, sides: bool = False
+) -> str:
     """What things that could stand for one another are like, for people; metres, a share."""
     low, high = 100 * SMALLEST, 100 * largest
-    alike = f"alike in length to {tolerance:.0%}, unlike in name and colour"
+    what = "length, width and height" if sides else "length"
+    alike = f"alike in {what} to {tolerance:.0%}, unlike in name and colour"
     return f"{count} things {low:g} to {high:g} cm long, {alike}"
 
 
@@ -132,7 +144,7 @@ def draw_cast(
             free = unlike(free, [cover.spec])
         else:
             try:
-                eligible = _those_to_hide(library, candidates, covers)
+                eligible = those_to_hide(library, candidates, covers)
             except Rejected as rejected:
                 failure = rejected
                 continue
@@ -145,10 +157,10 @@ def _names(specs: Sequence[ObjectSpec]) -> str:
     return ", ".join(spec.name for spec in specs)
 
 
-def _those_to_hide(
+def those_to_hide(
     library: Library, candidates: Sequence[ObjectSpec], covers: Sequence[Cover]
 ) -> tuple[int, ...]:
-    """Indices of the candidates of which one may be on the table; see Cast.
+    """Indices of the candidates of which one may be on the table; see ObjectSelection.
 
     Raises:
         Rejected: Some things lead, but none would play a part.

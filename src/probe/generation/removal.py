@@ -12,7 +12,7 @@ from probe.generation.result import Rejected
 from probe.generation.scene_view import SceneView
 from probe.generation.stage import Stage
 from probe.generation.twins import Twin
-from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE
+from probe.generation.visibility_rules import HIDDEN_SHARE, LARGEST_GAIN, REVEALED_SHARE
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.types import Array
@@ -85,20 +85,30 @@ class RemovalView:
         return [then[number].fraction - first[number].fraction for number in others]
 
     def revealed(self, covering: int, target: int) -> dict[str, float]:
+        """Visible shares without one thing; see revealed_without()."""
+        return self.revealed_without([covering], target)
+
+    def revealed_without(
+        self, removed: Collection[int], target: int, still: Collection[int] = ()
+    ) -> dict[str, float]:
         """Visible shares of what is hidden without what hides it, as a certificate names them.
 
         Args:
-            covering: What hides it, an instance on the stage.
+            removed: What hides it, instances on the stage.
+            still: Instances of the scene that stay hidden then.
             target: What is hidden, an instance of the scene.
 
         Raises:
             Rejected: It is too little, or another thing comes into view as well.
         """
         measured: dict[str, float] = {}
-        for how, after in self.removals([covering]):
+        for how, after in self.removals(removed):
             measured[f"revealed_{how}"] = shown = self.share(after, target)
             if shown < REVEALED_SHARE:
                 raise Rejected(f"revealed {how}", f"only {shown:.0%} show")
+            too_much = max((self.share(after, number) for number in still), default=0.0)
+            if too_much > HIDDEN_SHARE:
+                raise Rejected(f"one tells {how}", f"{too_much:.0%} show of what lies deeper")
             gain = max(self.gains(after, but=target), default=0.0)
             if gain > LARGEST_GAIN:
                 raise Rejected(f"others {how}", f"another gains {gain:.0%}")

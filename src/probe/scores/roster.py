@@ -37,15 +37,20 @@ def roster_of(rows: Iterable[Row]) -> dict[str, Listed]:
 def chance_by_type(roster: Roster) -> dict[str, float]:
     """What a blind guess among the options gives, by type: the mean over its tasks.
 
-    In Find it gives less, since the point must be hit as well; the letter alone gives this.
+    In Find it gives less, since the point must be hit as well; the letter alone gives this. In
+    Exact it gives nothing: whoever moves nothing removes nothing.
     """
     question_types = sorted({listed.question_type for listed in roster.values()})
     return {
         question_type: float(
-            np.mean([1 / it.options for it in roster.values() if it.question_type == question_type])
+            np.mean([_guessed(it) for it in roster.values() if it[0] == question_type])
         )
         for question_type in question_types
     }
+
+
+def _guessed(listed: Listed) -> float:
+    return 0.0 if rules_of(listed.question_type).exact else 1 / listed.options
 
 
 def naive_by_type(roster: Roster) -> dict[str, float]:

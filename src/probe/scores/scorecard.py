@@ -162,12 +162,18 @@ def _parts(rows: Sequence[Row], roster: Roster, seed: int) -> tuple[Figure, ...]
         )
         for question_type, stratum in strata
     ]
-    pointed = {it.question_type for it in roster.values() if rules_of(it.question_type).pointed}
+    more = {it.question_type for it in roster.values() if _needs_more(it.question_type)}
     letters = [
         _part(f"{name}, letter alone", rows, roster, seed, _of_type(name), _letter)
-        for name in sorted(pointed)
+        for name in sorted(more)
     ]
     return (*letters, *figures)
+
+
+def _needs_more(question_type: str) -> bool:
+    """Whether a right letter alone doesn't count."""
+    rules = rules_of(question_type)
+    return rules.pointed or rules.exact
 
 
 def _letter(row: Row) -> bool:

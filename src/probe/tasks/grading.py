@@ -23,7 +23,21 @@ FEWEST_PX = 25
 _BELOW_TABLE = -0.02
 """Metres; an object that is lower fell off. Its origin is its lowest point when it stands."""
 
-Outcome = Literal["right", "wrong", "unanswered", "no point", "missed", "lost", "covered"]
+MOST_MOVED = 0.05
+"""Metres that a thing may move where nothing but what is named may be touched."""
+
+Outcome = Literal[
+    "right",
+    "wrong",
+    "unanswered",
+    "no point",
+    "missed",
+    "lost",
+    "covered",
+    "not removed",
+    "others removed",
+    "others moved",
+]
 Whereabouts = Literal["table", "basket", "off the table"]
 
 
@@ -58,7 +72,7 @@ class Score:
     """Worth of an answer.
 
     Attributes:
-        correct: The letter is right, and in Find the point too.
+        correct: The letter is right, and in Find the point too; in Exact the table as well.
         letter_correct: The letter alone.
         outcome: Why.
     """
@@ -69,7 +83,7 @@ class Score:
 
 
 def grade(task: Task, answer: FinalAnswer, last: LastView) -> Score:
-    """Score an answer by the task's rules; only Find looks at the end.
+    """Score an answer by the task's rules; only Find and Exact look at the end.
 
     Args:
         task: What was asked.
@@ -82,15 +96,21 @@ def grade(task: Task, answer: FinalAnswer, last: LastView) -> Score:
         return Score(False, False, "wrong")
     if not looks_at_end(task, answer):
         return Score(True, True, "right")
-    outcome = _grade_point(task.targets[0], answer.point, last)
+    if rules_of(task.question_type).exact:
+        outcome = _grade_table(task, last.scene)
+    else:
+        outcome = _grade_point(task.targets[0], answer.point, last)
     return Score(outcome == "right", True, outcome)
 
 
 def looks_at_end(task: Task, answer: FinalAnswer) -> bool:
-    """Whether an answer's worth depends on the last view: a letter that has to be pointed at."""
-    return (
-        rules_of(task.question_type).pointed and answer.letter == task.answer and task.answer != "E"
-    )
+    """Whether an answer's worth depends on the last view.
+
+    That is so of a letter that has to be pointed at, and where the table itself is graded.
+    """
+    rules = rules_of(task.question_type)
+    pointed = rules.pointed and task.answer != "E"
+    return answer.letter == task.answer and (pointed or rules.exact)
 
 
 def whereabouts(pose: Pose, setup: Setup) -> Whereabouts:
@@ -111,6 +131,17 @@ def _grade_point(target: int, point: tuple[float, float] | None, last: LastView)
     if np.count_nonzero(mask) < FEWEST_PX:
         return "covered"
     return "right" if distance_px(mask, point) <= POINT_TOLERANCE_PX else "missed"
+
+
+def _grade_table(task: Task, end: Scene) -> Outcome:
+    """Whether what was named is in the basket, and all else on the table near where it was."""
+    others = [placed for placed in task.scene.objects if placed.instance not in task.named]
+    if any(whereabouts(end[number].pose, end.setup) != "basket" for number in task.named):
+        return "not removed"
+    if any(whereabouts(end[it.instance].pose, end.setup) != "table" for it in others):
+        return "others removed"
+    ways = [math.dist(it.pose.position, end[it.instance].pose.position) for it in others]
+    return "others moved" if max(ways, default=0.0) > MOST_MOVED else "right"
 
 
 def distance_px(mask: Array, point: tuple[float, float]) -> float:

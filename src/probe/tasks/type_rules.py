@@ -14,6 +14,10 @@ Form = str
 Answers = Literal["objects", "numbers", "marks"]
 """What the options are: four of five objects, four of five numbers, or the two marked things."""
 
+Searched = Literal["target", "copies", "table"]
+"""What "none of the above" rests on: what is in the target's place, what is beneath all copies of
+its cover, or all that is on the table."""
+
 
 @dataclass(frozen=True)
 class TypeRules:
@@ -26,6 +30,10 @@ class TypeRules:
         pointed: Whether a named option needs a point on the object.
         strata: Whether a little of its target may show at first: it is then reported in two parts.
         naive: Share that counting what shows makes right, where that is more than a guess.
+        exact: Whether an answer counts only if what is named has left the table at the end and
+            everything else is where it was; see grade().
+        copies: Whether the thing that its subject names is there several times.
+        searched: What has to be seen before "none of the above" is known to be right.
     """
 
     forms: Mapping[Form, frozenset[str]]
@@ -34,6 +42,9 @@ class TypeRules:
     pointed: bool = False
     strata: bool = False
     naive: float = 0.0
+    exact: bool = False
+    copies: bool = False
+    searched: Searched = "target"
 
     @property
     def paired(self) -> bool:

@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from probe.assets.library import Library
-from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, longest, told_apart
+from probe.generation.alike import (
+    LOOSE_TOLERANCE,
+    SIDES_TOLERANCE,
+    TWIN_TOLERANCE,
+    longest,
+    sides_alike,
+    told_apart,
+)
 from probe.tasks.options import MOST_COUNTED
 from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Task
 from probe.tasks.type_rules import rules_of
@@ -74,6 +81,13 @@ def _candidates(task: Task, library: Library) -> Iterator[str]:
     sizes = [longest(spec) for spec in specs]
     if max(sizes) > min(sizes) * (1 + tolerance) + _ROUNDING:
         yield f"its candidates' longest sides differ by more than {tolerance:.0%}"
+
+
+def sides_problems(task: Task, library: Library) -> Iterator[str]:
+    """That candidates are alike in length, width and height: a cover may rest on them."""
+    specs = [library[object_id] for object_id in task.certificate.candidates]
+    if not sides_alike(specs, SIDES_TOLERANCE + _ROUNDING):
+        yield f"a side of its candidates differs by more than {SIDES_TOLERANCE:.0%}"
 
 
 def _shown(texts: Sequence[str]) -> str:

@@ -39,7 +39,7 @@ def clarity_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
         yield "two kinds of things share a name, or category and main colour"
     copies = Counter(o.object_id for o in task.scene.objects)
     several = {anew.library[id].name for id, count in copies.items() if count > 1}
-    if several - ({task.subject} if rules.numbered else set()):
+    if several - ({task.subject} if rules.numbered or rules.copies else set()):
         yield f"there are several of {', '.join(sorted(several))}"
     if rules.answers == "objects":
         present = {spec.name for spec in specs} & set(texts)

@@ -26,6 +26,9 @@ _AFTER_THE_LETTER: dict[Outcome, str] = {
     "missed": "the point isn't on it",
     "lost": "it isn't on the table any more",
     "covered": "too little of it shows to be pointed at",
+    "not removed": "something that was to be removed isn't in the basket",
+    "others removed": "something else has left the table too",
+    "others moved": "something else has moved by over 5 cm",
 }
 """Why an answer with the right letter is wrong all the same."""
 

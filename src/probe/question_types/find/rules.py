@@ -8,4 +8,5 @@ RULES = TypeRules(
     fewest_targets=1,
     pointed=True,
     strata=True,
+    searched="table",
 )

@@ -65,11 +65,13 @@ def tasks_of(plan: SessionPlan, suite: Suite) -> Suite:
 
     Raises:
         UnknownName: A task isn't in it.
-        BadData: A task's answer has to be pointed at, which a robot's record can't grade.
+        BadData: A task is graded by where things lie, which a robot's record doesn't tell.
     """
     tasks = tuple(suite[name] for name in plan.tasks)
     for task in tasks:
-        if rules_of(task.question_type).pointed:
-            reason = "asks for a point, and without poses nobody can say whether it is right"
+        rules = rules_of(task.question_type)
+        if rules.pointed or rules.exact:
+            asks = "asks for a point" if rules.pointed else "is graded by where things lie"
+            reason = f"{asks}, and without poses nobody can say whether it is right"
             raise BadData(task.id, reason, "Choose tasks that a letter answers")
     return selection(suite, tasks, suite.name)

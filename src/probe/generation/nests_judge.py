@@ -1,0 +1,57 @@
+"""The rules that every scene with several covers keeps, whichever candidate is beneath its own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from probe.generation.removal import GhostRemoval
+from probe.generation.result import Rejected
+from probe.generation.side_by_side import Nests
+from probe.generation.twins import Twin, check_hidden
+from probe.generation.visibility_rules import is_clear
+from probe.tasks.truth import covered_share, lies_under
+
+
+@dataclass(frozen=True, eq=False)
+class NestsJudge:
+    """Checks one twin after the other and keeps what it measured.
+
+    Attributes:
+        nests: The covers, and what is beneath them.
+        ghosts: Take things away.
+        measures: By candidate.
+    """
+
+    nests: Nests
+    ghosts: GhostRemoval
+    measures: dict[int, dict[str, float]] = field(default_factory=dict[int, dict[str, float]])
+
+    def check(self, twin: Twin) -> None:
+        """All rules on one scene; cheap ones first.
+
+        What is beneath each cover is hidden, and taking this one away shows it and nothing else.
+
+        Raises:
+            Rejected: It breaks one.
+        """
+        look, view = self.ghosts.look(twin), self.ghosts.view
+        pairs = [tuple(look.number_of[n] for n in pair) for pair in self.nests.pairs]
+        shapes = view.silhouettes(twin.scene, [number for pair in pairs for number in pair])
+        seen = look.before(list(shapes))
+        for hidden, cover in pairs:
+            check_hidden(seen[hidden])
+            if not is_clear(seen[cover]):
+                raise Rejected("cover unclear", f"only {seen[cover].fraction:.0%} of one show")
+            if not lies_under(shapes[hidden], shapes[cover]):
+                share = covered_share(shapes[hidden], shapes[cover])
+                raise Rejected("under", f"{share:.0%} within the cover's outline")
+        shown = [
+            look.revealed(covering, hidden)
+            for (_, covering), (hidden, _) in zip(self.nests.pairs, pairs, strict=True)
+        ]
+        (target, cover), *_ = pairs
+        self.measures[twin.candidate] = {
+            "hidden_share": seen[target].fraction,
+            "covered_share": covered_share(shapes[target], shapes[cover]),
+            **shown[0],
+        }

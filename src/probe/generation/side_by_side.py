@@ -1,0 +1,180 @@
+"""Scenes with several covers side by side, each over something; beneath one lies the target."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from probe.assets.library import Library
+from probe.assets.spec import ObjectSpec
+from probe.generation.alike import SIDES_TOLERANCE, TWIN_TOLERANCE, draw_alike, unlike
+from probe.generation.covers import GRASP_WIDTH, Cover, Footprint, footprint_of
+from probe.generation.object_selection import (
+    CAST_TRIES,
+    LARGEST,
+    ObjectSelection,
+    draw_crowd,
+    hideable,
+    needs_alike,
+    those_to_hide,
+)
+from probe.generation.result import Rejected
+from probe.generation.stage import Poses, Stage
+from probe.generation.twins import build_nest, right_above
+from probe.tasks.options import CANDIDATES
+from probe.types import Array
+from probe.world.model import Post
+
+COVERS = 3
+"""Covers in a scene, with something beneath each."""
+
+WIDEST = 0.16
+"""Longest side on the table in metres of a cover: three of them need room."""
+
+NEEDS_ALIKE = needs_alike(LARGEST, TWIN_TOLERANCE, CANDIDATES + COVERS - 1, sides=True)
+"""What lies beneath the covers, for people."""
+
+_FROM_MIDDLE = 0.11
+
+
+@dataclass(frozen=True, eq=False)
+class Hidden:
+    """What lies beneath the covers: five candidates for one of them, and what the others hide.
+
+    Attributes:
+        candidates: Five.
+        secrets: One for each further cover; alike to the candidates, so that nothing tells.
+        room: What each of all of them needs.
+    """
+
+    candidates: tuple[ObjectSpec, ...]
+    secrets: tuple[ObjectSpec, ...]
+    room: tuple[Footprint, ...]
+
+    @staticmethod
+    def drawn(library: Library, rng: np.random.Generator) -> Hidden:
+        """Draw things that are alike in length, width and height.
+
+        Raises:
+            Rejected: The library has too few.
+        """
+        specs = draw_alike(
+            hideable(library),
+            library.specs,
+            TWIN_TOLERANCE,
+            CANDIDATES + COVERS - 1,
+            rng,
+            sides=SIDES_TOLERANCE,
+            leads=library.leads,
+        )
+        room = tuple(footprint_of(library, spec.id) for spec in specs)
+        return Hidden(specs[:CANDIDATES], specs[CANDIDATES:], room)
+
+
+DrawCovers = Callable[[Sequence[ObjectSpec], Hidden], Sequence[Cover]]
+"""Draws covers for what is hidden from things that are free; COVERS of them if there are."""
+
+
+def select(
+    library: Library, draw: DrawCovers, crowd: int, rng: np.random.Generator
+) -> ObjectSelection:
+    """Who plays, with a crowd of so many.
+
+    Raises:
+        Rejected: The library has no such set.
+    """
+    failure = Rejected("cover", "nothing was drawn")
+    for _ in range(CAST_TRIES):
+        hidden = Hidden.drawn(library, rng)
+        free = unlike(library.specs, [*hidden.candidates, *hidden.secrets])
+        covers = draw(free, hidden)
+        if len(covers) < COVERS:
+            names = ", ".join(spec.name for spec in (*hidden.candidates, *hidden.secrets))
+            failure = Rejected("cover", f"only {len(covers)} of {COVERS} covers for {names}")
+            continue
+        try:
+            eligible = those_to_hide(library, hidden.candidates, covers)
+        except Rejected as rejected:
+            failure = rejected
+            continue
+        others = draw_crowd(unlike(free, [cover.spec for cover in covers]), crowd, rng)
+        return ObjectSelection(hidden.candidates, eligible, tuple(covers), others, hidden.secrets)
+    raise failure
+
+
+def liftable(specs: Sequence[ObjectSpec]) -> list[ObjectSpec]:
+    """Those that the hand can take by their sides, and of which three have room on the table."""
+    return [s for s in specs if min(s.size[:2]) <= GRASP_WIDTH and max(s.size) <= WIDEST]
+
+
+def draw_posts(covers: Sequence[Cover], wider: float, rng: np.random.Generator) -> list[Post]:
+    """Places around the middle, further apart than the covers reach.
+
+    Args:
+        covers: What goes there.
+        wider: How much wider than its cover each disc is that others are kept off.
+        rng: Draws how they are turned about the middle.
+    """
+    angle, apart = float(rng.uniform(0, 2 * math.pi)), 2 * math.sin(math.pi / len(covers))
+    reaches = sorted(cover.reach for cover in covers)
+    distance = max(_FROM_MIDDLE, wider * (reaches[-1] + reaches[-2]) / apart)
+    turns = angle + 2 * math.pi * np.arange(len(covers)) / len(covers)
+    places: Array = distance * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    return [
+        Post(float(x), float(y), wider * cover.reach)
+        for (x, y), cover in zip(places, covers, strict=True)
+    ]
+
+
+@dataclass(frozen=True, eq=False)
+class Nests:
+    """Covers on their places, all but one with a thing beneath that stays the same.
+
+    Attributes:
+        cast: Who plays.
+        stage: Made of the cast's specs.
+        posts: Where each cover stands.
+        place: Which of the covers hides the candidates.
+        fixed: Poses of the other covers and of what is beneath them.
+    """
+
+    cast: ObjectSelection
+    stage: Stage
+    posts: Sequence[Post]
+    place: int
+    fixed: Poses
+
+    @staticmethod
+    def built(
+        cast: ObjectSelection,
+        stage: Stage,
+        posts: Sequence[Post],
+        place: int,
+        rng: np.random.Generator,
+    ) -> Nests:
+        """Lay all covers but one.
+
+        Raises:
+            Rejected: One of them doesn't hide what is beneath it.
+        """
+        fixed: Poses = {}
+        further = [number for number in range(len(posts)) if number != place]
+        for secret, number in zip(cast.secrets, further, strict=True):
+            lay = right_above(cast.covering[number], cast.covers[number])
+            fixed |= build_nest(stage, secret, lay, posts[number], rng)
+        return Nests(cast, stage, posts, place, fixed)
+
+    def nest(self, target: int, rng: np.random.Generator) -> Poses:
+        """All covers, with this candidate beneath its own; see twins.Nest."""
+        lay = right_above(self.cast.covering[self.place], self.cast.covers[self.place])
+        return {**build_nest(self.stage, target, lay, self.posts[self.place], rng), **self.fixed}
+
+    @property
+    def pairs(self) -> tuple[tuple[int, int], ...]:
+        """Instances on the stage of what is hidden and of what hides it; the target's first."""
+        further = [n for number, n in enumerate(self.cast.covering) if number != self.place]
+        mine = (1, self.cast.covering[self.place])
+        return (mine, *zip(self.cast.secrets, further, strict=True))

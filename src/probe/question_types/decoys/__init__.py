@@ -1,0 +1,1 @@
+"""Decoys: three covers look the same; what lies under one of them?"""

@@ -1,0 +1,1 @@
+"""Exact: remove these and nothing else; which was hidden under them?"""

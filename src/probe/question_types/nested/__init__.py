@@ -1,0 +1,1 @@
+"""Nested: what lies under the thing that a cover hides?"""

@@ -1,0 +1,139 @@
+"""Plans of several steps: covers under covers, like covers, and orders to remove nothing else."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from probe.agents.moves import Way
+from probe.agents.phrases import PhraseBook
+from probe.agents.scripted import Scripted
+from tabletops import Block, Obedient, spec
+
+SPECS = {
+    1: spec("blue bowl", "blue"),
+    2: spec("red die", "red"),
+    3: spec("yellow duck", "yellow"),
+    4: spec("green book", "green"),
+    5: spec("white egg", "white"),
+    6: spec("brown box", "brown"),
+    7: spec("gray tray", "gray"),
+    8: spec("blue bowl", "blue"),
+    9: spec("blue bowl", "blue"),
+}
+NONE = "None of the above"
+OPTIONS = ["red die", "white cup", "black pen", "gray tin", NONE]
+TRAY = Block(7, (250, 250, 549, 549), 0.10, (120, 120, 120))
+BOWL = Block(1, (300, 300, 499, 499), 0.08, (30, 60, 150))
+BOX = Block(6, (650, 650, 899, 899), 0.15, (110, 70, 42))
+PLACES = (60, 370, 680)
+BOWLS = [
+    Block(number, (left, 100, left + 199, 299), 0.08, (30, 60, 150))
+    for number, left in zip((1, 8, 9), PLACES, strict=True)
+]
+
+
+def agent(question_type: str, subject: str, first: Way = "grasp") -> Scripted:
+    rng = np.random.default_rng
+    return Scripted(question_type, subject, rng(5), first, say=PhraseBook(rng(6)))
+
+
+def inside(instance: int) -> Block:
+    """Something under the tray's bowl."""
+    return Block(instance, (370, 370, 429, 429), 0.02)
+
+
+def under(place: int, instance: int) -> Block:
+    """Something under one of the like bowls."""
+    left = PLACES[place] + 70
+    return Block(instance, (left, 170, left + 59, 229), 0.02)
+
+
+def ways(skills: Obedient) -> list[object]:
+    return [call[0] for call in skills.calls]
+
+
+@pytest.mark.parametrize(("hidden", "letter"), [(2, "A"), (3, "E")])
+def test_nested_lifts_both_covers_and_names_what_is_at_the_bottom(play, hidden, letter):
+    skills = Obedient()
+    blocks = [TRAY, BOWL, inside(hidden), BOX]
+    record = play(agent("nested", "gray tray"), OPTIONS, SPECS, blocks, skills)
+    assert record.answer and record.answer.choice == letter
+    assert ways(skills) == ["grasp", "grasp"]
+
+
+def test_nested_does_not_take_the_inner_cover_for_the_answer(play):
+    record = play(agent("nested", "gray tray"), OPTIONS, SPECS, [TRAY, BOWL])
+    assert record.answer is None
+
+
+def test_nested_follows_a_cover_that_is_pushed_and_drags_the_others_along(play):
+    class Dragging(Obedient):
+        def push(self, station, frame, mask, direction, distance_m, basket):
+            done = super().push(station, frame, mask, direction, distance_m, basket)
+            if len(self.calls) == 1:
+                moved = (60, 0, 60, 0)
+                station.blocks = [
+                    b if b.instance == 7 else _shifted(b, moved) for b in station.blocks
+                ]
+            return done
+
+    blocks = [TRAY, BOWL, inside(2)]
+    record = play(agent("nested", "gray tray", "push"), OPTIONS, SPECS, blocks, Dragging())
+    assert record.answer and record.answer.choice == "A"
+
+
+def _shifted(block: Block, by: tuple[int, int, int, int]) -> Block:
+    box = tuple(c + d for c, d in zip(block.box, by, strict=True))
+    return replace(block, box=box)
+
+
+@pytest.mark.parametrize(("place", "lifted"), [(0, 1), (1, 2), (2, 3)])
+def test_decoys_are_lifted_one_by_one_until_an_option_shows(play, place, lifted):
+    secrets = [under(other, n) for other, n in zip({0, 1, 2} - {place}, (3, 5), strict=True)]
+    skills = Obedient()
+    blocks = [*BOWLS, under(place, 2), *secrets, BOX]
+    record = play(agent("decoys", "blue bowl"), OPTIONS, SPECS, blocks, skills)
+    assert record.answer and record.answer.choice == "A"
+    assert ways(skills) == ["grasp"] * lifted
+
+
+def test_decoys_are_all_lifted_before_none_is_said(play):
+    skills = Obedient()
+    blocks = [*BOWLS, under(0, 3), under(1, 4), under(2, 5)]
+    record = play(agent("decoys", "blue bowl"), OPTIONS, SPECS, blocks, skills)
+    assert record.answer and record.answer.choice == "E"
+    assert ways(skills) == ["grasp"] * 3
+
+
+def test_decoys_that_withstand_leave_no_answer(play):
+    blocks = [*BOWLS, under(0, 3), under(1, 2), under(2, 5)]
+    record = play(agent("decoys", "blue bowl"), OPTIONS, SPECS, blocks, Obedient("blocked"))
+    assert record.answer is None
+
+
+@pytest.mark.parametrize("first", ["grasp", "push"])
+@pytest.mark.parametrize(("hidden", "letter"), [(2, "A"), (3, "E")])
+def test_exact_lifts_what_is_named_and_nothing_else(play, first, hidden, letter):
+    skills = Obedient()
+    book = Block(4, (650, 100, 849, 299), 0.03, (40, 120, 50))
+    egg = Block(5, (700, 150, 759, 209), 0.02)
+    subject = "green book, blue bowl"
+    blocks = [BOWL, inside(hidden), book, egg, BOX]
+    record = play(agent("exact", subject, first), OPTIONS, SPECS, blocks, skills)
+    assert record.answer and record.answer.choice == letter
+    assert ways(skills) == ["grasp", "grasp"]
+    assert {placed.instance for placed in record.scenes[-1].objects} == {hidden, 5, 6}
+
+
+@pytest.mark.parametrize("status", ["blocked", "no_candidate"])
+def test_exact_never_pushes_nor_clears_what_lies_on_top(play, status):
+    skills = Obedient(status)
+    lid = Block(4, (350, 350, 449, 449), 0.09, (40, 120, 50))
+    blocks = [BOWL, lid, inside(2)]
+    record = play(agent("exact", "blue bowl"), OPTIONS, SPECS, blocks, skills)
+    assert record.answer is None
+    assert set(ways(skills)) <= {"grasp"}
+    assert any(placed.instance == 4 for placed in record.scenes[-1].objects)
