@@ -124,11 +124,14 @@ def claim_folder(path: Path, settings: BaseModel, remedy: str, *, private: bool 
         write_text(path, settings.model_dump_json(indent=1) + "\n", private=private)
         return
     before = read_document(path, type(settings), remedy)
-    for name, now in settings.model_dump().items():
-        was = getattr(before, name)
+    for name in type(settings).model_fields:
+        was, now = getattr(before, name), getattr(settings, name)
         if was != now:
-            reason = f"was begun with {name} {was}, not {now}"
-            raise BadData(path, reason, "Say the same again, or choose another folder")
+            short = not isinstance(now, BaseModel)
+            reason = f"{name} {was}, not {now}" if short else f"another {name}"
+            raise BadData(
+                path, f"was begun with {reason}", "Say the same again, or choose another folder"
+            )
 
 
 @contextlib.contextmanager

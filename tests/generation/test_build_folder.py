@@ -11,6 +11,8 @@ import pytest
 from probe.assets.library import open_library
 from probe.errors import BadData
 from probe.generation.build_folder import KEPT, BuildFolder, BuildSettings, CandidateLog, TaskSlot
+from probe.scene.setup import ROOM_TABLE
+from probe.scene.setup_file import SetupDocument
 from probe.tasks.suite_file import demo_suite, write_suite
 
 PLACE = TaskSlot("count", 7)
@@ -52,6 +54,18 @@ def test_what_is_private_is_its_owners_alone(tmp_path, cache, commitment):
     suite = replace(demo_suite(), name="mine", commitment=commitment)
     write_suite(tmp_path / "mine.json", suite)
     assert mode(tmp_path / "mine.json") == (0o600 if commitment else 0o644)
+
+
+def test_a_folder_is_taken_up_again_as_it_was_begun(tmp_path):
+    parts, room = BuildFolder(tmp_path), SetupDocument.of(ROOM_TABLE)
+    making = BuildSettings(pool="procedural", unchecked=True, setup=room)
+    parts.claim(making)
+    parts.claim(making)
+    other = SetupDocument.of(replace(ROOM_TABLE, lighting="cellar"))
+    with pytest.raises(BadData, match=r"making\.json: was begun with another setup"):
+        parts.claim(making.model_copy(update={"setup": other}))
+    with pytest.raises(BadData, match="was begun with pool procedural, not scans"):
+        parts.claim(making.model_copy(update={"pool": "scans"}))
 
 
 def test_places_have_logs_of_their_own(tmp_path):
