@@ -52,7 +52,7 @@ def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, mis
     with serving(script) as server:
         ended = collect(
             *(tmp_path, "--endpoint", server.url, "--settings", "direct", "--workers", "1"),
-            *("--most-episodes", "1"),
+            *("--most-episodes", "1", "--pool", "procedural"),
         )
     assert ended.returncode == missing, ended.stdout + ended.stderr
     assert f"{missing} missing by our fault" in ended.stdout
