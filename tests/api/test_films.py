@@ -27,6 +27,7 @@ from probe.render import driver
 from probe.render.renderer import Renderer
 from probe.report.clips import clip_stem
 from probe.scene.seeds import generator
+from probe.scene.setup import RendererName
 from probe.tasks.suite_file import demo_suite, write_suite
 from probe.toolshed.result import MOVING
 from recordings import rows_of
@@ -188,7 +189,8 @@ def test_a_record_of_blenders_is_filmed_by_either(folder, library):
         record = play(task, Guess(), "fixed", library, blender, seen)
     write_records(folder / "records.jsonl", [record])
     name, films = f"{SUITE.tasks[0].id}-fixed-0", []
-    for renderer, path in (("filament", f"{name}.mp4"), ("blender", f"{name}-blender.mp4")):
+    wanted: dict[RendererName, str] = {"filament": f"{name}.mp4", "blender": f"{name}-blender.mp4"}
+    for renderer, path in wanted.items():
         (facts,) = filmed(folder, renderer=renderer)
         assert facts.path == folder / "films" / path
         with av.open(facts.path) as film:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -27,7 +28,7 @@ class Listener:
 
 @pytest.mark.parametrize("looks", [1, 2])
 def test_things_have_the_scenes_looks(library, looks: Looks) -> None:
-    writer = Listener()
+    writer: Any = Listener()
     tell_looks(writer, replace(SCENE, setup=newest(SCENE.setup, looks=looks)), library)
     for placed in SCENE.objects[:3]:
         mesh = writer.meshes[object_entity(placed.instance, library, placed.object_id)]
