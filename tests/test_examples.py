@@ -33,6 +33,7 @@ def example(tmp_path):
     return run
 
 
+@pytest.mark.slow
 def test_scene_draws_what_it_lists(example, tmp_path):
     told = example("scene.py", "--seed", 5, "--objects", 4, "--out", tmp_path / "scene.png")
     shares = [int(line.split("%")[0]) for line in told.splitlines() if line.endswith(" is visible")]

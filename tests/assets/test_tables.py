@@ -34,6 +34,7 @@ def test_bands_of_stripes_fill_a_repeat():
             assert sum(count for _, count in top.bands) == THREADS, top.id
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("id", ONE_OF_EACH)
 def test_a_painted_table_repeats_without_a_seam(id):
     table = load_table(id, None)
@@ -61,6 +62,7 @@ def test_a_table_in_use_repeats_without_a_seam(id):
         assert seam <= step.max() * 1.1 + 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("id", ["linen", "red_gingham", "green_tartan"])
 def test_cloth_in_use_repeats_far_apart_and_has_the_same_threads(id):
     old, new = load_table(id, None), load_table(id, None, looks=2)

@@ -52,6 +52,7 @@ def test_collecting_with_objects_for_evaluation_is_told(tmp_path, monkeypatch, c
     assert json.loads((tmp_path / "out/collection.json").read_text())["pool"] == pool
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pool", ["evaluation", "train", "procedural-2", "procedural"])
 def test_a_suite_of_objects_for_training_is_told(tmp_path, monkeypatch, capsys, pool):
     monkeypatch.setattr(suite, "TaskMaker", DeadlyMaker)

@@ -66,6 +66,7 @@ def test_lines_are_heard_where_there_is_no_terminal(monkeypatch: pytest.MonkeyPa
     assert heard == ["y", "\n"]
 
 
+@pytest.mark.slow
 def test_y_lets_a_motion_happen_and_any_other_key_stops_it(
     terminal: Terminal, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

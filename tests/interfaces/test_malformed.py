@@ -40,6 +40,7 @@ def wire(out):
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )
 @given(CALLS)
+@pytest.mark.slow
 def test_every_call_is_answered_and_none_does_anything(wire, call):
     name, arguments = sendable(call, wire.asked)
     reply = wire.call(name, arguments)

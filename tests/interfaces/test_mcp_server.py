@@ -48,6 +48,7 @@ def test_question_and_first_picture_are_in_reach(tmp_path, mode):
         assert seen is not None and close(seen, table)
 
 
+@pytest.mark.slow
 def test_results_are_the_tools_own(tmp_path):
     with playing(SERVER, tmp_path) as player:
         found = player.call("find_object", description="white ball")
@@ -81,6 +82,7 @@ def test_budgets_are_the_benchmarks_own(tmp_path):
     assert record.end == "out_of_turns" and len(record.steps) == 40
 
 
+@pytest.mark.slow
 def test_the_protocol_answers_while_the_arm_moves_and_calls_keep_their_order(tmp_path):
     with playing(SERVER, tmp_path) as player:
         assert handle(player, "white ball") == "object_1"

@@ -171,6 +171,7 @@ def test_enough_of_everything() -> None:
     assert sum(count >= 4 for count in twins) >= 16
 
 
+@pytest.mark.slow
 def test_words() -> None:
     all_specs = specs(2)
     assert max(Counter(s.name for s in all_specs).values()) == 1
@@ -243,6 +244,7 @@ def test_an_object_twice_is_noticed_and_one_in_another_colour_is_not() -> None:
     assert looking_the_same(again) == [("proc_red_mug", "proc_white_mug")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("object_id", ["proc_red_apple", "proc_wicker_basket"])
 def test_same_bytes_in_another_process(object_id: str) -> None:
     body = build(object_id)
