@@ -26,6 +26,7 @@ ROOT = Path(__file__).resolve().parents[1]
 LONGEST = (
     "test_golden.py",
     "test_packaged.py",
+    "test_pools_apart.py",
     "test_on_ray.py",
     "test_ray.py",
     "test_distill.py",

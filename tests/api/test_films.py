@@ -154,7 +154,8 @@ def no_blender(monkeypatch):
     driver.require_blender.cache_clear()
 
 
-@pytest.mark.parametrize("make", [filmed, clipped, recorded])
+# Rerun is installed with what the slow tests need.
+@pytest.mark.parametrize("make", [filmed, clipped, pytest.param(recorded, marks=pytest.mark.slow)])
 def test_without_blender_its_record_is_refused_in_words(folder, record, no_blender, make):
     pytest.importorskip("rerun" if make is recorded else "av")
     write_records(folder / "records.jsonl", [by_blender(record)])
