@@ -18,7 +18,7 @@ pytestmark = pytest.mark.slow
 
 WHERE = PointerRequest((), "where?")
 ANY: Any = None
-SILENCE, PATIENCE = 12.0, 300.0
+SILENCE, PATIENCE = 6.0, 300.0
 """Seconds: more than a busy machine takes to start a process, and more than three times that."""
 
 

@@ -77,7 +77,7 @@ def test_pieces_keep_to_the_mesh(shape: str) -> None:
         samples = samples[~mesh.ray.contains_points(samples)]
     nearest = np.full(len(samples), np.inf)
     for mesh, _ in closed_parts(shape):
-        spread = mesh.sample(60_000, seed=1)
+        spread = mesh.sample(20_000, seed=1)
         nearest = np.minimum(nearest, cKDTree(spread).query(samples)[0])
     # Measured between points, which is never too little; exactly where that is too much.
     doubtful = samples[nearest > PROUD]
