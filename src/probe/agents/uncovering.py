@@ -83,6 +83,11 @@ def newcomers(graph: Graph, known: Collection[str | None], places: Sequence[Box]
     return [seen for seen in _here(graph, places) if seen.name and seen.name not in known]
 
 
+def is_offered(question: Question, seen: Seen) -> bool:
+    """Whether what is seen is one of a question's options."""
+    return any(same(seen.name or "", text) for _, text in question.options)
+
+
 def uncovered(
     question: Question, graph: Graph, known: Collection[str | None], places: Sequence[Box]
 ) -> FoundAnswer | None:

@@ -76,9 +76,8 @@ class RemovalSearch:
     def _beneath_copies(self, task: Task) -> set[int]:
         """All that lies beneath anything that is the same as a task's cover."""
         assert task.cover is not None
-        like = self.scene[task.cover].object_id
+        covers = self.scene.like(task.cover)
         shapes = self.view.silhouettes(self.scene, [it.instance for it in self.scene.objects])
-        covers = [it.instance for it in self.scene.objects if it.object_id == like]
         return {
             number
             for number, shape in shapes.items()

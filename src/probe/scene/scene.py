@@ -48,5 +48,10 @@ class Scene:
         """The same table with these objects alone."""
         return replace(self, objects=tuple(o for o in self.objects if o.instance in instances))
 
+    def like(self, instance: int) -> tuple[int, ...]:
+        """Instances of the same object as this one, itself among them."""
+        wanted = self[instance].object_id
+        return tuple(o.instance for o in self.objects if o.object_id == wanted)
+
     def __getitem__(self, instance: int) -> PlacedObject:
         return next(o for o in self.objects if o.instance == instance)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from probe.assets.library import Library
-from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_clear, is_hidden
+from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.question_types.behind.judge import hidden_by, seen_from_above
 from probe.question_types.behind.truth import which_behind
 from probe.tasks.task import Task
 from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
+from probe.verification.uncovering import uncovering_problems
 
 
 def _slots(task: Task, library: Library) -> Mapping[str, str]:
@@ -42,11 +43,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     if not is_clear(above):
         yield f"something lies on it: only {above.fraction:.0%} show from above"
     for how, after in anew.removals([occluder]):
-        if after[target].fraction < REVEALED_SHARE:
-            yield f"without the occluder ({how}) only {after[target].fraction:.0%} of it show"
-        gains = [after[n].fraction - anew.seen[n].fraction for n in after if n != target]
-        if max(gains, default=0.0) > LARGEST_GAIN:
-            yield f"without the occluder ({how}) another thing gains {max(gains):.0%}"
+        yield from uncovering_problems(f"without the occluder ({how})", after, target, anew)
 
 
 def _true_text(task: Task, anew: Remeasurement) -> str:

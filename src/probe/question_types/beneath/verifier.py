@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from probe.assets.library import Library
-from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_hidden, is_seen
+from probe.generation.visibility_rules import is_hidden, is_seen
 from probe.tasks.task import Task
 from probe.tasks.truth import which_beneath
 from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
+from probe.verification.uncovering import uncovering_problems
 
 
 def _slots(task: Task, library: Library) -> Mapping[str, str]:
@@ -33,11 +34,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     if not is_seen(anew.seen[cover]):
         yield f"only {anew.seen[cover].fraction:.0%} of the cover show"
     for how, after in anew.removals([cover]):
-        if after[target].fraction < REVEALED_SHARE:
-            yield f"without its cover ({how}) only {after[target].fraction:.0%} of it show"
-        gains = [after[n].fraction - anew.seen[n].fraction for n in after if n != target]
-        if max(gains, default=0.0) > LARGEST_GAIN:
-            yield f"without the cover ({how}) another thing gains {max(gains):.0%}"
+        yield from uncovering_problems(f"without its cover ({how})", after, target, anew)
 
 
 def _true_text(task: Task, anew: Remeasurement) -> str:

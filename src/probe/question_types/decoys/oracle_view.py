@@ -5,10 +5,7 @@ from probe.tasks.task import Task
 
 
 def _covers(task: Task, sight: TableSight) -> set[int]:
-    if task.cover is None:
-        return set()
-    like = task.scene[task.cover].object_id
-    return {placed.instance for placed in task.scene.objects if placed.object_id == like}
+    return set() if task.cover is None else set(task.scene.like(task.cover))
 
 
 ORACLE_VIEW = OracleRule(_covers)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan
 from probe.agents.phrases import Reason
-from probe.agents.reading import Graph, Seen, same
+from probe.agents.reading import Graph, Seen
 from probe.agents.type_plan import ScriptedQuestion, TypePlan
-from probe.agents.uncovering import FoundAnswer, conclude, newcomers, uncovered
+from probe.agents.uncovering import FoundAnswer, conclude, is_offered, newcomers, uncovered
 
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
@@ -22,7 +22,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         # Pushed, a cover takes along what is beneath: that is where it went.
         places += [seen.box for seen in left]
         new = newcomers(search.graph, known, places)
-        if not left or any(_is_offered(asked, seen) for seen in new):
+        if not left or any(is_offered(asked.question, seen) for seen in new):
             found = uncovered(asked.question, search.graph, known, places)
             break
         fresh = [seen for seen in left if search.may_clear(seen)]
@@ -40,10 +40,6 @@ def _search(asked: ScriptedQuestion, graph: Graph, spent: int) -> Search:
     return Search(
         lambda seen: False, asked.first, asked.rng, graph, spent, say=asked.say, scale=scale
     )
-
-
-def _is_offered(asked: ScriptedQuestion, seen: Seen) -> bool:
-    return any(same(seen.name or "", text) for _, text in asked.question.options)
 
 
 def _place(seen: Seen) -> tuple[int, int]:

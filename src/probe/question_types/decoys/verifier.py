@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from probe.assets.library import Library
 from probe.generation.necessary import NECESSARY
 from probe.generation.side_by_side import COVERS
-from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_clear, is_hidden
+from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.question_types.decoys.truth import which_under_any
 from probe.tasks.english import plural
 from probe.tasks.task import Task
@@ -17,6 +17,7 @@ from probe.verification.options import sides_problems
 from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
+from probe.verification.uncovering import uncovering_problems
 
 
 def _slots(task: Task, library: Library) -> Mapping[str, str]:
@@ -32,10 +33,9 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
     yield from subject_is(task, spec_of(task, task.cover, library).name)
 
 
-def _covers(task: Task) -> list[int]:
+def _covers(task: Task) -> tuple[int, ...]:
     assert task.cover is not None
-    like = task.scene[task.cover].object_id
-    return [placed.instance for placed in task.scene.objects if placed.object_id == like]
+    return task.scene.like(task.cover)
 
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
@@ -59,12 +59,8 @@ def _covered(cover: int, item: int, anew: Remeasurement) -> Iterator[str]:
     if not is_clear(anew.seen[cover]):
         yield f"only {anew.seen[cover].fraction:.0%} of cover {cover} show"
     for how, after in anew.removals([cover]):
-        if after[item].fraction < REVEALED_SHARE:
-            share = after[item].fraction
-            yield f"without cover {cover} ({how}) only {share:.0%} of what it hides show"
-        gains = [after[n].fraction - anew.seen[n].fraction for n in after if n != item]
-        if max(gains, default=0.0) > LARGEST_GAIN:
-            yield f"without cover {cover} ({how}) another thing gains {max(gains):.0%}"
+        when = f"without cover {cover} ({how})"
+        yield from uncovering_problems(when, after, item, anew, "what it hides")
 
 
 def _true_text(task: Task, anew: Remeasurement) -> str:

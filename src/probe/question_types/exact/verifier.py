@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from probe.assets.library import Library
 from probe.generation.necessary import NECESSARY
-from probe.generation.visibility_rules import LARGEST_GAIN, REVEALED_SHARE, is_clear, is_hidden
+from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.tasks.english import listed
 from probe.tasks.task import Task
 from probe.tasks.truth import lies_under
@@ -16,6 +16,7 @@ from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.truth import candidate_on_table
 from probe.verification.type_verifier import Crossing, Makeup, Verifier
+from probe.verification.uncovering import uncovering_problems
 
 
 def _slots(task: Task, library: Library) -> Mapping[str, str]:
@@ -46,11 +47,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
         yield f"the answer lies under {len(over)} of what is named, not under one"
         return
     for how, after in anew.removals(over):
-        if after[target].fraction < REVEALED_SHARE:
-            yield f"without its cover ({how}) only {after[target].fraction:.0%} of it show"
-        gains = [after[n].fraction - anew.seen[n].fraction for n in after if n != target]
-        if max(gains, default=0.0) > LARGEST_GAIN:
-            yield f"without its cover ({how}) another thing gains {max(gains):.0%}"
+        yield from uncovering_problems(f"without its cover ({how})", after, target, anew)
     yield from necessary_problems(task, anew)
 
 

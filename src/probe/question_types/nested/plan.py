@@ -5,13 +5,14 @@ from __future__ import annotations
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan
 from probe.agents.phrases import Reason
-from probe.agents.reading import Box, Seen, same
+from probe.agents.reading import Box, Seen
 from probe.agents.type_plan import ScriptedQuestion, TypePlan
 from probe.agents.uncovering import (
     FoundAnswer,
     around,
     clear_around,
     conclude,
+    is_offered,
     newcomers,
     uncovered,
 )
@@ -29,7 +30,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         inner = yield from _come_to_light(asked, search, known, place)
         if inner is not None:
             place = around([place, inner.box]) or place
-            if not _is_offered(asked, inner):
+            if not is_offered(asked.question, inner):
                 known.add(inner.name)
             found = yield from _lift_inner(asked, search, known, inner, place)
     yield from conclude(asked, found, search)
@@ -44,7 +45,7 @@ def _come_to_light(
         place = around([place, *(seen.box for seen in left)]) or place
         new = newcomers(search.graph, known, [place])
         if new:
-            return next((it for it in new if _is_offered(asked, it)), max(new, key=_area))
+            return next((it for it in new if is_offered(asked.question, it)), max(new, key=_area))
         fresh = [seen for seen in left if search.may_clear(seen)]
         if fresh:
             yield from search.clear(fresh[0], Reason("outer cover"))
@@ -68,10 +69,6 @@ def _lift_inner(
             yield from search.clear(fresh[0], why)
         elif not (yield from clear_around(search, place, known)):
             return None
-
-
-def _is_offered(asked: ScriptedQuestion, seen: Seen) -> bool:
-    return any(same(seen.name or "", text) for _, text in asked.question.options)
 
 
 def _area(seen: Seen) -> int:

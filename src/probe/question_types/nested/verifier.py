@@ -6,21 +6,15 @@ from collections.abc import Iterator, Mapping
 
 from probe.assets.library import Library
 from probe.generation.necessary import NECESSARY
-from probe.generation.visibility_rules import (
-    HIDDEN_SHARE,
-    LARGEST_GAIN,
-    REVEALED_SHARE,
-    is_hidden,
-    is_seen,
-)
+from probe.generation.visibility_rules import HIDDEN_SHARE, is_hidden, is_seen
 from probe.question_types.nested.truth import which_nested
-from probe.scene.visibility import Visibility
 from probe.tasks.task import Task
 from probe.verification.necessary import necessary_problems
 from probe.verification.options import sides_problems
 from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
+from probe.verification.uncovering import uncovering_problems
 
 
 def _slots(task: Task, library: Library) -> Mapping[str, str]:
@@ -49,24 +43,14 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     if not is_seen(anew.seen[outer]):
         yield f"only {anew.seen[outer].fraction:.0%} of the cover show"
     for how, after in anew.removals([outer]):
-        yield from _shown(f"without its cover ({how})", after, inner, anew)
+        when = f"without its cover ({how})"
+        yield from uncovering_problems(when, after, inner, anew, "the inner cover")
         if after[target].fraction > HIDDEN_SHARE:
             share = after[target].fraction
             yield f"without the outer cover alone ({how}) the answer shows by {share:.0%}"
     for how, after in anew.removals([outer, inner]):
-        yield from _shown(f"without both covers ({how})", after, target, anew)
+        yield from uncovering_problems(f"without both covers ({how})", after, target, anew)
     yield from necessary_problems(task, anew)
-
-
-def _shown(
-    when: str, after: Mapping[int, Visibility], wanted: int, anew: Remeasurement
-) -> Iterator[str]:
-    """That a thing has come to light, and nothing else."""
-    if after[wanted].fraction < REVEALED_SHARE:
-        yield f"{when} only {after[wanted].fraction:.0%} of object {wanted} show"
-    gains = [after[n].fraction - anew.seen[n].fraction for n in after if n != wanted]
-    if max(gains, default=0.0) > LARGEST_GAIN:
-        yield f"{when} another thing gains {max(gains):.0%}"
 
 
 def _stack(task: Task, anew: Remeasurement) -> tuple[str, int]:
