@@ -8,11 +8,11 @@ shown, are for evaluation; if near-duplicates would be parted by that, nothing i
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from probe.assets.mesh.likeness import like_pairs
-from probe.assets.mesh.nearness import Fingerprint, fingerprint
+from probe.assets.mesh.nearness import Fingerprint, NearPair, fingerprint
 from probe.assets.pools.dividing import divide, in_parts
 from probe.assets.pools.division import DIVISION, DividedObject, Part, divided, division_text
 from probe.assets.pools.split import groups_of
@@ -26,19 +26,20 @@ FILE = Path(__file__).parents[1] / "src/probe/assets/data" / DIVISION
 
 
 def division_of(
-    prints: Mapping[str, Fingerprint], earlier: Mapping[str, Part]
+    ids: Sequence[str], alike: Iterable[NearPair], earlier: Mapping[str, Part]
 ) -> list[DividedObject]:
     """Every built-in object with its group and its pool.
 
     Args:
-        prints: Of all of them, by id.
+        ids: Of all of them.
+        alike: Near-duplicates among them.
         earlier: The pools of those that have one.
 
     Raises:
         BadData: Near-duplicates would be parted.
     """
     shown: dict[str, Part] = {spec.id: "evaluation" for spec in specs(1)}
-    groups = groups_of(list(prints), like_pairs(prints))
+    groups = groups_of(ids, alike)
     return divide(groups, categories(), {**earlier, **shown})
 
 
@@ -57,7 +58,7 @@ def main() -> None:
     ids = list(categories())
     prints = {it: print_of(it) for it in track(ids, "Building", total=len(ids))}
     earlier: dict[str, Part] = {row.id: row.part for row in divided().values() if row.id in prints}
-    rows = division_of(prints, earlier)
+    rows = division_of(ids, like_pairs(prints), earlier)
     write_text(FILE, division_text(rows))
     parts = in_parts(rows, categories())
     for part, count in sorted(Counter(row.part for row in rows).items()):

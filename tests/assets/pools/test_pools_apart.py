@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from every_object import EVERY_OBJECT, every_object
 from probe.assets.mesh.likeness import like_pairs
-from probe.assets.mesh.nearness import Fingerprint
+from probe.assets.mesh.nearness import NearPair
 from probe.assets.pools.division import divided, division_text
-from probe.assets.procedural.tables import NEWEST_EDITION, entries
 from probe.errors import BadData
 
 ROOT = Path(__file__).parents[3]
@@ -25,37 +25,34 @@ def script():
     return module
 
 
-@pytest.fixture(scope="module")
-def prints(script) -> dict[str, Fingerprint]:
-    """Of every built-in object."""
-    return {it: script.print_of(it) for it in entries(NEWEST_EDITION)}
-
-
-def parted(prints: dict[str, Fingerprint]) -> list[tuple[str, str]]:
+def parted(alike: list[NearPair]) -> list[tuple[str, str]]:
     rows = divided()
     return [
-        (pair.one, pair.other)
-        for pair in like_pairs(prints)
-        if rows[pair.one].part != rows[pair.other].part
+        (pair.one, pair.other) for pair in alike if rows[pair.one].part != rows[pair.other].part
     ]
 
 
 @pytest.mark.slow
-def test_no_near_duplicate_is_in_the_other_pool_and_the_stored_division_is_fresh(script, prints):
-    assert parted(prints) == []
+@EVERY_OBJECT
+def test_no_near_duplicate_is_in_the_other_pool_and_the_stored_division_is_fresh(script):
+    prints = {it: made.seen for it, made in every_object().items()}
+    alike = like_pairs(prints)
+    assert parted(alike) == []
     earlier = {row.id: row.part for row in divided().values()}
-    assert division_text(script.division_of(prints, earlier)) == script.FILE.read_text()
+    assert (
+        division_text(script.division_of(list(prints), alike, earlier)) == script.FILE.read_text()
+    )
 
 
 def test_an_object_that_is_copied_into_the_other_pool_is_noticed(script):
     red = script.print_of("proc_red_mug")
-    copied = {"proc_orange_mug": red, "proc_red_mug": red}
+    copied = like_pairs({"proc_orange_mug": red, "proc_red_mug": red})
     assert parted(copied) == [("proc_orange_mug", "proc_red_mug")]
     earlier = {row.id: row.part for row in divided().values()}
     with pytest.raises(BadData, match="proc_orange_mug is for training, proc_red_mug for eval"):
-        script.division_of(copied, earlier)
+        script.division_of(["proc_orange_mug", "proc_red_mug"], copied, earlier)
 
 
 def test_a_series_is_no_copy(script):
     mugs = ("proc_orange_mug", "proc_red_mug", "proc_blue_mug")
-    assert parted({it: script.print_of(it) for it in mugs}) == []
+    assert parted(like_pairs({it: script.print_of(it) for it in mugs})) == []
