@@ -15,9 +15,9 @@ from probe.assets.mesh.likeness import like_pairs
 from probe.assets.mesh.nearness import Fingerprint, NearPair, fingerprint
 from probe.assets.pools.dividing import divide, in_parts
 from probe.assets.pools.division import DIVISION, DividedObject, Part, divided, division_text
+from probe.assets.pools.procedural import body_to_compare
 from probe.assets.pools.split import groups_of
-from probe.assets.procedural import build, specs
-from probe.assets.procedural.atlas import SIDE_PX
+from probe.assets.procedural import specs
 from probe.assets.procedural.tables import NEWEST_EDITION
 from probe.cli.screen import say, track
 from probe.files import write_text
@@ -44,8 +44,8 @@ def division_of(
 
 
 def print_of(object_id: str) -> Fingerprint:
-    """What tells near-duplicates, of an object with a texture of half the usual size."""
-    return fingerprint(build(object_id, side_px=SIDE_PX // 2).mesh)
+    """What tells near-duplicates of an object."""
+    return fingerprint(body_to_compare(object_id).mesh)
 
 
 def categories() -> dict[str, str]:

@@ -12,8 +12,8 @@ import trimesh
 
 from probe.assets.mesh.mesh import Body
 from probe.assets.mesh.nearness import Fingerprint, fingerprint
-from probe.assets.procedural import build, specs
-from probe.assets.procedural.atlas import SIDE_PX
+from probe.assets.pools.procedural import body_to_compare
+from probe.assets.procedural import specs
 from probe.assets.procedural.paint.colours import rgb
 from probe.assets.procedural.tables import NEWEST_EDITION
 from probe.assets.spec import ObjectSpec
@@ -27,7 +27,7 @@ MINOR = {"proc_pear"}  # its yellow is a tinge of the green
 
 @dataclass(frozen=True, eq=False)
 class MadeObject:
-    """An object's fingerprint, with textures of half the usual size, and what is wrong with it."""
+    """An object's fingerprint, and what is wrong with it."""
 
     seen: Fingerprint
     wrong: str
@@ -40,7 +40,7 @@ def every_object() -> dict[str, MadeObject]:
 
 
 def _made(spec: ObjectSpec) -> MadeObject:
-    body = build(spec.id, side_px=SIDE_PX // 2)
+    body = body_to_compare(spec.id)
     wrong = ""
     try:
         check(spec, body)

@@ -7,6 +7,7 @@ from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body
 from probe.assets.mesh.packing import LAYOUT, pack_body, pack_specs, unpack_body, unpack_specs
 from probe.assets.procedural import build, specs
+from probe.assets.procedural.atlas import SIDE_PX
 from probe.assets.procedural.tables import Edition
 from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
@@ -44,3 +45,12 @@ def procedural_body(object_id: str, cache: Cache, looks: Looks = 1) -> Body:
     body = build(object_id, looks)
     cache.store(key, pack_body(body))
     return body
+
+
+def body_to_compare(object_id: str) -> Body:
+    """A procedural object with a texture of half the usual size, enough to tell near-duplicates.
+
+    Raises:
+        UnknownName: No procedural object has this id.
+    """
+    return build(object_id, side_px=SIDE_PX // 2)
