@@ -31,8 +31,11 @@ dropped: It was lost on the way to the basket.
 moved: It isn't where it was, nor in the basket.
 """
 
-TRIES = 3
+TRIES = 5
 """Grasps that one attempt may execute."""
+
+TRIES_BLOCKED = 3
+"""Grasps after which no other follows where something stopped the arm: each may shift what did."""
 
 PLANNERS: tuple[Planner, ...] = (leaning, propose, pinches)
 """Whose grasps are tried, the next one's where none of those before has a free route."""
@@ -88,10 +91,10 @@ def grasp_and_remove(
     result = GraspResult("no_candidate", frame, 0, 0, 0.0, 0.0, 0.0)
     failed: list[Grasp] = []
     shape = HandShape(station.hand)
-    for number in range(TRIES):
+    while _goes_on(result):
         plan = plan_grasp(station, frame, mask, setup, failed, planners)
         removal, result = plan.removal, replace(result, plans=(*result.plans, plan))
-        if number == 0:
+        if not failed:
             result = replace(result, status=plan.lack, candidates=plan.candidates)
         if removal is None:
             break
@@ -104,7 +107,7 @@ def grasp_and_remove(
             result,
             status=_judged(done, stayed),
             frame=after,
-            tries=number + 1,
+            tries=len(failed),
             width=removal.grasp.width,
             tilt=removal.grasp.tilt,
             merit=removal.grasp.merit,
@@ -117,6 +120,11 @@ def grasp_and_remove(
             break
         mask = found.mask
     return result
+
+
+def _goes_on(result: GraspResult) -> bool:
+    """Whether another try is allowed."""
+    return result.tries < (TRIES_BLOCKED if result.status == "blocked" else TRIES)
 
 
 def _judged(done: GraspStatus, stayed: float) -> GraspStatus:
