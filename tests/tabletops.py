@@ -13,6 +13,7 @@ from probe.scene.setup import BASKET_CAMERA_HEIGHT, UR5_TABLE
 from probe.station.gripper import Gripper
 from probe.station.station import Arm, Hand
 from probe.station.ur5 import Ur5
+from probe.toolshed.skills import ShoveOutcome
 from probe.types import Array, Camera, Frame, Pose
 
 
@@ -125,6 +126,7 @@ class Done:
     status: str
     frame: Frame
     moved: float | None = 0.07
+    shove: ShoveOutcome | None = None
 
 
 @dataclass

@@ -3,16 +3,19 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from bodies import at, box_item
+from manipulation.standing import stand
 from manipulation.views import Block, view
 from probe.manipulation.candidates import Grasp
 from probe.manipulation.edges import leaning, pinches, smallest_width
 from probe.manipulation.handshape import HandShape
-from probe.manipulation.overhangs import THICKNESS
+from probe.manipulation.overhangs import THICKNESS, overhangs
 from probe.manipulation.target import target_of
 from probe.manipulation.terrain import lifted, survey
+from probe.render.renderer import Renderer
 from probe.scene.setup import UR5_TABLE
 from probe.station.gripper import Gripper
-from probe.types import Array
+from probe.types import Array, Pose
 
 HAND = Gripper()
 SLAB = Block(0.0, 0.02, (0.14, 0.18, 0.015), z=0.1)
@@ -89,6 +92,28 @@ def test_what_lies_level_may_be_a_block_and_isnt_pinched_first() -> None:
     frame, masks = view((SLAB, STONE))
     terrain = survey(frame, UR5_TABLE)
     assert leaning(target_of(frame, masks[0], terrain), terrain, HAND) == []
+
+
+@pytest.mark.parametrize(("thickness", "pinched_first"), [(0.02, True), (0.06, False)])
+def test_of_what_leans_only_a_slab_is_pinched_before_it_is_gripped_across(
+    thickness: float, pinched_first: bool
+) -> None:
+    """A slab whose lower end lies on the table, and a thick block in the same place."""
+    half = np.radians(9.0)
+    turn = (np.cos(half), 0.0, np.sin(half), 0.0)
+    thing = box_item(1, "red slab", (0.14, 0.10, thickness))
+    stone = box_item(2, "green stone", (0.03, 0.08, 0.025))
+    poses = [Pose((0.0, 0.0, 0.07 * np.sin(2 * half)), turn), at(-0.05, 0.0)]
+    with Renderer() as renderer:
+        station = stand(renderer, [thing, stone], poses)
+        frame = station.observe(rgb=False)
+    assert frame.labels is not None
+    terrain = survey(frame, UR5_TABLE)
+    target = target_of(frame, frame.labels == 1, terrain)
+    edges = overhangs(target, terrain)
+    assert edges.leans and edges.thickness == pytest.approx(min(thickness, 0.05), abs=0.005)
+    assert bool(leaning(target, terrain, HAND)) == pinched_first
+    assert pinches(target, terrain, HAND)
 
 
 def test_a_tall_level_top_may_be_a_box_and_is_supposed_as_thick_as_any_slab() -> None:

@@ -165,6 +165,49 @@ def test_an_arm_that_is_stopped_goes_home_and_says_so(renderer: Renderer) -> Non
     assert position(station) == pytest.approx([0.0, 0.0, 0.0], abs=0.005)
 
 
+def test_what_stops_the_arm_is_met_three_times_at_most(renderer: Renderer) -> None:
+    class Held(SimulatedStation):
+        """An arm that no way into a grasp can be followed with."""
+
+        def follow(self, path: Array) -> bool:
+            return not np.allclose(path[0], self.arm.parked) and super().follow(path)
+
+    station = Held(stand(renderer, [RED], [at(0.0, 0.0)])._world, renderer)
+    result = grasp_first(station)
+    assert (result.status, result.tries) == ("blocked", 3)
+
+
+class Slippery(SimulatedStation):
+    """A hand that feels nothing between its pads from one of its closings on.
+
+    Before the last of three closings it is over the basket.
+    """
+
+    first, closings = 1, 0
+
+    def grip(self, opening: float) -> float:
+        if opening > 0:
+            return super().grip(opening)
+        self.closings += 1
+        return super().grip(opening) if self.closings < self.first else 0.0
+
+
+def test_what_slips_is_tried_five_times(renderer: Renderer) -> None:
+    station = Slippery(stand(renderer, [RED], [at(0.0, 0.0)])._world, renderer)
+    result = grasp_first(station)
+    assert (result.status, result.tries) == ("slipped", 5)
+    assert is_parked(station)
+    assert position(station) == pytest.approx([0.0, 0.0, 0.0], abs=0.005)
+
+
+def test_what_was_lost_on_the_way_to_the_basket_is_left_alone(renderer: Renderer) -> None:
+    station = Slippery(stand(renderer, [RED], [at(0.0, 0.0)])._world, renderer)
+    station.first = 3
+    result = grasp_first(station)
+    assert (result.status, result.tries) == ("dropped", 1)
+    assert is_parked(station)
+
+
 class Noted(Stuck):
     """The same, with what it was told to follow."""
 

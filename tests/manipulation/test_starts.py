@@ -38,3 +38,21 @@ def test_after_two_in_vain_it_is_pressed_on_and_then_pushed_with_what_stands_beh
 def test_what_was_in_vain_is_not_tried_again() -> None:
     first = tried()[0].start
     assert not any(close(push, first) for push in tried(first))
+
+
+def test_a_hand_that_may_meet_nothing_else_stays_above_all_others_on_its_way() -> None:
+    """What stands aside of the box ahead, where the hand comes by, rules some starts out."""
+    beside = Block(0.13, 0.12, (0.04, 0.08, 0.1))
+    frame, masks = view([BOX, FENCE, beside])
+    terrain = survey(frame, UR5_TABLE)
+    target, shape = target_of(frame, masks[0], terrain), HandShape(Gripper())
+    every = starts(target, terrain, shape, RIGHT, 0.1, ())
+    clear = starts(target, terrain, shape, RIGHT, 0.1, (), clear=True)
+    assert clear and any(push.through for push in every)
+    for push in clear:
+        assert not push.through
+        hand = push.start.apply(shape.whole(0.0))
+        for gone in np.linspace(0.0, push.gap + 0.1, 8):
+            points = hand + gone * RIGHT
+            for block in (FENCE, beside):
+                assert not ((points > block.low) & (points < block.high)).all(axis=1).any()

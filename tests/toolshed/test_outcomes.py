@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import pytest
 import yaml
 
+from probe.agents.reading import grasp_outcome
 from probe.perception.oracle import Oracle
 from probe.scene.setup import UR5_TABLE
+from probe.toolshed.skills import Direction
 from probe.toolshed.toolshed import Toolshed
 from tabletops import Block, Done, PaintedStation, spec
 
@@ -23,13 +28,14 @@ BALL = Block(43, (600, 450, 679, 529), height=0.08, colour=(240, 240, 240))
 class Skills:
     """A hand that claims one thing while the table does another."""
 
-    def __init__(self, status, after, removed=(), moved=None):
+    def __init__(self, status, after, removed=(), moved=None, shove=None):
         self.status, self.after, self.removed, self.moved = status, list(after), removed, moved
+        self.shove = shove
 
     def _go(self, station):
         station.blocks = self.after
         station.removed += self.removed
-        return Done(self.status, station.observe(rgb=False), self.moved)
+        return Done(self.status, station.observe(rgb=False), self.moved, self.shove)
 
     def grasp_and_remove(self, station, frame, mask, setup):
         return self._go(station)
@@ -128,6 +134,57 @@ def test_a_push_that_hardly_moved_the_thing_has_failed():
 def test_a_thing_that_moved_is_told_with_its_new_handle():
     result = told("red mug", Skills("moved", [moved(MUG, 200), BOOK, BALL]))
     assert "now at [359, 159]. It is object_2 now." in result.text
+
+
+class Shove(NamedTuple):
+    direction: Direction
+    moved: float | None
+
+
+PUSHED_FIRST = (
+    "the fingers found no way to object_1, so the closed gripper first pushed it about 4 cm "
+    "towards the right of the picture"
+)
+
+
+def test_a_push_before_a_grasp_is_told_even_if_all_went_well():
+    skills = Skills("removed", [BOOK, moved(BALL, -300)], [MUG], shove=Shove("right", 0.041))
+    result = told("red mug", skills)
+    assert result.text == (
+        "Done: object_1 was lifted and dropped into the basket. T" + PUSHED_FIRST[1:] + ". Also "
+        "moved: white ball by about 16 cm, to [339, 489]. Manipulations left: 9."
+    )
+
+
+@pytest.mark.parametrize("status", ["no_candidate", "unreachable"])
+def test_a_push_after_which_there_is_still_no_grip_is_told_with_the_new_place(status):
+    result = told(
+        "red mug", Skills(status, [moved(MUG, 200), BOOK, BALL], shove=Shove("right", 0.04))
+    )
+    assert result.status == "failed" and "Nothing was moved" not in result.text
+    assert result.text == (
+        f"Failed: {PUSHED_FIRST}. After that there was no grip on it either. object_1 is still on "
+        "the table, now at [359, 159]. It is object_2 now. Push it further, or first clear what "
+        "stands around it. Manipulations left: 9."
+    )
+    assert grasp_outcome(result.text) == "no grip"
+
+
+def test_a_push_before_a_grasp_that_failed_is_told_first():
+    text = told("red mug", Skills("blocked", [MUG, BOOK, BALL], shove=Shove("right", 0.04))).text
+    assert text.startswith(
+        f"Failed: {PUSHED_FIRST}. Then the gripper touched something and stopped. object_1 is "
+    )
+    assert grasp_outcome(text) == "blocked"
+
+
+def test_of_what_a_push_took_out_of_sight_no_distance_and_no_grasp_is_told():
+    text = told("red mug", Skills("moved", [BOOK, BALL], shove=Shove("up", None))).text
+    assert text == (
+        "Failed: the fingers found no way to object_1, so the closed gripper first pushed it "
+        "towards the top of the picture. object_1 shows neither on the table nor in the basket. "
+        "Manipulations left: 9."
+    )
 
 
 class Twice(Skills):

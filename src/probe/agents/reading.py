@@ -22,10 +22,10 @@ since the thing wasn't found."""
 _GRASPED: Mapping[str, Outcome] = {
     "shows neither on the table": "gone",
     "was not found again": "gone",
-    "still on the table": "lost",
-    "lost it while lifting": "lost",
     "no place to grip": "no grip",
     "no grip on": "no grip",
+    "still on the table": "lost",
+    "lost it while lifting": "lost",
 }
 
 

@@ -16,13 +16,16 @@ from probe.station.station import Hand
 from probe.types import Array
 
 _WIDE = 0.085
+_THIN = 0.045
 _FEWEST = 8
 
 
 def leaning(target: Target, terrain: Terrain, hand: Hand) -> list[Grasp]:
     """Edge grasps of a wide thing that leans on another, which no block does; else none.
 
-    The lowest edge of such a thing lies on the table or low: as thick as that it is supposed.
+    The lowest edge of such a thing lies on the table or low: as thick as that it is supposed. What
+    may be thicker than a slab is gripped across first: it mostly is a can, a shoe or a box, whose
+    round or sloping top seems to lean.
     """
     return free_grasps(leaning_tries(target, terrain, hand))
 
@@ -41,8 +44,8 @@ def leaning_tries(target: Target, terrain: Terrain, hand: Hand) -> list[EdgeTry]
     if smallest_width(target.top[:, :2]) < _WIDE:
         return []
     edges = overhangs(target, terrain)
-    few = len(edges.places) < _FEWEST
-    return edge_tries(edges, target, terrain, hand, sure=True) if edges.leans and not few else []
+    slab = edges.leans and edges.thickness < _THIN and len(edges.places) >= _FEWEST
+    return edge_tries(edges, target, terrain, hand, sure=True) if slab else []
 
 
 def pinch_tries(target: Target, terrain: Terrain, hand: Hand) -> list[EdgeTry]:

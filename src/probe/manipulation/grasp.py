@@ -13,6 +13,7 @@ from probe.manipulation.looking import still_there
 from probe.manipulation.planning import GraspPlan, plan_grasp
 from probe.manipulation.recognition import found_again
 from probe.manipulation.removal import remove
+from probe.manipulation.shove import Shove, shove
 from probe.scene.setup import Setup
 from probe.station.station import Station
 from probe.types import Array, Frame
@@ -31,8 +32,11 @@ dropped: It was lost on the way to the basket.
 moved: It isn't where it was, nor in the basket.
 """
 
-TRIES = 3
+TRIES = 5
 """Grasps that one attempt may execute."""
+
+TRIES_BLOCKED = 3
+"""Grasps after which no other follows where something stopped the arm: each may shift what did."""
 
 PLANNERS: tuple[Planner, ...] = (leaning, propose, pinches)
 """Whose grasps are tried, the next one's where none of those before has a free route."""
@@ -47,12 +51,13 @@ class GraspResult:
     Attributes:
         status: See GraspStatus.
         frame: The table afterwards.
-        candidates: Grasps that fitted, at the first try.
+        candidates: Grasps that fitted, at the first try; after a push, at the first after it.
         tries: How many were executed.
         width: Distance of the pads that was planned for the last one, metres; 0 without one.
         tilt: Angle of the hand from straight down then, radians.
         merit: How good it looked.
         plans: How each grasp was chosen, and, where no further one was found, why.
+        shove: The push that came first, because no grasp had a free route; None without one.
     """
 
     status: GraspStatus
@@ -63,6 +68,7 @@ class GraspResult:
     tilt: float
     merit: float
     plans: tuple[GraspPlan, ...] = ()
+    shove: Shove | None = None
 
 
 def grasp_and_remove(
@@ -75,8 +81,9 @@ def grasp_and_remove(
     """Grasp what a mask shows, lift it and let it go over the basket.
 
     A grasp that fails is followed by another one while the thing can still be found by its
-    shape and colours; after one by an edge, only across it. The arm starts and ends parked; what it
-    touches stays as physics leaves it.
+    shape and colours; after one by an edge, only across it. Where no grasp has a free route, and
+    only its neighbours can be the reason, the thing is pushed a little, once. The arm starts and
+    ends parked; what it touches stays as physics leaves it.
 
     Args:
         station: The arm, camera and table.
@@ -85,13 +92,29 @@ def grasp_and_remove(
         setup: The table's; its basket is where the thing goes.
         planners: Propose the grasps; each is asked where those before have none with a free route.
     """
+    result = _attempted(station, frame, mask, setup, planners)
+    if result.tries:
+        return result
+    pushed = shove(station, result.plans[0], mask, setup)
+    if pushed is None:
+        return result
+    if pushed.mask is None:
+        return replace(result, status="moved", frame=pushed.frame, shove=pushed)
+    again = _attempted(station, pushed.frame, pushed.mask, setup, planners)
+    return replace(again, plans=(*result.plans, *again.plans), shove=pushed)
+
+
+def _attempted(
+    station: Station, frame: Frame, mask: Array, setup: Setup, planners: Sequence[Planner]
+) -> GraspResult:
+    """One grasp after the other, until one has worked or no other is worth a try."""
     result = GraspResult("no_candidate", frame, 0, 0, 0.0, 0.0, 0.0)
     failed: list[Grasp] = []
     shape = HandShape(station.hand)
-    for number in range(TRIES):
+    while _goes_on(result):
         plan = plan_grasp(station, frame, mask, setup, failed, planners)
         removal, result = plan.removal, replace(result, plans=(*result.plans, plan))
-        if number == 0:
+        if not failed:
             result = replace(result, status=plan.lack, candidates=plan.candidates)
         if removal is None:
             break
@@ -104,7 +127,7 @@ def grasp_and_remove(
             result,
             status=_judged(done, stayed),
             frame=after,
-            tries=number + 1,
+            tries=len(failed),
             width=removal.grasp.width,
             tilt=removal.grasp.tilt,
             merit=removal.grasp.merit,
@@ -117,6 +140,11 @@ def grasp_and_remove(
             break
         mask = found.mask
     return result
+
+
+def _goes_on(result: GraspResult) -> bool:
+    """Whether another try is allowed."""
+    return result.tries < (TRIES_BLOCKED if result.status == "blocked" else TRIES)
 
 
 def _judged(done: GraspStatus, stayed: float) -> GraspStatus:

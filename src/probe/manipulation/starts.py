@@ -7,6 +7,7 @@ from itertools import islice
 
 import numpy as np
 
+from probe.manipulation.closedhand import SIDE
 from probe.manipulation.dragging import drags
 from probe.manipulation.handshape import HandShape
 from probe.manipulation.pushing import PlannedPush, pushes
@@ -17,6 +18,7 @@ from probe.types import Array, Pose
 _TRIED, _PRESSED = 40, 10
 _VAIN = 2
 _SAME_START = 0.02
+_STEP, _ABOVE = 0.01, 0.001
 
 
 def starts(
@@ -26,6 +28,7 @@ def starts(
     along: Array,
     distance: float,
     unlike: Sequence[Pose],
+    clear: bool = False,
 ) -> list[PlannedPush]:
     """Starts from behind; after some in vain, from above or by what stands behind it, in turns.
 
@@ -38,9 +41,16 @@ def starts(
         along: Unit direction, level, shape (3,).
         distance: How far, metres.
         unlike: Starts that were in vain.
+        clear: Whether the hand may meet nothing else on its way.
     """
-    every = _fresh(pushes(target, terrain, shape, along, distance), unlike)
-    above = islice(_fresh(drags(target, terrain, shape, along), unlike), _PRESSED)
+    others = terrain.without(target.cells).widened(SIDE)
+
+    def kept(options: Iterable[PlannedPush]) -> Iterator[PlannedPush]:
+        fresh = _fresh(options, unlike)
+        return (o for o in fresh if not clear or _clear(o, others, shape, along, distance))
+
+    every = kept(pushes(target, terrain, shape, along, distance))
+    above = islice(kept(drags(target, terrain, shape, along)), _PRESSED)
     if len(unlike) < _VAIN:
         behind = list(islice(every, _TRIED))
         return behind if len(behind) == _TRIED else [*behind, *above]
@@ -54,6 +64,15 @@ def starts(
 def _fresh(options: Iterable[PlannedPush], unlike: Sequence[Pose]) -> Iterator[PlannedPush]:
     """Those that begin elsewhere than some."""
     return (one for one in options if not any(close(one, pose) for pose in unlike))
+
+
+def _clear(
+    one: PlannedPush, others: Terrain, shape: HandShape, along: Array, distance: float
+) -> bool:
+    """Whether the hand stays above all others from where it begins to where it ends."""
+    steps = np.arange(0.0, one.gap + distance + _STEP, _STEP)
+    hand = one.start.apply(shape.whole(0.0)) + steps[:, None, None] * along
+    return bool((hand[..., 2] > others.below(hand) + _ABOVE).all())
 
 
 def close(one: PlannedPush, other: Pose) -> bool:

@@ -73,6 +73,8 @@ def stroke(
     distance: float,
     setup: Setup,
     unlike: Sequence[Pose] = (),
+    *,
+    clear: bool = False,
 ) -> Stroke:
     """Sweep once behind what a mask shows; the arm starts and ends parked.
 
@@ -84,13 +86,14 @@ def stroke(
         distance: How far to push it, metres.
         setup: The table's.
         unlike: Starts that need not be tried again.
+        clear: Whether the hand may meet nothing else on its way.
     """
     terrain = survey(frame, setup)
     target = target_of(frame, mask, terrain)
     shape, obstacles = HandShape(station.hand), Obstacles.of(station.arm, terrain)
     room = room_ahead(target, terrain, along, setup.basket)
     distance = min(distance, room)
-    options = starts(target, terrain, shape, along, distance, unlike)
+    options = starts(target, terrain, shape, along, distance, unlike, clear=clear)
     result = Stroke("unreachable" if options else "no_space", frame, room=room)
     if distance < _LEAST:
         return result

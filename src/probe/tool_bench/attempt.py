@@ -87,6 +87,7 @@ def _grasp(
         "ratio": None,
         "tries": result.tries,
         "width": result.width,
+        "shoved": result.shove is not None,
     }
 
 

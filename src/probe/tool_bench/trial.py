@@ -26,6 +26,8 @@ class ToolTrial(BaseModel):
         planning, execution: CPU seconds of this process outside and inside station calls.
         restless: How many draws of the table before this one weren't at rest; None in files from
             before that was checked.
+        shoved: A grasp: whether the thing was pushed first; None for pushes, and in files of before
+            grasps did that.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
@@ -51,6 +53,7 @@ class ToolTrial(BaseModel):
     planning: float
     execution: float
     restless: int | None = None
+    shoved: bool | None = None
 
     @property
     def cause(self) -> str:
@@ -71,7 +74,11 @@ class ToolTrial(BaseModel):
         )
         if self.tool == "grasp":
             wide = band(self.width, 0.03, 0.06, 0.09) if self.tries else "no grasp found"
-            return (*common, ("grasp width", wide), ("grasps executed", str(self.tries)))
+            pushed = (
+                () if self.shoved is None else (("pushed first", "yes" if self.shoved else "no"),)
+            )
+            executed = ("grasps executed", str(self.tries))
+            return (*common, ("grasp width", wide), executed, *pushed)
         assert self.direction is not None and self.distance is not None
         return (*common, ("direction", self.direction), ("asked", band(self.distance, 0.08, 0.14)))
 

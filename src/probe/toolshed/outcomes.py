@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from probe.changes.change import Change
+from probe.toolshed.skills import Direction, ShoveOutcome
 
 FELT = {
     "removed": "the gripper held something until it let go over the basket",
@@ -22,7 +23,19 @@ FELT = {
 }
 """What the hand felt during a grasp, by the skill's status."""
 
+SHOVED = (
+    "the fingers found no way to {id}, so the closed gripper first pushed it{far} towards the "
+    "{side} of the picture"
+)
+"""What is said of a push that came before a grasp."""
+
+_SIDES: dict[Direction, str] = {"up": "top", "down": "bottom", "left": "left", "right": "right"}
+
+_NO_GRIP_EITHER = "After that there was no grip on it either"
+
 ADVICE = {
+    "no_candidate": "Push it further, or first clear what stands around it.",
+    "unreachable": "Push it further, or first clear what stands around it.",
     "blocked": "First clear or push aside what stands next to it, or push it.",
     "slipped": "Grasp it once more, or push it.",
     "dropped": "Grasp it once more, or push it.",
@@ -59,7 +72,9 @@ def nothing_moved(status: str, object_id: str) -> OutcomeText:
     return OutcomeText(False, f"{(FELT | SWEPT)[status].format(id=object_id)}.")
 
 
-def grasp_words(status: str, object_id: str, change: Change, now: str) -> OutcomeText:
+def grasp_words(
+    status: str, object_id: str, change: Change, now: str, shove: ShoveOutcome | None = None
+) -> OutcomeText:
     """What became of a grasp.
 
     Args:
@@ -67,12 +82,35 @@ def grasp_words(status: str, object_id: str, change: Change, now: str) -> Outcom
         object_id: What the thing was called.
         change: What the cameras saw of it.
         now: What it is called from now on.
+        shove: The push that came first; None without one.
     """
     if change.fate == "basket":
         how = "was lifted and dropped into" if status == "removed" else "ended up in"
-        return OutcomeText(True, f"{object_id} {how} the basket.")
-    felt = FELT[status].format(id=object_id)
+        first = "" if shove is None else f" {_capital(_shoved(shove, object_id))}."
+        return OutcomeText(True, f"{object_id} {how} the basket.{first}")
+    felt = _felt(status, object_id, shove)
     return OutcomeText(False, f"{felt}. {_whereabouts(status, object_id, change, now)}")
+
+
+def _felt(status: str, object_id: str, shove: ShoveOutcome | None) -> str:
+    """What the hand felt, from the first push to the last grasp."""
+    if shove is None:
+        return FELT[status].format(id=object_id)
+    first = _shoved(shove, object_id)
+    if shove.moved is None:
+        return first
+    if status in ("no_candidate", "unreachable"):
+        return f"{first}. {_NO_GRIP_EITHER}"
+    return f"{first}. Then {FELT[status].format(id=object_id)}"
+
+
+def _shoved(shove: ShoveOutcome, object_id: str) -> str:
+    far = "" if shove.moved is None else f" about {max(0, round(100 * shove.moved))} cm"
+    return SHOVED.format(id=object_id, far=far, side=_SIDES[shove.direction])
+
+
+def _capital(sentence: str) -> str:
+    return sentence[0].upper() + sentence[1:]
 
 
 def push_words(

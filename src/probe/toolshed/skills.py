@@ -25,6 +25,29 @@ class SkillOutcome(Protocol):
         ...
 
 
+class ShoveOutcome(Protocol):
+    """How a push went that came before a grasp."""
+
+    @property
+    def direction(self) -> Direction:
+        """Where to."""
+        ...
+
+    @property
+    def moved(self) -> float | None:
+        """How far the thing went that way, by its looks, metres; None if it was lost from view."""
+        ...
+
+
+class GraspOutcome(SkillOutcome, Protocol):
+    """How a grasp went."""
+
+    @property
+    def shove(self) -> ShoveOutcome | None:
+        """The push that came first; None without one."""
+        ...
+
+
 class PushOutcome(SkillOutcome, Protocol):
     """How a push went."""
 
@@ -39,8 +62,8 @@ class Skills(Protocol):
 
     def grasp_and_remove(
         self, station: Station, frame: Frame, mask: Array, setup: Setup, /
-    ) -> SkillOutcome:
-        """Grasp what the mask shows and let it go over the basket."""
+    ) -> GraspOutcome:
+        """Grasp what the mask shows and let it go over the basket; it may be pushed first."""
         ...
 
     def push(

@@ -88,7 +88,8 @@ class GraspAndRemove(_Arguments):
     """Pick an object up with the gripper and drop it into the basket outside the picture.
 
     Use it to uncover what lies beneath or behind. It can fail: no grasp may fit, other objects
-    may be in the way, the object may slip. The reply says what happened and comes with
+    may be in the way, the object may slip. Where its neighbours leave the fingers no room, the
+    gripper may first push it a few centimetres. The reply says what happened and comes with
     the new picture. Neighbours may get moved. Each attempt counts as one manipulation, whether
     it works or not. What is in the basket stays there.
     """

@@ -204,7 +204,8 @@ class Toolshed:
         changes = compare(before, self._view.look, held)
         self._view.remember(changes)
         change = changes.of(seen)
-        told = grasp_words(outcome.status, name, change, self._handle_now(name, change))
+        now = self._handle_now(name, change)
+        told = grasp_words(outcome.status, name, change, now, outcome.shove)
         return self._told(told, thing, bystander_words(changes, seen))
 
     def _push(self, request: Push) -> ToolResult:
