@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy import ndimage
 
 from probe.types import Array
 
@@ -17,5 +16,7 @@ def without_gaps(depth: Array) -> Array:
     gaps = ~np.isfinite(depth)
     if not gaps.any():
         return depth
+    from scipy import ndimage  # its import takes 0.25 s, and gaps are rare
+
     nearest = ndimage.distance_transform_edt(gaps, return_distances=False, return_indices=True)
     return depth[tuple(nearest)]

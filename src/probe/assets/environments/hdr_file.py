@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import OpenEXR
 
 from probe.errors import BadData
 from probe.reading import MESH, contents, opened
@@ -43,6 +42,8 @@ def _read_exr(path: Path) -> Array:
     Raises:
         ValueError: It is none, or has no colour.
     """
+    import OpenEXR  # takes 0.1 s, and hardly any process reads such a file
+
     try:
         _check_exr(path)
         with OpenEXR.File(str(path)) as file:
@@ -60,6 +61,8 @@ def _check_exr(path: Path) -> None:
         OSError: It can't be read, or is no regular file.
         ValueError: It is too large.
     """
+    import OpenEXR
+
     opened(path).close()
     with OpenEXR.File(str(path), header_only=True) as file:
         low, high = file.header()["dataWindow"]

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
-import trimesh
 from PIL import Image
 from scipy.spatial.transform import Rotation
-from trimesh.visual.material import PBRMaterial
-from trimesh.visual.texture import TextureVisuals
 
 from probe.assets.gltf.header import check_header
 from probe.assets.mesh.mesh import TexturedMesh
 from probe.assets.mesh.shaping import EXPORT_AGAIN, joined, placed, textured
 from probe.errors import BadMesh
 from probe.types import Array, Vector3
+
+# Its import takes 0.3 s, and most processes find what files hold in the cache.
+if TYPE_CHECKING:
+    import trimesh
 
 
 def glb_bytes(mesh: TexturedMesh, licence: str = "") -> bytes:
@@ -26,6 +27,10 @@ def glb_bytes(mesh: TexturedMesh, licence: str = "") -> bytes:
         mesh: In our frame.
         licence: For the file's "copyright".
     """
+    import trimesh
+    from trimesh.visual.material import PBRMaterial
+    from trimesh.visual.texture import TextureVisuals
+
     surface = mesh.surface
     material = PBRMaterial(
         baseColorTexture=Image.fromarray(surface.texture),
@@ -84,6 +89,8 @@ def read_gltf(path: Path) -> trimesh.Trimesh:
     Raises:
         BadMesh: Its header is refused, it can't be parsed, or it holds nothing of use.
     """
+    import trimesh
+
     check_header(path)
     kind = "gltf" if path.suffix.lower() == ".gltf" else "glb"
     try:

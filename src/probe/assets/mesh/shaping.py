@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
-import trimesh
 from PIL import Image
 
 from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.assets.mesh.normals import smooth_normals
 from probe.errors import BadMesh
 from probe.types import Array
+
+if TYPE_CHECKING:
+    import trimesh
 
 EXPORT_AGAIN = "Export the model again as binary glTF 2.0 (.glb) with its texture inside"
 LARGEST = 2.0
@@ -79,6 +81,8 @@ def joined(path: Path, parts: Sequence[trimesh.Trimesh]) -> trimesh.Trimesh:
     for part in solid:
         _uvs(path, part)
         _surface(path, cast(Any, part.visual).material)
+    import trimesh  # its import takes 0.3 s, and few files have several parts
+
     return cast(trimesh.Trimesh, trimesh.util.concatenate(solid))
 
 
