@@ -14,12 +14,13 @@ from probe.tasks.grading import whereabouts
 from probe.types import Array
 
 _NOW = re.compile(r"(?<!turned or tipped, )now at \[(\d+), (\d+)\]")
-_WAY = r"about \d+ cm(?: down| up)?"
+_WAY = r"about \d+ cm(?: (?:down|up) in height)?"
 _MOVED = re.compile(rf"(?:by {_WAY}(?: and {_WAY})?, to|turned or tipped, now at) \[(\d+), (\d+)\]")
 _LEFT = re.compile(r"that was at \[(\d+), (\d+)\]")
 _BASKET = re.compile(r"Also in the basket now: (.*?)\.(?: [A-Z]|$)")
 _FAR = 0.03
-_UNFOUND = re.compile(r"Not found again: .*")
+_UNFOUND = re.compile(r"(?:Beside the basket[^:]*|Not found again): .*?(?=\. [A-Z]|$)")
+"""What is told without a claim that the camera shows it no longer."""
 _UNSEEN = ("shows neither", "shows no longer")
 
 

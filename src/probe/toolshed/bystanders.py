@@ -36,7 +36,10 @@ def bystander_words(changes: Changes, seen: Sighting) -> str:
             [_bracketed(s.thing.words.called) for s in changes.maybe_in_basket],
         ),
         _sentence("Also moved", [_moved(c) for c in others if c.fate in ("moved", "turned")]),
-        _sentence("Out of the picture, beside the basket", map(_left, _of(others, "beside"))),
+        _sentence(
+            "Beside the basket, at the edge of the picture or outside it",
+            map(_left, _of(others, "beside")),
+        ),
         _sentence("Covered now", map(_left, _of(sure, "covered"))),
         _sentence(
             "No longer to be seen on the table or in the basket", map(_left, _of(sure, "lost"))
@@ -68,7 +71,7 @@ def _way(shift: Array) -> str:
     along, down = round(100 * math.hypot(*shift[:2])), round(-100 * float(shift[2]))
     told = [f"about {along} cm"] if along or abs(down) < _HIGHER_CM else []
     if abs(down) >= _HIGHER_CM:
-        told.append(f"about {abs(down)} cm {'down' if down > 0 else 'up'}")
+        told.append(f"about {abs(down)} cm {'down' if down > 0 else 'up'} in height")
     return " and ".join(told)
 
 

@@ -142,7 +142,7 @@ def _whereabouts(status: str, object_id: str, change: Change, now: str) -> str:
     advice = f" {ADVICE[status]}" if status in ADVICE else ""
     renamed = "" if now == object_id else f" It is {now} now."
     if change.fate == "stayed":
-        return f"{object_id} is still where it was.{renamed}{advice}"
+        return f"{object_id} is still about where it was.{renamed}{advice}"
     if change.fate == "moved":
         return f"{object_id} is still on the table, now at {_place(change)}.{renamed}{advice}"
     if change.fate == "turned":
@@ -151,7 +151,7 @@ def _whereabouts(status: str, object_id: str, change: Change, now: str) -> str:
     if change.fate == "basket":
         return f"{object_id} lies in the basket."
     if change.fate == "beside":
-        return f"{object_id} lies beside the basket, out of the picture and out of reach."
+        return f"{object_id} lies beside the basket, at the edge of the picture or outside it."
     return _unfound(object_id, change)
 
 

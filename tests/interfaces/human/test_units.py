@@ -81,8 +81,16 @@ def test_of_all_that_fits_what_was_searched_for_is_the_latest():
         ("grasp_and_remove", "Done: object_1 was lifted and dropped into the basket.", []),
         ("push", "Done: object_1 ended up in the basket.", []),
         ("push", "Failed: the gripper went the whole way. object_1 lies in the basket.", []),
-        ("push", "Failed: it went. object_1 lies beside the basket, out of the picture.", []),
-        ("grasp_and_remove", "Failed: it slipped. object_1 is still where it was.", ["object_1"]),
+        (
+            "push",
+            "Failed: it went. object_1 lies beside the basket, at the edge of the picture.",
+            [],
+        ),
+        (
+            "grasp_and_remove",
+            "Failed: it slipped. object_1 is still about where it was.",
+            ["object_1"],
+        ),
         ("push", "Done: object_1 moved about 5 cm that way; it is object_2 now.", ["object_2"]),
         ("push", "Failed: object_1 is still on the table. It is object_4 now.", ["object_4"]),
         ("push", "Done: object_1 moved. Also in the basket now: lime.", ["object_1"]),
