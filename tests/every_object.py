@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 import trimesh
 
+from probe.assets.mesh.likeness import like_pairs
 from probe.assets.mesh.mesh import Body
-from probe.assets.mesh.nearness import Fingerprint, fingerprint
+from probe.assets.mesh.nearness import Fingerprint, NearPair, fingerprint
 from probe.assets.pools.procedural import body_to_compare
 from probe.assets.procedural import specs
 from probe.assets.procedural.paint.colours import rgb
@@ -37,6 +38,12 @@ class MadeObject:
 def every_object() -> dict[str, MadeObject]:
     """All built-in objects by id; takes minutes."""
     return {spec.id: _made(spec) for spec in specs(NEWEST_EDITION)}
+
+
+@cache
+def like_pairs_of_all() -> list[NearPair]:
+    """Near-duplicates among all of them, whatever their size."""
+    return like_pairs({name: made.seen for name, made in every_object().items()})
 
 
 def _made(spec: ObjectSpec) -> MadeObject:

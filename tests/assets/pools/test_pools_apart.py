@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from every_object import EVERY_OBJECT, every_object
+from every_object import EVERY_OBJECT, every_object, like_pairs_of_all
 from probe.assets.mesh.likeness import like_pairs
 from probe.assets.mesh.nearness import NearPair
 from probe.assets.pools.division import divided, division_text
@@ -35,13 +35,11 @@ def parted(alike: list[NearPair]) -> list[tuple[str, str]]:
 @pytest.mark.slow
 @EVERY_OBJECT
 def test_no_near_duplicate_is_in_the_other_pool_and_the_stored_division_is_fresh(script):
-    prints = {it: made.seen for it, made in every_object().items()}
-    alike = like_pairs(prints)
+    alike = like_pairs_of_all()
     assert parted(alike) == []
     earlier = {row.id: row.part for row in divided().values()}
-    assert (
-        division_text(script.division_of(list(prints), alike, earlier)) == script.FILE.read_text()
-    )
+    again = script.division_of(list(every_object()), alike, earlier)
+    assert division_text(again) == script.FILE.read_text()
 
 
 def test_an_object_that_is_copied_into_the_other_pool_is_noticed(script):

@@ -2,17 +2,16 @@ import hashlib
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import cache
-from itertools import combinations
 
 import numpy as np
 import pytest
-from scipy.spatial.distance import pdist
 
-from every_object import EVERY_OBJECT, check, every_object
-from probe.assets.mesh.nearness import SAME_FIT, Fingerprint, compare, fingerprint
+from every_object import EVERY_OBJECT, check, every_object, like_pairs_of_all
+from probe.assets.mesh.likeness import like_pairs
+from probe.assets.mesh.nearness import SAME_FIT, Fingerprint, NearPair, compare, fingerprint
 from probe.assets.procedural import build, specs
 from probe.assets.procedural.paint.colours import rgb
 from probe.assets.procedural.tables import entries
@@ -54,19 +53,17 @@ def spec_by_id() -> dict[str, ObjectSpec]:
     return {spec.id: spec for spec in specs(1)}
 
 
-def looking_the_same(prints: Mapping[str, Fingerprint]) -> list[tuple[str, str]]:
-    """Pairs of one shape, however it lies, whose colours are the same for the most part."""
-    names = sorted(prints)
-    # Colours first: a fit takes a hundred thousand times as long.
-    textures = pdist([prints[name].colours for name in names], "cityblock") / 2
-    pairs = zip(combinations(names, 2), textures, strict=True)
-    alike = [pair for pair, texture in pairs if texture <= SAME_COLOURS]
+def looking_the_same(
+    prints: Mapping[str, Fingerprint], alike: Iterable[NearPair]
+) -> list[tuple[str, str]]:
+    """Of near-duplicates whatever their size, those of one size, mostly in the same colours."""
     return [
-        (one, other)
-        for one, other in alike
-        if (near := compare(prints[one], prints[other])) is not None
+        (pair.one, pair.other)
+        for pair in alike
+        if (near := compare(prints[pair.one], prints[pair.other])) is not None
         and near[0] <= SAME_FIT
-        and {entries(2)[one].shape, entries(2)[other].shape} not in TOLD_APART
+        and near[1] <= SAME_COLOURS
+        and {entries(2)[pair.one].shape, entries(2)[pair.other].shape} not in TOLD_APART
     ]
 
 
@@ -143,8 +140,9 @@ def test_every_object_and_no_two_look_the_same() -> None:
     made = every_object()
     assert {name: it.wrong for name, it in made.items() if it.wrong} == {}
     added = {entries(2)[spec.id].shape: spec for spec in reversed(specs(2)[len(specs(1)) :])}
-    compared = (*specs(1), *added.values())
-    assert looking_the_same({spec.id: made[spec.id].seen for spec in compared}) == []
+    compared = {spec.id: made[spec.id].seen for spec in (*specs(1), *added.values())}
+    alike = [p for p in like_pairs_of_all() if p.one in compared and p.other in compared]
+    assert looking_the_same(compared, alike) == []
 
 
 def test_an_object_twice_is_noticed_and_one_in_another_colour_is_not() -> None:
@@ -152,9 +150,9 @@ def test_an_object_twice_is_noticed_and_one_in_another_colour_is_not() -> None:
     quarter = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]], dtype=np.float32)
     turned = replace(red, vertices=red.vertices @ quarter)
     prints = {"proc_red_mug": fingerprint(red), "proc_blue_mug": fingerprint(blue)}
-    assert looking_the_same(prints) == []
+    assert looking_the_same(prints, like_pairs(prints)) == []
     again = prints | {"proc_white_mug": fingerprint(turned)}
-    assert looking_the_same(again) == [("proc_red_mug", "proc_white_mug")]
+    assert looking_the_same(again, like_pairs(again)) == [("proc_red_mug", "proc_white_mug")]
 
 
 @pytest.mark.slow

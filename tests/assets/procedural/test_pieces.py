@@ -27,6 +27,11 @@ def pieces_of(shape: str) -> list[Array]:
     return assemble(first_of_each_shape()[shape])[1]
 
 
+@cache
+def hulls_of(shape: str) -> list[ConvexHull]:
+    return [ConvexHull(corners) for corners in pieces_of(shape)]
+
+
 @lru_cache(maxsize=2)  # meshes keep what traces their rays, which dies where there are thousands
 def closed_parts(shape: str) -> list[tuple[trimesh.Trimesh, bool]]:
     """Each part's closed surface, at rest, and whether it has convex pieces."""
@@ -51,17 +56,17 @@ def joined(sheets: list[Sheet]) -> trimesh.Trimesh:
 def test_each_piece_is_convex_and_small_enough(shape: str) -> None:
     pieces = pieces_of(shape)
     assert 1 <= len(pieces) <= 40
-    for corners in pieces:
+    for corners, hull in zip(pieces, hulls_of(shape), strict=True):
         assert corners.dtype == np.float64
         assert 4 <= len(corners) <= 64
-        assert len(ConvexHull(corners).vertices) == len(corners)
+        assert len(hull.vertices) == len(corners)
         assert trimesh.convex.convex_hull(corners).is_watertight
-        assert ConvexHull(corners).volume > 1e-9
+        assert hull.volume > 1e-9
 
 
 @pytest.mark.parametrize("shape", ALL)
 def test_pieces_cover_the_mesh(shape: str) -> None:
-    planes = [ConvexHull(corners).equations for corners in pieces_of(shape)]
+    planes = [hull.equations for hull in hulls_of(shape)]
     for mesh, solid in closed_parts(shape):
         if solid:
             outside = [(mesh.vertices @ p[:, :3].T + p[:, 3]).max(axis=1) for p in planes]
@@ -119,7 +124,7 @@ def test_a_ray_down_the_cavity_meets_its_floor(shape: str) -> None:
     parts = closed_parts(shape)
     cavity = next(m for (m, _), p in zip(parts, entry.parts, strict=True) if p is profile)
     middle = cavity.bounds.mean(axis=0)[:2]
-    planes = [ConvexHull(corners).equations for corners in pieces_of(shape)]
+    planes = [hull.equations for hull in hulls_of(shape)]
     bottom, top = cavity.bounds[:, 2]
     # Heights at which the middle of the cavity is free: from just above the floor to the rim.
     free = np.linspace(floor + 0.003, rim, 30)
