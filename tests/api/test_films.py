@@ -28,11 +28,15 @@ from probe.render.renderer import Renderer
 from probe.report.clips import clip_stem
 from probe.scene.seeds import generator
 from probe.scene.setup import RendererName
+from probe.tasks.suite import selection
 from probe.tasks.suite_file import demo_suite, write_suite
 from probe.toolshed.result import MOVING
 from recordings import rows_of
 
 SUITE = demo_suite()
+INSET_PX = 344
+"""Sides of what the agent saw, in a film."""
+
 CALLS = (
     Call.of("perceive_scene"),
     Call.of("push", {"object_id": "object_99", "direction": "left", "distance_cm": 5}),
@@ -180,12 +184,20 @@ def test_without_blender_it_is_known_before_an_episode_is_done_again(
         list(make(folder, renderer="blender"))
 
 
+def smaller(task, picture_px):
+    """The task on a table whose camera takes smaller pictures."""
+    setup = replace(task.setup, name="small", picture_px=picture_px)
+    return replace(task, scene=replace(task.scene, setup=setup))
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(find_spec("bpy") is None, reason="Blender's package isn't installed")
 def test_a_record_of_blenders_is_filmed_by_either(folder, library):
     av = pytest.importorskip("av")
-    task, asked = SUITE.tasks[0], Conditions(renderer="blender")
+    # As small as the inset is: each of the usual camera's pictures takes Blender half a minute.
+    task, asked = smaller(SUITE.tasks[0], INSET_PX), Conditions(renderer="blender")
     seen = Circumstances(conditions=asked, viewpoint=replace(task.viewpoint, renderer="blender"))
+    write_suite(folder / "suite.json", selection(SUITE, (task,), "small"))
     with Renderer(engine="blender") as blender:
         record = play(task, Guess(), "fixed", library, blender, seen)
     write_records(folder / "records.jsonl", [record])
