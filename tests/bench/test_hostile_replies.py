@@ -1,8 +1,15 @@
-"""Whatever stands in one reply is answered in words; the evaluation goes on and ends well."""
+"""Whatever stands in one reply is answered in words; the evaluation goes on and ends well.
+
+Of each evaluation many tasks hear a reply, each its own: starting tables takes longest.
+"""
 
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,11 +22,12 @@ from model_server import Reply, serving
 from policy_server import task_of
 from probe.bench.harness import harness_task
 from probe.bench.model_runner import ModelRunner
+from probe.episodes.record import EpisodeRecord
+from probe.tasks.suite import Suite
+from probe.tasks.task import Task
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
-SUITE = demo(2)
-HOSTILE, CALM = SUITE.tasks
 HALF = "\ud800"
 DEEP = 100_000
 
@@ -49,90 +57,145 @@ REPLIES = {
 }
 
 
-def script(hostile: Reply):
-    def say(number: int, body: dict[str, Any]) -> Reply:
-        task, turn = task_of(body, SUITE), replies_so_far(body)
-        if task is HOSTILE and turn == 0:
-            return hostile
-        if task is CALM and turn == 0:
-            return Reply(calls=(FIND,))
-        return Reply(calls=(answer(task.answer),))
+UNREAD = "a number of 5,000 digits"
+"""Python reads no number of over 4,300 digits; the client fails where we have no say."""
 
-    return say
+UNANSWERED = {
+    "an error": Reply(status=400, error=f"no {HALF} such thing"),
+    "no choice": Reply(choices=0),
+}
+BESIDE, CALM = demo(2).tasks
+"""One hears a hostile reply, under many ids; the other, beside them, none."""
+
+
+def hearing(name: str) -> Task:
+    """A task of its own that one hostile reply is given to."""
+    id = f"beneath-{re.sub('[^a-z0-9]', '-', name.lower())}"
+    return replace(BESIDE, id=id, question=f"Hear {name!r}! {BESIDE.question}")
+
+
+def beside(names: Iterable[str]) -> Suite:
+    """A task for each of these replies, and a calm one among them."""
+    (*most, last) = map(hearing, names)
+    return replace(demo(2), tasks=(*most, CALM, last))
+
+
+@dataclass(frozen=True)
+class Heard:
+    """What came of one evaluation in which each of some tasks first hears a reply of its own."""
+
+    status: str
+    values: Mapping[str, Any]
+    records: Mapping[str, EpisodeRecord]
+    told: str
+
+
+def evaluated(out: Path, replies: Mapping[str, Reply]) -> Heard:
+    suite = beside(replies)
+    heard = {hearing(name).id: reply for name, reply in replies.items()}
+    told = list[str]()
+
+    def say(number: int, body: dict[str, Any]) -> Reply:
+        task, turn = task_of(body, suite), replies_so_far(body)
+        if task is CALM:
+            return Reply(calls=(FIND if turn == 0 else answer(CALM.answer),))
+        if hearing(UNREAD).id == task.id:
+            told.append(json.dumps(body))
+        return Reply(calls=(answer(task.answer),)) if turn else heard[task.id]
+
+    with serving(say, keep=False) as server:
+        log = run_in(plan(out, "agentic", suite), server.url, max_retries=0)
+    return Heard(log.status, values_of(log), kept(out), "".join(told))
+
+
+@pytest.fixture(scope="module")
+def heard(tmp_path_factory: pytest.TempPathFactory) -> Heard:
+    """Of all replies that an episode goes on after."""
+    huge = Reply(calls=(("push", f'{{"distance_cm": {"9" * 5000}}}'),))
+    return evaluated(tmp_path_factory.mktemp("heard"), REPLIES | {UNREAD: huge})
+
+
+def test_the_evaluation_goes_on_and_ends_well(heard):
+    assert heard.status == "success"
+    ids = {hearing(name).id for name in (*REPLIES, UNREAD)}
+    assert set(heard.records) == {*ids, CALM.id}
+    assert heard.values == dict.fromkeys((*ids, CALM.id), "C")
+    assert heard.records[CALM.id].fault is None and len(heard.records[CALM.id].steps) == 2
 
 
 @pytest.mark.parametrize("name", REPLIES)
-def test_one_reply_never_stops_an_evaluation(tmp_path, name):
-    with serving(script(REPLIES[name])) as server:
-        log = run_in(plan(tmp_path, "agentic", SUITE), server.url, max_retries=0)
-    assert log.status == "success"
-    records = kept(tmp_path)
-    assert set(records) == {HOSTILE.id, CALM.id}
-    *odd, last = records[HOSTILE.id].steps
+def test_one_reply_is_answered_in_words(heard, name):
+    record = heard.records[hearing(name).id]
+    *odd, last = record.steps
     assert [step.status for step in odd] == ["malformed"] * len(REPLIES[name].calls)
-    assert records[HOSTILE.id].end == "answered" and last.call.name == "answer_question"
-    assert records[HOSTILE.id].fault is None
-    assert values_of(log) == {HOSTILE.id: "C", CALM.id: "C"}
+    assert record.end == "answered" and last.call.name == "answer_question"
+    assert record.fault is None
 
 
-def test_a_number_that_no_client_reads_is_a_reply_without_a_call(tmp_path):
-    """Python reads no number of over 4,300 digits; the client fails where we have no say."""
-    huge = Reply(calls=(("push", f'{{"distance_cm": {"9" * 5000}}}'),))
-    with serving(script(huge)) as server:
-        log = run_in(plan(tmp_path, "agentic", SUITE), server.url, max_retries=0)
-        told = json.dumps(server.bodies)
-    assert values_of(log) == {HOSTILE.id: "C", CALM.id: "C"}
-    (fault,) = seat_of(kept(tmp_path)[HOSTILE.id]).faults
+def test_a_number_that_no_client_reads_is_a_reply_without_a_call(heard):
+    (fault,) = seat_of(heard.records[hearing(UNREAD).id]).faults
     assert fault == "reply 1: can't be read: a number in it has too many digits"
-    assert "That reply called no tool." in told
+    assert "That reply called no tool." in heard.told
 
 
 def test_errors_and_replies_without_a_choice_are_faults_of_their_episode(tmp_path):
-    odd = Reply(status=400, error=f"no {HALF} such thing")
-    with serving(script(odd)) as server:
-        log = run_in(plan(tmp_path / "error", "agentic", SUITE), server.url, max_retries=0)
-    assert values_of(log) == {HOSTILE.id: "missing", CALM.id: "C"}
-    fault = kept(tmp_path / "error")[HOSTILE.id].fault or ""
+    heard = evaluated(tmp_path, UNANSWERED)
+    error, none = (hearing(name).id for name in UNANSWERED)
+    assert heard.values == {error: "missing", none: "missing", CALM.id: "C"}
+    fault = heard.records[error].fault or ""
     assert "gave no reply 1" in fault and "400" in fault and "no ? such thing" in fault, fault
-    with serving(script(Reply(choices=0))) as server:
-        log = run_in(plan(tmp_path / "none", "agentic", SUITE), server.url, max_retries=0)
-    assert values_of(log) == {HOSTILE.id: "missing", CALM.id: "C"}
-    assert kept(tmp_path / "none")[HOSTILE.id].end == "fault"
+    assert heard.records[none].end == "fault"
 
 
-@pytest.mark.parametrize(
-    ("name", "base", "arguments"),
-    [
-        ("openai/gpt-5.4", "/v1", {"responses_api": True}),
-        ("anthropic/claude-opus-4-7", "", {"streaming": False}),
-        ("google/gemini-3.1-pro-preview", "", {}),
-    ],
-)
-@pytest.mark.parametrize("which", ["half a pair as a choice", "half a pair in words", "deeper"])
-def test_other_protocols(tmp_path, name, base, arguments, which):
-    deeper = Reply(calls=(("push", '{"a":' * 500 + "1" + "}" * 500),))
-    hostile, begun = REPLIES.get(which, deeper), list[int]()
+PROTOCOLS: dict[str, tuple[str, dict[str, Any]]] = {
+    "openai/gpt-5.4": ("/v1", {"responses_api": True}),
+    "anthropic/claude-opus-4-7": ("", {"streaming": False}),
+    "google/gemini-3.1-pro-preview": ("", {}),
+}
+DEEPER = "deeper"
+IN_ALL = {
+    **{it: REPLIES[it] for it in ("half a pair as a choice", "half a pair in words")},
+    DEEPER: Reply(calls=(("push", '{"a":' * 500 + "1" + "}" * 500),)),
+}
+
+
+@pytest.fixture(scope="module", params=PROTOCOLS)
+def other(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory):
+    """Records of an evaluation in another protocol, by the reply that each heard."""
+    base, arguments = PROTOCOLS[request.param]
+    tasks = {name: hearing(name) for name in IN_ALL}
+    begun, out = set[str](), tmp_path_factory.mktemp("other")
 
     def say(number: int, body: dict[str, Any]) -> Reply:
         if "push" not in json.dumps(body.get("tools", "")):
             return Reply("hello, world")
-        begun.append(number)
-        return hostile if len(begun) == 1 else Reply(calls=(answer("E"),))
+        (name,) = (it for it in IN_ALL if f"Hear {it!r}!" in json.dumps(body))
+        if name in begun:
+            return Reply(calls=(answer("E"),))
+        begun.add(name)
+        return IN_ALL[name]
 
     with serving(say) as server:
         url = server.url.removesuffix("/v1") + base
-        model = get_model(name, base_url=url, api_key="none", memoize=False, **arguments)
-        asked = plan(tmp_path, "agentic", demo(1))
+        model = get_model(request.param, base_url=url, api_key="none", memoize=False, **arguments)
+        asked = plan(out, "agentic", replace(demo(1), tasks=(*tasks.values(),)))
         runner = ModelRunner(asked, PaintedPlace)
         (log,) = evaluate(
             harness_task(asked, runner), model=model, display="none", max_retries=0,
-            log_dir=str(tmp_path / "logs"), max_tokens=1000,
+            log_dir=str(out / "logs"), max_tokens=1000, max_samples=asked.workers,
         )  # fmt: skip
         runner.close()
     assert log.status == "success"
-    (record,) = kept(tmp_path).values()
+    records = kept(out)
+    assert set(records) == {task.id for task in tasks.values()}
+    return {name: records[task.id] for name, task in tasks.items()}
+
+
+@pytest.mark.parametrize("which", IN_ALL)
+def test_other_protocols(other, which):
+    record = other[which]
     calls = [reply.calls for reply in seat_of(record).replies]
     assert record.end == "answered" and len(calls) == 2, record.fault
     # Where arguments are no text on the wire, the client can't read what is nested too deep.
     assert [step.status for step in record.steps] == ["malformed", "done"][1 - calls[0] :]
-    assert calls[0] == 1 or which == "deeper"
+    assert calls[0] == 1 or which == DEEPER
