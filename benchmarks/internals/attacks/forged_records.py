@@ -19,8 +19,8 @@ from probe.episodes.noise import Noise
 from probe.episodes.record import EpisodeRecord, Seconds, Step, TableState
 from probe.episodes.turns import Call
 from probe.scene.scene import Scene
-from probe.tasks.suite import Suite, selection
-from probe.tasks.suite_file import demo_suite, read_suite, write_suite
+from probe.tasks.suite import Suite
+from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import Letter, Task
 from probe.toolshed.result import Answer
 from probe.types import Pose
@@ -117,23 +117,16 @@ VOUCHED: dict[str, Forge] = {
 """What no file can prove of itself: docs/how-to/audit.md says so."""
 
 
-def played(folder: Path) -> Path:
-    """One episode of the demo in which something is lifted by a hand that errs."""
-    whole, out = demo_suite(), folder / "played"
-    write_suite(folder / "demo.json", selection(whole, whole.tasks[:1], whole.name))
-    ended = probe("run", folder / "demo.json", "--noise", "paper", "--out", out)
-    assert ended.returncode == 0, ended.stderr
-    return out
-
-
-def attack_records(folder: Path, scale: float) -> Iterator[Attack]:
+def attack_records(folder: Path, run: Path, scale: float) -> Iterator[Attack]:
     """Forge an episode that was played, with right checksums; an honest one must pass.
 
     Args:
         folder: To work in.
+        run: A folder with one episode of the demo in which a hand that errs lifts something; it is
+            copied.
         scale: The share of forgeries that is tried.
     """
-    run = played(folder)
+    run = shutil.copytree(run, folder / "played")
     honest = probe("audit", run, "--replay", "all")
     verdict = "harmless" if honest.returncode == 0 else "crashed"
     yield Attack(CHECKS, "an honest one", verdict, honest.stderr[-300:])

@@ -28,7 +28,7 @@ from strange_replies import attack_with_replies
 from verdict import Attack, show
 
 from probe.episodes.files import read_records
-from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.folder import RECORDS
 from probe.tasks.suite import selection
 from probe.tasks.suite_file import demo_suite, read_suite, write_suite
 
@@ -36,11 +36,15 @@ _RECORD_FLIPS, _SUITE_FLIPS, _KILLS = 200, 800, 28
 
 
 def prepared(folder: Path) -> Path:
-    """A folder as `probe run` leaves it: one episode of the scripted agent."""
+    """A folder as `probe run` leaves it: one episode of the demo, by a hand that errs.
+
+    Its one task lies beside it as a suite of no packaged name.
+    """
     whole = demo_suite()
     write_suite(folder / "one.json", selection(whole, whole.tasks[:1], "one"))
+    write_suite(folder / "demo.json", selection(whole, whole.tasks[:1], whole.name))
     out = folder / "run"
-    ended = probe("run", folder / "one.json", "--out", out)
+    ended = probe("run", folder / "demo.json", "--noise", "paper", "--out", out)
     if ended.returncode != 0:
         sys.exit(ended.stderr)
     return out
@@ -54,20 +58,20 @@ def attacks_of(folder: Path, scale: float) -> Mapping[str, Callable[[], Iterator
         scale: The share of each that is tried; of page and line, all.
     """
     rng = np.random.default_rng(0)
-    run = prepared(folder)
+    run, suite = prepared(folder), folder / "one.json"
 
     def flipped() -> Iterator[Attack]:
         of_records, of_suite = round(scale * _RECORD_FLIPS), round(scale * _SUITE_FLIPS)
         yield from flips("flips in records", run / RECORDS, read_records, of_records, rng)
-        yield from flips("flips in a suite", run / SUITE, read_suite, of_suite, rng)
+        yield from flips("flips in a suite", suite, read_suite, of_suite, rng)
 
-    suite, count = folder / "one.json", round(scale * _KILLS)
+    count = round(scale * _KILLS)
     return {
         "files": lambda: attack_files(folder, run, scale),
         "meshes": lambda: attack_meshes(folder, scale),
         "options": lambda: attack_options(folder, scale),
         "memory": lambda: attack_memory(folder, scale),
-        "records": lambda: attack_records(folder, scale),
+        "records": lambda: attack_records(folder, run, scale),
         "flips": flipped,
         "page": lambda: attack_page(folder / "page"),
         "line": lambda: attack_line(folder / "line"),
