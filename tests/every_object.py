@@ -1,27 +1,34 @@
-"""What holds for any built-in object; each of them, built once for all tests that look at all."""
+"""What holds for any built-in object, and for any two."""
 
 from __future__ import annotations
 
 import traceback
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
-import pytest
 import trimesh
 
-from probe.assets.mesh.likeness import like_pairs
 from probe.assets.mesh.mesh import Body
-from probe.assets.mesh.nearness import Fingerprint, NearPair, fingerprint
+from probe.assets.mesh.nearness import SAME_FIT, Fingerprint, NearPair, compare, fingerprint
 from probe.assets.pools.procedural import body_to_compare
 from probe.assets.procedural import specs
 from probe.assets.procedural.paint.colours import rgb
-from probe.assets.procedural.tables import NEWEST_EDITION
+from probe.assets.procedural.tables import NEWEST_EDITION, entries
 from probe.assets.spec import ObjectSpec
 from probe.types import Array
 
-EVERY_OBJECT = pytest.mark.xdist_group("every_object")
-"""For tests that look at all of them: one worker takes them, which builds each object once."""
+SAME_COLOURS = 0.15  # share of the surface whose colour the other doesn't have
+# Slender things whose surfaces nearly coincide, but whose tines, wheel, blade or jaws one sees at
+# once.
+TOLD_APART = (
+    {"spoon", "own fork"},
+    {"spoon", "own wrench"},
+    {"wooden_spoon", "own wrench"},
+    {"own fork", "own wrench"},
+    {"own putty knife", "own table knife"},
+    {"own putty knife", "own pizza cutter"},
+)
 
 MINOR = {"proc_pear"}  # its yellow is a tinge of the green
 
@@ -34,16 +41,23 @@ class MadeObject:
     wrong: str
 
 
-@cache
 def every_object() -> dict[str, MadeObject]:
     """All built-in objects by id; takes minutes."""
     return {spec.id: _made(spec) for spec in specs(NEWEST_EDITION)}
 
 
-@cache
-def like_pairs_of_all() -> list[NearPair]:
-    """Near-duplicates among all of them, whatever their size."""
-    return like_pairs({name: made.seen for name, made in every_object().items()})
+def looking_the_same(
+    prints: Mapping[str, Fingerprint], alike: Iterable[NearPair]
+) -> list[tuple[str, str]]:
+    """Of near-duplicates whatever their size, those of one size, mostly in the same colours."""
+    return [
+        (pair.one, pair.other)
+        for pair in alike
+        if (near := compare(prints[pair.one], prints[pair.other])) is not None
+        and near[0] <= SAME_FIT
+        and near[1] <= SAME_COLOURS
+        and {entries(2)[pair.one].shape, entries(2)[pair.other].shape} not in TOLD_APART
+    ]
 
 
 def _made(spec: ObjectSpec) -> MadeObject:

@@ -2,16 +2,15 @@ import hashlib
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 
-from every_object import EVERY_OBJECT, check, every_object, like_pairs_of_all
+from every_object import check, looking_the_same
 from probe.assets.mesh.likeness import like_pairs
-from probe.assets.mesh.nearness import SAME_FIT, Fingerprint, NearPair, compare, fingerprint
+from probe.assets.mesh.nearness import fingerprint
 from probe.assets.procedural import build, specs
 from probe.assets.procedural.paint.colours import rgb
 from probe.assets.procedural.tables import entries
@@ -35,36 +34,11 @@ SOME = (
     "proc_brown_teddy_bear",
     "proc_yellow_hard_hat",
 )
-SAME_COLOURS = 0.15  # share of the surface whose colour the other doesn't have
-# Slender things whose surfaces nearly coincide, but whose tines, wheel, blade or jaws one sees at
-# once.
-TOLD_APART = (
-    {"spoon", "own fork"},
-    {"spoon", "own wrench"},
-    {"wooden_spoon", "own wrench"},
-    {"own fork", "own wrench"},
-    {"own putty knife", "own table knife"},
-    {"own putty knife", "own pizza cutter"},
-)
 
 
 @cache
 def spec_by_id() -> dict[str, ObjectSpec]:
     return {spec.id: spec for spec in specs(1)}
-
-
-def looking_the_same(
-    prints: Mapping[str, Fingerprint], alike: Iterable[NearPair]
-) -> list[tuple[str, str]]:
-    """Of near-duplicates whatever their size, those of one size, mostly in the same colours."""
-    return [
-        (pair.one, pair.other)
-        for pair in alike
-        if (near := compare(prints[pair.one], prints[pair.other])) is not None
-        and near[0] <= SAME_FIT
-        and near[1] <= SAME_COLOURS
-        and {entries(2)[pair.one].shape, entries(2)[pair.other].shape} not in TOLD_APART
-    ]
 
 
 @pytest.mark.slow
@@ -131,18 +105,6 @@ def test_an_unknown_object_is_refused() -> None:
 @pytest.mark.parametrize("object_id", SOME)
 def test_an_object(object_id: str) -> None:
     check(spec_by_id()[object_id], build(object_id))
-
-
-@pytest.mark.slow
-@EVERY_OBJECT
-def test_every_object_and_no_two_look_the_same() -> None:
-    """All of the first edition, and one object of the second of each shape that has more there."""
-    made = every_object()
-    assert {name: it.wrong for name, it in made.items() if it.wrong} == {}
-    added = {entries(2)[spec.id].shape: spec for spec in reversed(specs(2)[len(specs(1)) :])}
-    compared = {spec.id: made[spec.id].seen for spec in (*specs(1), *added.values())}
-    alike = [p for p in like_pairs_of_all() if p.one in compared and p.other in compared]
-    assert looking_the_same(compared, alike) == []
 
 
 def test_an_object_twice_is_noticed_and_one_in_another_colour_is_not() -> None:
