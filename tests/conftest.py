@@ -32,7 +32,6 @@ LONGEST = (
     "test_distill.py",
     "test_tutorials.py",
     "test_attacks.py",
-    "test_catalogue.py",
     "test_compare.py",
 )
 """Files whose tests take minutes, the longest first."""

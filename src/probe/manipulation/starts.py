@@ -43,11 +43,13 @@ def starts(
         unlike: Starts that were in vain.
         clear: Whether the hand may meet nothing else on its way.
     """
-    others = terrain.without(target.cells).widened(SIDE)
 
     def kept(options: Iterable[PlannedPush]) -> Iterator[PlannedPush]:
         fresh = _fresh(options, unlike)
-        return (o for o in fresh if not clear or _clear(o, others, shape, along, distance))
+        if not clear:
+            return fresh
+        others = terrain.without(target.cells).widened(SIDE)
+        return (one for one in fresh if _clear(one, others, shape, along, distance))
 
     every = kept(pushes(target, terrain, shape, along, distance))
     above = islice(kept(drags(target, terrain, shape, along)), _PRESSED)
