@@ -25,11 +25,11 @@ demo: .venv/.ready driver
 test test-slow: export OMP_NUM_THREADS = 1
 
 test: .venv/.ready driver
-	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS) --dist loadgroup --no-loadscope-reorder
+	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
 test-slow: .venv/.ready driver browser .venv/.blender .venv/.torch
 test-slow: .venv/.docs .venv/.ray .venv/.rerun
-	$(BIN)/pytest -m "slow and not gpu" --durations 40 -n $(SLOW_WORKERS) --dist loadgroup --no-loadscope-reorder
+	$(BIN)/pytest -m "slow and not gpu" --durations 40 -n $(SLOW_WORKERS) --dist loadfile --no-loadscope-reorder
 
 check: .venv/.ready
 	$(BIN)/ruff format --check

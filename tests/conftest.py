@@ -39,14 +39,8 @@ LONGEST = (
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Hand workers whole files, so that what a file's tests share is made once.
-
-    The longest begin first, so that no worker is left with them at the end.
-    """
+    """Begin with the files that take longest, so that no worker is left with them at the end."""
     items.sort(key=lambda item: (*LONGEST, item.path.name).index(item.path.name))
-    for item in items:
-        if item.get_closest_marker("xdist_group") is None:
-            item.add_marker(pytest.mark.xdist_group(item.path.name))
 
 
 @pytest.fixture(scope="session", autouse=True)

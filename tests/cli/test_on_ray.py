@@ -16,7 +16,7 @@ from probe.tasks.suite_file import demo_suite, write_suite
 from untimed import lines
 
 # One worker: two clusters on one machine may take each other's ports.
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("ray")]
+pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")

@@ -25,7 +25,7 @@ from probe.errors import BadData, WorkerDied
 from probe.processes.serving import WorkerUnfit
 
 # One worker: two clusters on one machine may take each other's ports.
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("ray")]
+pytestmark = pytest.mark.slow
 
 DRIVER = """
 import sys

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import time
-from typing import Iterator
+from typing import Iterator, Tuple
 
 import pytest
 
@@ -13,6 +14,7 @@ from probe_bridge.checks.hand import check_hand
 from probe_bridge.checks.joints import check_joints
 from probe_bridge.checks.stopping import check_cut, check_stop, check_watchdog
 from probe_bridge.client import RobotClient
+from probe_bridge.lease import LEASE
 from probe_bridge.trajectory import Trajectory
 
 
@@ -61,6 +63,24 @@ def test_the_arm_rests_where_it_was_when_asked_to_stop(hasty: Running, mover: Ro
         assert hasty.driver.stops[0] > began
         hasty.driver.stops.clear()
         assert max(e.seconds for e in hasty.driver.executed) < 2.5  # of 4 s
+
+
+def test_a_stall_before_the_hand_turns(
+    hasty: Running, mover: RobotClient, monkeypatch: pytest.MonkeyPatch
+):
+    asked, joints = itertools.count(), mover.joints
+
+    def late() -> Tuple[float, ...]:
+        """The second answer is as old as it is late, so no lease is renewed meanwhile."""
+        answer = joints()
+        if next(asked) == 1:
+            time.sleep(2 * LEASE)
+        return answer
+
+    monkeypatch.setattr(mover, "joints", late)
+    outcome = check_stop(mover)
+    assert outcome.verdict == "passed", outcome.text
+    assert len(hasty.driver.moves) == 2
 
 
 @pytest.mark.slow

@@ -17,6 +17,7 @@ STOP, WATCHDOG, CUT = "stop", "watchdog", "cut link"
 _BY = 0.5
 """Seconds that an arm may take to rest."""
 
+_TRIES = 3
 _LONGER = 1.5
 _ENDS = 20.0
 """Seconds for which an arm that does not stop is looked at; and until its motion ends by itself."""
@@ -61,13 +62,21 @@ def check_cut(client: RobotClient, again: Callable[[], RobotClient]) -> Tuple[Ou
 
 
 def _cannot_begin(client: RobotClient) -> str:
-    """Why the hand can't be turned; "" if it turns now."""
-    try:
-        begin_swing(client)
-    except BridgeError as error:
-        if error.kind == "lost":
-            raise
-        return f"The hand can't be turned here: {error}"
+    """Why the hand can't be turned; "" if it turns now.
+
+    A lease that lapses before it turns tells of a network or a computer that stalled: once more.
+    """
+    for left in reversed(range(_TRIES)):
+        try:
+            begin_swing(client)
+        except BridgeError as error:
+            if error.kind == "lost":
+                raise
+            if error.kind != "lease" or not left:
+                return f"The hand can't be turned here: {error}"
+            time.sleep(_BY)
+        else:
+            break
     return ""
 
 
