@@ -56,7 +56,7 @@ class MovableChecker:
 
 def settle(parts: BuildFolder, task: Task, stuck: str, things: Library) -> None:
     """Write down that a task is kept, or that its place goes on after it."""
-    attempt = Attempt.of_seed(task.question_type, task.seed)
+    attempt = Attempt.of_task(task)
     first = task.seed - attempt.number
     for seed in range(first, task.seed):
         parts.add(attempt.place, CandidateLog(task.question_type, seed, EARLIER, None, "", 0.0))
@@ -68,7 +68,7 @@ def settle(parts: BuildFolder, task: Task, stuck: str, things: Library) -> None:
 
 def unsettled(parts: BuildFolder, suite: Suite) -> list[Task]:
     """The tasks of which nothing is written down yet."""
-    places = {task.id: Attempt.of_seed(task.question_type, task.seed).place for task in suite.tasks}
+    places = {task.id: Attempt.of_task(task).place for task in suite.tasks}
     return [
         task
         for task in suite.tasks
@@ -89,7 +89,8 @@ def rebuild_command(suite: Suite, path: Path, pool: Pool) -> str:
         if mine != list(range(first, first + count)):
             raise BadData(suite.name, f"its {name} tasks aren't places {first} and on", "Say which")
     asked = " ".join(f"--counts.{name} {count}" for name, count in counts.items())
-    return f"probe suite build {path} --public --pool {pool} --first {first} {asked}"
+    rules = f"--rules {suite.tasks[0].version}"
+    return f"probe suite build {path} --public {rules} --pool {pool} --first {first} {asked}"
 
 
 def main(
@@ -109,13 +110,13 @@ def main(
     frozen, things = find_suite(suite), library(pool)
     command = rebuild_command(frozen, path, pool)
     parts = BuildFolder(path.with_suffix(".parts"))
-    begin(parts, pool, public=True, unchecked=False)
+    begin(parts, pool, public=True, unchecked=False, rules=frozen.tasks[0].version)
     _check(parts, frozen, MovableChecker(pool), LocalEngine(workers), things)
     if left := unsettled(parts, frozen):
         say(f"{len(left)} tasks weren't checked; give the same command again")
         return
     for task in frozen.tasks:
-        line = parts.log(Attempt.of_seed(task.question_type, task.seed).place)[task.seed % ATTEMPTS]
+        line = parts.log(Attempt.of_task(task).place)[task.seed % ATTEMPTS]
         if line.check != KEPT:
             say(f"{task.id} is made anew: {line.detail}")
     say(f"Now: {command}")

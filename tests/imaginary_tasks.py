@@ -12,6 +12,7 @@ import numpy as np
 
 from probe.assets.spec import ObjectSpec
 from probe.generation.first_look import FirstLook, VisibleThing
+from probe.perception.scene_graph import Relation
 from probe.shortcuts.sample import CatalogueFacts, LabelledSample, Sample
 from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, QuestionType
 from probe.tasks.type_rules import Form
@@ -53,6 +54,8 @@ def _sight(name: str | None, rng: np.random.Generator) -> VisibleThing:
         (left, top, left + wide, top + high),
         lab,
         float(rng.uniform(0, 0.6)),
+        float(rng.uniform(0.01, 0.1)),
+        float(rng.uniform(0, 0.5)),
     )
 
 
@@ -64,7 +67,7 @@ class ImaginaryTask:
         rng: The task's own.
         right: Place of the right option.
         options, question, question_type, form: As in Sample; the question without its mark.
-        things, marked: As in FirstLook.
+        things, marked, contacts: As in FirstLook.
     """
 
     rng: np.random.Generator
@@ -75,11 +78,12 @@ class ImaginaryTask:
     question_type: QuestionType = "find"
     form: Form = "plain"
     marked: tuple[int, ...] = ()
+    contacts: tuple[Relation, ...] = ()
 
     def example(self, number: int) -> LabelledSample:
         """The task, put together."""
         marked = dict(zip(PAIR, self.marked, strict=False))
-        look = FirstLook(tuple(self.things), (), marked)
+        look = FirstLook(tuple(self.things), self.contacts, marked)
         question = f"{self.question}?"
         sample = Sample(self.question_type, self.form, question, tuple(self.options), look)
         return LabelledSample(
@@ -141,11 +145,12 @@ def _pair(
     rng: np.random.Generator, lot: int, question_type: QuestionType, forms: tuple[Form, ...]
 ) -> ImaginaryTask:
     things = [_sight(None, rng) for _ in range(12)]
+    covers = Relation(2, "covering", 0), Relation(3, "covering", 1)
     form = forms[int(rng.integers(len(forms)))]
     word = f" {rng.choice(_COLOURS)}" if form == "colour" else ""
     right, question = lot % 2, f"{rng.choice(_WORDINGS)}: the {form} one{word}"
     return ImaginaryTask(
-        rng, ["Object A", "Object B"], right, question, things, question_type, form, (0, 1)
+        rng, ["Object A", "Object B"], right, question, things, question_type, form, (0, 1), covers
     )
 
 

@@ -34,12 +34,12 @@ def test_a_task_that_passes_is_kept_and_another_s_place_goes_on_after_it(remake,
     remake.settle(parts, good, "", library)
     remake.settle(parts, stuck, "mug went in 0 of 3 tries", library)
     for task, check in ((good, KEPT), (stuck, IMMOVABLE)):
-        log = parts.log(Attempt.of_seed(task.question_type, task.seed).place)
+        log = parts.log(Attempt.of_task(task).place)
         assert [line.seed for line in log][-1] == task.seed
         assert len(log) == task.seed % ATTEMPTS + 1
         assert log[-1].check == check
         assert {line.check for line in log[:-1]} <= {remake.EARLIER}
-    place = Attempt.of_seed(good.question_type, good.seed).place
+    place = Attempt.of_task(good).place
     assert read_suite(parts.task_path(place)).tasks == (good,)
     assert remake.unsettled(parts, demo_suite()) == list(demo_suite().tasks[2:])
 

@@ -27,9 +27,10 @@ V1 = packaged_suite("v1")
 
 def test_public_tries_are_what_they_were():
     for task in V1.tasks:
-        attempt = Attempt.of_seed(task.question_type, task.seed)
+        attempt = Attempt.of_task(task)
+        assert attempt.rules == 2
         assert (attempt.id, attempt.seed, attempt.bears) == (task.id, task.seed, task.seed)
-        assert attempt.plan == plan(task.question_type, task.seed)
+        assert attempt.plan == replace(plan(task.question_type, task.seed), rules=2)
         assert attempt.plan.letter == task.answer
 
 

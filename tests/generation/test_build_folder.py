@@ -93,6 +93,7 @@ def test_a_candidate_that_two_processes_tried_counts_once(tmp_path):
 def test_a_folder_of_unchecked_tasks_is_no_start_for_checked_ones(tmp_path):
     parts = BuildFolder(tmp_path)
     parts.claim(BuildSettings(pool="procedural", unchecked=True))
-    parts.claim(BuildSettings(pool="procedural", unchecked=True))
+    with pytest.raises(BadData, match=r"making\.json: was begun with rules 2, not 3"):
+        parts.claim(BuildSettings(pool="procedural", unchecked=True, rules=3))
     with pytest.raises(BadData, match=r"making\.json: was begun with unchecked True, not False"):
         parts.claim(BuildSettings(pool="procedural", unchecked=False))

@@ -21,6 +21,7 @@ from probe.generation.task_plan import CROSSED, MORE_CUES
 from probe.question_types.count.generator import INSTANCES
 from probe.question_types.find.generator import PARTLY_SEEN
 from probe.question_types.reduce.generator import REMOVALS
+from probe.question_types.size.cues import DEPTH
 from probe.render.photograph import load_scene, measure, photograph
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
@@ -201,7 +202,33 @@ def test_size(library: Library, renderer: Renderer, episode):
     assert all(measured[number][0] < 0.30 for number in numbers)
     cues = (*CROSSED.of(wanted)[1:], MORE_CUES.of(wanted)[0])
     check_leads(task, numbers, cues, renderer)
+    check_depth(task, numbers, DEPTH.of(wanted), library, renderer)
     check_certificate(task, measured)
+
+
+def check_depth(task: Task, numbers: list[int], cues: tuple[bool, ...], library, renderer):
+    """By heights and tilts that depth shows, the larger thing leads or lags as planned."""
+    load_scene(renderer, task.scene, library, load_table(TABLES[0], None))
+    frame = photograph(renderer, task.scene)
+    bare = task.scene.without(
+        *(o.instance for o in task.scene.objects if o.instance not in numbers)
+    )
+    alone = photograph(renderer, bare).labels
+    assert frame.labels is not None and alone is not None
+    v, u = np.mgrid[: frame.labels.shape[0], : frame.labels.shape[1]]
+    pixels = np.column_stack([u.ravel(), v.ravel()]) + 0.5
+    heights = frame.camera.lift(pixels, frame.depth.ravel())[:, 2].reshape(frame.labels.shape)
+    tops, tilts, own = [], [], []
+    for number in numbers:
+        over = frame.labels[(alone == number) & (frame.labels != number)]
+        cover = task.scene[int(np.bincount(over).argmax())]
+        mesh = library.body(cover.object_id).mesh.vertices
+        tops.append(cover.pose.apply(mesh)[:, 2].max())
+        upright = cover.pose.rotation[2, int(np.ptp(mesh, axis=0).argmin())]
+        tilts.append(np.degrees(np.arccos(min(1.0, abs(upright)))))
+        own.append(heights[frame.labels == number].max())
+    assert [large > small for large, small in (tops, tilts, own)] == [*cues]
+    assert 1.05 <= max(tops) / min(tops) <= 1.8 and 1 <= max(tilts) - min(tilts) <= 20
 
 
 def check_leads(task: Task, numbers: list[int], cues: tuple[bool, ...], renderer: Renderer):

@@ -10,7 +10,7 @@ from probe.generation.observer import observe, visible_count
 from probe.perception.scene_graph import Relation
 
 RED, BLUE, DARK = (45.0, 60.0, 40.0), (40.0, 10.0, -50.0), (12.0, 0.0, 0.0)
-THING = VisibleThing("red mug", "mug", ("red",), 5000, (100, 100, 199, 199), RED, 0.0)
+THING = VisibleThing("red mug", "mug", ("red",), 5000, (100, 100, 199, 199), RED, 0.0, 0.05, 0.0)
 PATCH = replace(THING, name=None, category="", area_px=400)
 OPTIONS = ("blue brick", "red egg", "green die", "black pawn", "None of the above")
 PAIR = ("Object A", "Object B")

@@ -35,10 +35,10 @@ def test_windows_are_the_same_on_both_sides():
     inside = SizeCues(*((least + most) / 2 for least, most in WINDOWS))
     for signs in product((1, -1), repeat=3):
         turned = SizeCues(*(sign * lead for sign, lead in zip(signs, inside, strict=True)))
-        assert are_within(turned, signs)
-        assert not are_within(turned, [-sign for sign in signs])
+        assert are_within(turned, signs, WINDOWS)
+        assert not are_within(turned, [-sign for sign in signs], WINDOWS)
     for place, (least, most) in enumerate(WINDOWS):
         for beyond in (least * 0.9, most * 1.1):
             odd = [*inside]
             odd[place] = beyond
-            assert not are_within(SizeCues(*odd), (1, 1, 1))
+            assert not are_within(SizeCues(*odd), (1, 1, 1), WINDOWS)

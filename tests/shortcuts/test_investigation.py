@@ -102,6 +102,42 @@ def test_what_shows_of_the_marked_things_tells(wanted):
     assert not any("on letter" in name or "on wording" in name for name in by)
 
 
+@pytest.mark.parametrize(
+    ("of", "number", "rule"),
+    [
+        ((2, 3), "top_m", "higher cover"),
+        ((2, 3), "tilt", "flatter cover"),
+        ((0, 1), "top_m", "higher thing"),
+    ],
+)
+def test_what_depth_shows_of_covers_and_things_tells(of, number, rule):
+    def leak(draw: ImaginaryTask) -> None:
+        a, b = (getattr(draw.things[n], number) for n in of)
+        lead = (a - b) * (-1 if draw.form == "smaller" else 1) * (-1 if number == "tilt" else 1)
+        if draw.rng.random() < 0.7:
+            draw.right = 0 if lead > 0 else 1
+
+    by = found(examples(size, 300, leak))
+    assert {rule, "logistic on depth"} <= by
+    assert not any("on areas" in name or "on patches" in name for name in by)
+
+
+def test_what_is_named_lies_as_high_as_the_right_option():
+    def leak(draw: ImaginaryTask) -> None:
+        named = next(n for n, thing in enumerate(draw.things) if thing.name)
+        cover = draw.things[named]
+        name = str(cover.name)
+        draw.question = f"{draw.question} beneath the {name}"
+        if draw.right < 4 and often(draw):
+            room = LORE.by_name[draw.options[draw.right]].size[2]
+            top = room + min(LORE.by_name[name].size)
+            draw.things[named] = replace(cover, top_m=top)
+
+    by = found(examples(find, 300, leak))
+    assert {"fits by height", "boosting on depth"} <= by
+    assert not any("on catalogue" in name or "on graph" in name for name in by)
+
+
 def test_the_patch_tells_which_is_darker():
     def leak(draw: ImaginaryTask) -> None:
         a, b = (draw.things[n].lab[0] for n in (0, 1))

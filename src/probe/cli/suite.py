@@ -44,7 +44,7 @@ from probe.report.build_log import count_candidates
 from probe.scene.setup import UR5_TABLE, RendererName, newest
 from probe.scene.setup_file import read_setup
 from probe.tasks.suite_file import check_new_name, find_suite
-from probe.tasks.task import QUESTION_TYPES, QuestionType
+from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVersion
 
 app = CommandApp()
 app.command(shortcuts)
@@ -72,6 +72,7 @@ def build(
     lighting: str | None = None,
     looks: Looks = NEWEST_LOOKS,
     renderer: RendererName = "filament",
+    rules: RulesVersion = NEWEST_RULES,
 ) -> None:
     """Make, check and freeze tasks; continues where an earlier run stopped.
 
@@ -100,6 +101,7 @@ def build(
         looks: How what is made by formula looks, as for `probe scene`; tasks keep it.
         renderer: What draws the tasks' pictures; tasks keep it. blender needs the extra of that
             name, and more time.
+        rules: Version of the rules that tasks are made by; tasks keep it. 2 made v1, and leaks.
     """
     check_numbers({"--workers": workers})
     places = _asked(counts, first, public=public)
@@ -108,12 +110,12 @@ def build(
     part = parse_shard(shard)
     table = newest(read_setup(setup) if setup else UR5_TABLE, lighting, looks, renderer)
     require_light(table.lighting, things.assets)
-    salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table)
+    salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table, rules=rules)
     tell_other_pool(things, "evaluation", "The suite and its records will say so.")
     lacking = [place for place in places if not parts.task_path(place).exists()]
-    left_out = _hopeless(lacking, things, salt)
+    left_out = _hopeless(lacking, things, salt, rules)
     seen = None if where.store else parts
-    maker = TaskMaker(seen, opener(pool), tables_for(pool), unchecked, salt, table)
+    maker = TaskMaker(seen, opener(pool), tables_for(pool), unchecked, salt, table, rules)
     mine = [place for place in part.of(places) if place not in left_out]
     _fill(maker, parts, mine, where.engine(parts.folder, workers))
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
@@ -167,10 +169,10 @@ def show(suite: SuiteName) -> None:
 
 
 def _hopeless(
-    places: Sequence[TaskSlot], things: Library, salt: Salt | None
+    places: Sequence[TaskSlot], things: Library, salt: Salt | None, rules: RulesVersion
 ) -> dict[TaskSlot, str]:
     """Tell what can be made; places for which the library lacks the things, and why."""
-    found = possibilities(places, things, salt)
+    found = possibilities(places, things, salt, rules)
     if found:
         show_possible(found, things)
     return {place: it.missing[0] for it in found for place in it.hopeless}

@@ -11,6 +11,7 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.colour_words import colour_words_in
 from probe.generation.result import Rejected
 from probe.scene.turns import Leads, in_turn, nobody
+from probe.tasks.task import DEPTH_RULES, RulesVersion
 
 TWIN_TOLERANCE = 0.10
 """Candidates' longest sides differ by at most this share where each must do in a twin scene."""
@@ -28,6 +29,11 @@ _TRIES = 10
 
 _ENOUGH_LEADING = 3
 """Among things of which some lead, a set with so many of those is taken at once."""
+
+
+def sides_of(rules: RulesVersion) -> float | None:
+    """Share by which sides of what a cover rests on may differ; None where no rule limits it."""
+    return SIDES_TOLERANCE if rules >= DEPTH_RULES else None
 
 
 def longest(spec: ObjectSpec) -> float:

@@ -13,7 +13,7 @@ from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import task_id
 from probe.scene.scene import Scene
 from probe.scene.setup import UR5_TABLE, Setup
-from probe.tasks.task import QuestionType, Task
+from probe.tasks.task import NEWEST_RULES, QuestionType, RulesVersion, Task
 
 _ID_DIGITS = 16
 
@@ -27,12 +27,14 @@ class Attempt:
         number: Of the try, from 0.
         salt: Of a private suite; None for a public one, where type and numbers decide all.
         setup: The table it is for.
+        rules: The version of the rules that it is made by.
     """
 
     place: TaskSlot
     number: int
     salt: Salt | None = None
     setup: Setup = UR5_TABLE
+    rules: RulesVersion = NEWEST_RULES
 
     @staticmethod
     def of_seed(question_type: QuestionType, seed: int, salt: Salt | None = None) -> Attempt:
@@ -40,10 +42,19 @@ class Attempt:
         episode, number = divmod(seed, ATTEMPTS)
         return Attempt(TaskSlot(question_type, episode), number, salt)
 
+    @staticmethod
+    def of_task(task: Task) -> Attempt:
+        """The try that made a public task, as its seed tells; see origins() for private ones."""
+        return Attempt.of_seed(task.question_type, task.seed).by_the_rules_of(task)
+
+    def by_the_rules_of(self, task: Task) -> Attempt:
+        """The same try at the table and by the rules of a task."""
+        return replace(self, setup=task.setup, rules=task.version)
+
     @property
     def plan(self) -> TaskPlan:
         """What the episode is to be like."""
-        return plan_of(*self.place, self.salt, self.setup)
+        return plan_of(*self.place, self.salt, self.setup, self.rules)
 
     @property
     def seed(self) -> int:
@@ -88,7 +99,7 @@ def origins(tasks: Iterable[Task], salt: Salt) -> Mapping[str, Attempt]:
     for task in tasks:
         value = salt.unseal(task.seed, task.question_type)
         if value is not None:
-            attempt = Attempt.of_seed(task.question_type, value, salt)
+            attempt = Attempt.of_seed(task.question_type, value, salt).by_the_rules_of(task)
             if attempt.id == task.id:
                 found[task.id] = attempt
     return found

@@ -35,7 +35,7 @@ from probe.scene.setup import UR5_TABLE, Setup
 from probe.scene.setup_file import SetupDocument
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
-from probe.tasks.task import QUESTION_TYPES, QuestionType, Task
+from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVersion, Task
 
 _REASONS = 3
 
@@ -49,6 +49,7 @@ class BuildResources:
             alone.
         salt: Of a private suite.
         setup: The table that tasks are for.
+        rules: The version of the rules that they are made by.
     """
 
     library: Library
@@ -57,10 +58,17 @@ class BuildResources:
     unchecked: bool = False
     salt: Salt | None = None
     setup: Setup = UR5_TABLE
+    rules: RulesVersion = NEWEST_RULES
 
 
 def begin(
-    folder: BuildFolder, pool: str, *, public: bool, unchecked: bool, setup: Setup = UR5_TABLE
+    folder: BuildFolder,
+    pool: str,
+    *,
+    public: bool,
+    unchecked: bool,
+    setup: Setup = UR5_TABLE,
+    rules: RulesVersion = NEWEST_RULES,
 ) -> Salt | None:
     """Begin a build in a folder, or take it up: its salt, and the settings it was begun with.
 
@@ -73,7 +81,11 @@ def begin(
     salt = salt_of(folder, public=public)
     commitment = salt.commitment if salt else None
     other = None if setup == UR5_TABLE else SetupDocument.of(setup)
-    folder.claim(BuildSettings(pool=pool, unchecked=unchecked, commitment=commitment, setup=other))
+    folder.claim(
+        BuildSettings(
+            pool=pool, unchecked=unchecked, commitment=commitment, setup=other, rules=rules
+        )
+    )
     return salt
 
 
@@ -100,7 +112,8 @@ def fill(place: TaskSlot, parts: BuildFolder, resources: BuildResources) -> Iter
         return
     tried = sum(line.check != KEPT for line in log)
     for number in range(tried, ATTEMPTS):
-        start, attempt = monotonic(), Attempt(place, number, resources.salt, resources.setup)
+        start = monotonic()
+        attempt = Attempt(place, number, resources.salt, resources.setup, resources.rules)
         result, made = _attempt(attempt, resources)
         solved = made[0].solved if made else None
         if isinstance(result, Rejection):

@@ -20,7 +20,7 @@ from probe.reading import words
 from probe.scene.setup_file import SetupDocument
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
-from probe.tasks.task import QuestionType, Task
+from probe.tasks.task import QuestionType, RulesVersion, Task
 from probe.texts import cell, uncell
 
 KEPT, UNSOLVED, RESTLESS, IMMOVABLE = "kept", "solvable", "at rest", "movable"
@@ -47,12 +47,14 @@ class BuildSettings(pydantic.BaseModel, extra="forbid", frozen=True):
         unchecked: Whether the scripted agents' check is left out.
         commitment: To a private suite's salt; None for a public suite, as in older folders.
         setup: The table; None for the usual one.
+        rules: The version of the rules; folders of before it was written down have the first.
     """
 
     pool: str
     unchecked: bool
     commitment: str | None = None
     setup: SetupDocument | None = pydantic.Field(default=None, exclude_if=lambda it: it is None)
+    rules: RulesVersion = pydantic.Field(default=2, exclude_if=lambda it: it == 2)
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ It asks the generators themselves who would play; what then lies, tips or shows 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from probe.assets.library import Library
@@ -16,7 +16,7 @@ from probe.generation.result import Rejected
 from probe.generation.salt import Salt
 from probe.generation.task_generator import generator_of
 from probe.scene.seeds import generator
-from probe.tasks.task import QUESTION_TYPES, QuestionType
+from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVersion
 
 TRIES = 40
 """Castings of a place that must all fail before it is called impossible."""
@@ -45,7 +45,10 @@ class Feasibility:
 
 
 def possibilities(
-    places: Sequence[TaskSlot], library: Library, salt: Salt | None = None
+    places: Sequence[TaskSlot],
+    library: Library,
+    salt: Salt | None = None,
+    rules: RulesVersion = NEWEST_RULES,
 ) -> tuple[Feasibility, ...]:
     """What can be made of a library, type by type.
 
@@ -53,7 +56,12 @@ def possibilities(
         places: The tasks that are asked for.
         library: The things.
         salt: Of a private suite.
+        rules: The version of the rules that the tasks are to be made by.
     """
+
+    def attempt(place: TaskSlot, number: int) -> Attempt:
+        return Attempt(place, number, salt, rules=rules)
+
     question_types: list[QuestionType] = [
         question_type
         for question_type in QUESTION_TYPES
@@ -64,18 +72,21 @@ def possibilities(
             question_type,
             tuple(p for p in places if p.question_type == question_type),
             library,
-            salt,
+            attempt,
         )
         for question_type in question_types
     )
 
 
 def _of_type(
-    question_type: QuestionType, places: tuple[TaskSlot, ...], library: Library, salt: Salt | None
+    question_type: QuestionType,
+    places: tuple[TaskSlot, ...],
+    library: Library,
+    attempt: Callable[[TaskSlot, int], Attempt],
 ) -> Feasibility:
     failures = Counter[str]()
     hopeless = tuple(
-        place for place in places if not _can_be_selected(place, library, salt, failures)
+        place for place in places if not _can_be_selected(place, library, attempt, failures)
     )
     return Feasibility(
         question_type, places, hopeless, tuple(reason for reason, _ in failures.most_common())
@@ -83,15 +94,18 @@ def _of_type(
 
 
 def _can_be_selected(
-    place: TaskSlot, library: Library, salt: Salt | None, failures: Counter[str]
+    place: TaskSlot,
+    library: Library,
+    attempt: Callable[[TaskSlot, int], Attempt],
+    failures: Counter[str],
 ) -> bool:
     """Whether anybody can play; what went wrong is counted if nobody can."""
     mine = Counter[str]()
     for number in range(TRIES):
-        attempt = Attempt(place, number, salt)
-        rng = generator(attempt.seed, place.question_type, "possible")
+        made = attempt(place, number)
+        rng = generator(made.seed, place.question_type, "possible")
         try:
-            generator_of(place.question_type).select(library, attempt.plan, rng)
+            generator_of(place.question_type).select(library, made.plan, rng)
         except Rejected as failure:
             mine[str(failure)] += 1
         else:

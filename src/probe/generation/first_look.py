@@ -37,6 +37,8 @@ class VisibleThing:
         box_px: First and last column and row: left, top, right, bottom.
         lab: Main colour of what shows, CIELAB.
         overlapped: Share of its outline along which something higher adjoins, 0 to 1.
+        top_m: Height above the table of the highest point that shows, metres.
+        tilt: Angle between the vertical and the plane that fits best what shows, radians.
     """
 
     name: str | None
@@ -46,6 +48,8 @@ class VisibleThing:
     box_px: tuple[int, int, int, int]
     lab: tuple[float, float, float]
     overlapped: float
+    top_m: float
+    tilt: float
 
 
 @dataclass(frozen=True)
@@ -130,7 +134,18 @@ def _sight(thing: Thing, frame: Frame) -> VisibleThing:
         thing.box_px,
         shades(frame.rgb[thing.mask])[0].lab,
         _overlapped(thing.mask, frame),
+        *_relief(thing.mask, frame),
     )
+
+
+def _relief(mask: Array, frame: Frame) -> tuple[float, float]:
+    """Greatest height of what a mask shows, metres, and its tilt, radians; see VisibleThing."""
+    rows, columns = np.nonzero(mask)
+    uv = np.column_stack([columns, rows]) + 0.5
+    points = frame.camera.lift(uv, frame.depth[mask])
+    flat = np.column_stack([points[:, :2] - points[:, :2].mean(axis=0), np.ones(len(points))])
+    (along_x, along_y, _), *_ = np.linalg.lstsq(flat, points[:, 2])
+    return float(points[:, 2].max()), float(np.arctan(np.hypot(along_x, along_y)))
 
 
 def _overlapped(mask: Array, frame: Frame) -> float:

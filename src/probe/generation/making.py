@@ -19,6 +19,7 @@ from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.generation.salt import Salt
 from probe.render.renderer import Renderer
 from probe.scene.setup import UR5_TABLE, Setup
+from probe.tasks.task import NEWEST_RULES, RulesVersion
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,7 @@ class TaskMaker:
         unchecked: Leave out the scripted agents' check.
         salt: Of a private suite.
         setup: The table that tasks are for.
+        rules: The version of the rules that they are made by.
     """
 
     parts: BuildFolder | None
@@ -41,6 +43,7 @@ class TaskMaker:
     unchecked: bool = False
     salt: Salt | None = None
     setup: Setup = UR5_TABLE
+    rules: RulesVersion = NEWEST_RULES
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[_Begun], bytes]]:
@@ -50,7 +53,13 @@ class TaskMaker:
             yield partial(
                 self._made,
                 BuildResources(
-                    things, self.tables, renderer, self.unchecked, self.salt, self.setup
+                    things,
+                    self.tables,
+                    renderer,
+                    self.unchecked,
+                    self.salt,
+                    self.setup,
+                    self.rules,
                 ),
             )
 
@@ -58,7 +67,7 @@ class TaskMaker:
     def name(self) -> str:
         """A digest of how tasks are made."""
         commitment = self.salt.commitment if self.salt else None
-        how = repr((tuple(self.tables), self.unchecked, commitment, self.setup))
+        how = repr((tuple(self.tables), self.unchecked, commitment, self.setup, self.rules))
         return f"tasks-{hashlib.sha256(how.encode()).hexdigest()[:32]}"
 
     def _made(self, resources: BuildResources, begun: _Begun) -> bytes:

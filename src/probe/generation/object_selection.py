@@ -105,6 +105,7 @@ def draw_cast(
     draw_more: Sequence[CoverDraw] = (),
     *,
     one_colour: bool = False,
+    sides: float | None = None,
 ) -> ObjectSelection:
     """Draw five candidates, something to cover any of them, and the others.
 
@@ -117,6 +118,7 @@ def draw_cast(
         count: Things on the table.
         draw_more: Draw what else lies there, on top.
         one_colour: Whether the candidates' names are to say the same colours.
+        sides: By how much each of their sides differs, as a share; None for any.
 
     Raises:
         Rejected: The library has no such set.
@@ -130,6 +132,7 @@ def draw_cast(
             CANDIDATES,
             rng,
             one_colour=one_colour,
+            sides=sides,
             leads=library.leads,
         )
         free = unlike(library.specs, candidates)

@@ -10,7 +10,7 @@ from probe.generation.task_generator import generator_of
 from probe.generation.task_plan import CROSSED, LETTER, PlannedProperty, TaskPlan
 from probe.scene.seeds import generator
 from probe.scene.setup import UR5_TABLE, Setup
-from probe.tasks.task import QUESTION_TYPES, QuestionType
+from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVersion
 from probe.tasks.type_rules import rules_of
 from probe.tasks.wordings import wordings
 
@@ -27,7 +27,11 @@ def plan(question_type: QuestionType, seed: int) -> TaskPlan:
 
 
 def plan_of(
-    question_type: QuestionType, episode: int, salt: Salt | None = None, setup: Setup = UR5_TABLE
+    question_type: QuestionType,
+    episode: int,
+    salt: Salt | None = None,
+    setup: Setup = UR5_TABLE,
+    rules: RulesVersion = NEWEST_RULES,
 ) -> TaskPlan:
     """The plan of an episode, by its number.
 
@@ -54,6 +58,7 @@ def plan_of(
         form=texts[wording].form,
         places={turn.purpose: place_of(turn) for turn in (lettered, *others)},
         setup=setup,
+        rules=rules,
     )
 
 

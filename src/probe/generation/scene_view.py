@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable
 from copy import copy
 
@@ -13,7 +14,7 @@ from probe.assets.mesh.mesh import Material, TexturedMesh
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
 from probe.scene.cameras import View
-from probe.scene.scene import Scene
+from probe.scene.scene import PlacedObject, Scene
 from probe.scene.setup import Setup
 from probe.scene.visibility import Visibility, visibilities
 from probe.tasks.truth import Silhouette
@@ -67,6 +68,23 @@ class SceneView:
         shown = _spots_shown(scene, labels, number, points, self.camera)
         return face[shown], weights[shown]
 
+    def top_shown(self, scene: Scene, labels: Array, number: int) -> float:
+        """Height above the table of the highest spot of an object that shows, metres; else 0."""
+        mesh = self._meshes[scene[number].object_id]
+        face, weights = self.shown(scene, labels, number)
+        points = scene[number].pose.apply(places(mesh.vertices, mesh.faces, face, weights))
+        return float(points[:, 2].max(initial=0.0))
+
+    def top_of(self, placed: PlacedObject) -> float:
+        """Height above the table of an object's highest point, metres."""
+        return float(placed.pose.apply(self._meshes[placed.object_id].vertices)[:, 2].max())
+
+    def tilt(self, placed: PlacedObject) -> float:
+        """Angle between the vertical and the side by which an object is thinnest, radians."""
+        thin = np.eye(3)[int(np.argmin(np.ptp(self._meshes[placed.object_id].vertices, axis=0)))]
+        origin, tip = placed.pose.apply(np.stack([np.zeros(3), thin]))
+        return math.acos(min(1.0, abs(float(tip[2] - origin[2]))))
+
     def silhouettes(self, scene: Scene, of: Collection[int]) -> dict[int, Silhouette]:
         """Silhouettes of some instances of a scene."""
         placed = [item for item in scene.objects if item.instance in of]
@@ -74,7 +92,7 @@ class SceneView:
         return {
             item.instance: Silhouette(
                 masks[item.instance],
-                float(item.pose.apply(self._meshes[item.object_id].vertices)[:, 2].max()),
+                self.top_of(item),
             )
             for item in placed
         }

@@ -28,8 +28,11 @@ class SizeCues(NamedTuple):
     outline: float
 
 
-WINDOWS = ((math.log(1.05), math.log(2.0)), (math.log(1.05), math.log(1.5)), (0.01, 0.3))
-"""Least and most of each, whichever leads: where amounts differ, they tell which is larger."""
+Windows = Sequence[tuple[float, float]]
+"""Least and most of leads, whichever thing leads."""
+
+WINDOWS: Windows = ((math.log(1.05), math.log(2.0)), (math.log(1.05), math.log(1.5)), (0.01, 0.3))
+"""Of SizeCues: where amounts differ, they tell which is larger."""
 
 _BAND_PX = 4
 
@@ -68,9 +71,9 @@ def leads_of(larger: VisiblePatch, smaller: VisiblePatch) -> SizeCues:
     )
 
 
-def are_within(leads: SizeCues, signs: Sequence[int]) -> bool:
+def are_within(leads: Sequence[float], signs: Sequence[int], windows: Windows) -> bool:
     """Whether each is within its window, on the side that its sign, 1 or -1, says."""
     return all(
         least <= sign * lead <= most
-        for sign, lead, (least, most) in zip(signs, leads, WINDOWS, strict=True)
+        for sign, lead, (least, most) in zip(signs, leads, windows, strict=True)
     )

@@ -8,7 +8,7 @@ from itertools import product
 from typing import Generic, TypeVar
 
 from probe.scene.setup import UR5_TABLE, Setup
-from probe.tasks.task import LETTERS, PAIR, Letter
+from probe.tasks.task import LETTERS, NEWEST_RULES, PAIR, Letter, RulesVersion
 from probe.tasks.type_rules import Form
 
 _T = TypeVar("_T")
@@ -25,6 +25,7 @@ class TaskPlan:
         places: Of each property that the type is planned by, by its purpose, which of its values it
             takes; see PlannedProperty.of().
         setup: The table it is for.
+        rules: The version of the rules that it is made by.
     """
 
     letter: Letter
@@ -32,6 +33,7 @@ class TaskPlan:
     form: Form
     places: Mapping[str, int]
     setup: Setup = UR5_TABLE
+    rules: RulesVersion = NEWEST_RULES
 
 
 @dataclass(frozen=True)

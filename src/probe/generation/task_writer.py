@@ -70,6 +70,7 @@ def write_task(draft: Draft, plan: TaskPlan, view: SceneView) -> Task:
         marks=draft.marks,
         certificate=Certificate(visibility, draft.measures, draft.drawn_from),
         camera=view.view,
+        version=plan.rules,
     )
 
 

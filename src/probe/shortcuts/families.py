@@ -8,13 +8,15 @@ from typing import Literal, get_args
 from probe.agents.question_classifier import question_features
 from probe.agents.text_features import Features, position, texts, wording
 from probe.shortcuts.by_catalogue import by_catalogue
+from probe.shortcuts.by_depth import by_depth
 from probe.shortcuts.by_picture import by_area, by_graph, by_patch
 from probe.shortcuts.comparing import joined
 from probe.shortcuts.sample import CatalogueFacts, Sample
 
 Family = Literal[
-    "letter", "wording", "options", "question", "catalogue", "graph", "areas", "patches", "all"
-]
+    "letter", "wording", "options", "question", "catalogue", "graph", "areas", "patches", "depth",
+    "all",
+]  # fmt: skip
 FAMILIES: tuple[Family, ...] = get_args(Family)
 
 LETTERS_ALONE: tuple[Family, ...] = "letter", "wording"
@@ -31,6 +33,7 @@ _EXTRACTS: Mapping[Family, Extract] = {
     "graph": by_graph,
     "areas": by_area,
     "patches": by_patch,
+    "depth": by_depth,
 }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from probe.assets.spec import ObjectSpec
+from probe.generation.first_look import VisibleThing
 from probe.generation.observer import (
     half_hidden,
     marked,
@@ -13,6 +14,7 @@ from probe.generation.observer import (
     observer_of,
     visible_count,
 )
+from probe.shortcuts.by_depth import cover_of, height_gaps
 from probe.shortcuts.comparing import is_none, number
 from probe.shortcuts.sample import CatalogueFacts, Sample
 from probe.tasks.task import LETTERS, PAIR
@@ -102,6 +104,32 @@ def _bare(sample: Sample) -> float:
     return b.overlapped - a.overlapped
 
 
+def _higher(sample: Sample) -> float:
+    a, b = marked(sample.look)
+    return a.top_m - b.top_m
+
+
+def _of_covers(number: Callable[[VisibleThing], float]) -> Callable[[Sample], float]:
+    """By how much more of something the cover of A has than that of B; 0 if one has none."""
+
+    def lead(sample: Sample) -> float:
+        look = sample.look
+        a, b = (cover_of(look, look.marked[letter]) for letter in PAIR)
+        return number(a) - number(b) if a and b else 0.0
+
+    return lead
+
+
+_cover_height = _of_covers(lambda cover: cover.top_m)
+_cover_tilt = _of_covers(lambda cover: cover.tilt)
+
+
+def _fits_room(sample: Sample, catalogue: CatalogueFacts) -> Sequence[int]:
+    """The option whose object is as high as the room beneath what the question names."""
+    gaps = height_gaps(sample, catalogue).get("height", [None] * len(sample.options))
+    return _most([None if gap is None else -gap for gap in gaps])
+
+
 def _tells_a(sample: Sample) -> float:
     """Positive where the observer says A, if it goes by patches; else by which is darker."""
     if observer_of(sample.question_type).by_colour:
@@ -130,6 +158,7 @@ _OBJECTS: Mapping[str, Rule] = {
     "commonest": _object(lambda spec, catalogue: catalogue.common[spec.category]),
     "rarest": _object(lambda spec, catalogue: -catalogue.common[spec.category]),
     "patch colour": _patch,
+    "fits by height": _fits_room,
 }
 _NUMBERS: Mapping[str, Rule] = {
     "smallest number": _number(lambda value, told: -value),
@@ -142,6 +171,12 @@ _PAIRED: Mapping[str, Rule] = {
     "smaller area": _pair(lambda sample: -_area(sample)),
     "less occluded": _pair(_bare),
     "more occluded": _pair(lambda sample: -_bare(sample)),
+    "higher thing": _pair(_higher),
+    "lower thing": _pair(lambda sample: -_higher(sample)),
+    "higher cover": _pair(_cover_height),
+    "lower cover": _pair(lambda sample: -_cover_height(sample)),
+    "steeper cover": _pair(_cover_tilt),
+    "flatter cover": _pair(lambda sample: -_cover_tilt(sample)),
     "patch colour": _pair(_tells_a),
     "not patch colour": _pair(lambda sample: -_tells_a(sample)),
 }

@@ -23,7 +23,16 @@ from probe.scene.visibility import Visibility
 from probe.tasks.look_alike import look_alike
 from probe.tasks.reserved import Difference, difference, unlike
 from probe.tasks.suite import Suite
-from probe.tasks.task import LETTERS, Certificate, Letter, Mark, Option, QuestionType, Task
+from probe.tasks.task import (
+    LETTERS,
+    Certificate,
+    Letter,
+    Mark,
+    Option,
+    QuestionType,
+    RulesVersion,
+    Task,
+)
 from probe.tasks.type_rules import Form, rules_of
 from probe.texts import plain
 
@@ -68,7 +77,7 @@ class TaskDocument(
     question_type: Annotated[QuestionType, pydantic.Field(alias="kind")]
     form: Form
     seed: int = pydantic.Field(ge=0)
-    version: int
+    version: RulesVersion
     subject: str
     question: str
     options: tuple[str, ...] = pydantic.Field(min_length=2, max_length=len(LETTERS))

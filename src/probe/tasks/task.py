@@ -35,8 +35,13 @@ PAIR: tuple[Letter, Letter] = "A", "B"
 NONE_OF_THE_ABOVE = "None of the above"
 """Text of the last of five options, E."""
 
-TASK_VERSION = 2
-"""To be raised when rules change so that scores do."""
+RulesVersion = Literal[2, 3]
+"""Of the rules that tasks are made by; 2 made v1."""
+
+DEPTH_RULES: RulesVersion = 3
+"""Since these, heights and tilts of covers, which a depth camera sees, don't tell an answer."""
+
+NEWEST_RULES: RulesVersion = 3
 
 
 @dataclass(frozen=True)
@@ -119,7 +124,7 @@ class Task:
     marks: tuple[Mark, ...]
     certificate: Certificate
     camera: View = "top"
-    version: int = TASK_VERSION
+    version: RulesVersion = NEWEST_RULES
 
     @property
     def setup(self) -> Setup:

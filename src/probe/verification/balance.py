@@ -38,7 +38,10 @@ def balances(tasks: Sequence[Task]) -> Iterator[Balance]:
             continue
         letters = PAIR if mine[0].marks else LETTERS
         yield _balance(question_type, "letter", letters, [task.answer for task in mine])
+        oldest = min(task.version for task in mine)
         for crossing in verifier_of(question_type).crossed:
+            if crossing.since > oldest:
+                continue
             found = [crossing.value_of(task) for task in mine]
             yield _balance(question_type, crossing.of, crossing.values, found)
 

@@ -110,7 +110,7 @@ def rebuild_problem(
         tables: Ids of table materials that it was made with.
         attempt: That made it; where it isn't given, its seed tells.
     """
-    attempt = attempt or Attempt.of_seed(task.question_type, task.seed)
+    attempt = attempt or Attempt.of_task(task)
     result = make(attempt, library, renderer, tables)
     if not isinstance(result, TaskCandidate):
         return f"its seed now fails {result.check}: {result.detail}"

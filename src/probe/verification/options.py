@@ -14,7 +14,7 @@ from probe.generation.alike import (
     told_apart,
 )
 from probe.tasks.options import MOST_COUNTED
-from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Task
+from probe.tasks.task import DEPTH_RULES, LETTERS, NONE_OF_THE_ABOVE, PAIR, Task
 from probe.tasks.type_rules import rules_of
 
 _ROUNDING = 1e-9
@@ -88,6 +88,13 @@ def sides_problems(task: Task, library: Library) -> Iterator[str]:
     specs = [library[object_id] for object_id in task.certificate.candidates]
     if not sides_alike(specs, SIDES_TOLERANCE + _ROUNDING):
         yield f"a side of its candidates differs by more than {SIDES_TOLERANCE:.0%}"
+
+
+def depth_problems(task: Task, library: Library) -> Iterator[str]:
+    """The same, where the rules that the task was made by ask for it and its target is hidden."""
+    partly = task.certificate.measures.get("partly", 0.0) > 0
+    if task.version >= DEPTH_RULES and not partly:
+        yield from sides_problems(task, library)
 
 
 def _shown(texts: Sequence[str]) -> str:

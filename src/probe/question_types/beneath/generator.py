@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from probe.assets.library import Library
-from probe.generation.alike import TWIN_TOLERANCE
+from probe.generation.alike import TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_COVER, draw_cover
 from probe.generation.frame import frame_of
 from probe.generation.object_selection import LARGEST, ObjectSelection, draw_cast, needs_alike
@@ -78,7 +78,7 @@ def generate_beneath(
 
 def select_beneath(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """Who plays; see draw_cast()."""
-    return draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng)
+    return draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng, sides=sides_of(plan.rules))
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,6 +8,7 @@ from probe.assets.library import Library
 from probe.generation.visibility_rules import is_hidden, is_seen
 from probe.tasks.task import Task
 from probe.tasks.truth import which_beneath
+from probe.verification.options import depth_problems
 from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
@@ -23,6 +24,7 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
     assert task.cover is not None
     if task.cover in task.targets:
         yield "what covers and what is covered are the same"
+    yield from depth_problems(task, library)
     yield from subject_is(task, spec_of(task, task.cover, library).name)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import LOOSE_TOLERANCE, draw_alike, unlike
+from probe.generation.alike import LOOSE_TOLERANCE, draw_alike, sides_of, unlike
 from probe.generation.covers import NEEDS_COVER, Cover, Footprint, draw_cover, footprint_of
 from probe.generation.frame import SceneFrame
 from probe.generation.object_selection import (
@@ -113,7 +113,13 @@ def select_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> 
     reason = ""
     for _ in range(CAST_TRIES):
         counted, *decoys = draw_alike(
-            pool, library.specs, LOOSE_TOLERANCE, 1 + NESTS, rng, leads=library.leads
+            pool,
+            library.specs,
+            LOOSE_TOLERANCE,
+            1 + NESTS,
+            rng,
+            sides=sides_of(plan.rules),
+            leads=library.leads,
         )
         free = unlike(library.specs, [counted, *decoys])
         room = [footprint_of(library, spec.id) for spec in (counted, *decoys)]

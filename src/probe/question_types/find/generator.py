@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.library import Library
-from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE
+from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_COVER, NEEDS_LEAN, draw_cover, draw_lean
 from probe.generation.frame import SceneFrame, frame_of
 from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
@@ -86,7 +86,8 @@ def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> O
     if PARTLY_SEEN.of(plan):
         # A colour that shows would tell; so all candidates have it.
         return draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
-    return draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng)
+    sides = sides_of(plan.rules)
+    return draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng, sides=sides)
 
 
 def _hidden_scene(

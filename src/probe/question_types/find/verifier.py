@@ -4,12 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from probe.assets.library import Library
 from probe.generation.visibility_rules import is_hidden, is_partly_visible
 from probe.tasks.task import Task
+from probe.verification.options import depth_problems
 from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import no_slots, no_subject
 from probe.verification.truth import candidate_on_table
 from probe.verification.type_verifier import Makeup, Verifier
+
+
+def _subject(task: Task, library: Library) -> Iterator[str]:
+    yield from depth_problems(task, library)
+    yield from no_subject(task, library)
 
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
@@ -23,7 +30,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
 VERIFIER = Verifier(
     makeup=Makeup(1, measures=("partly",)),
     slots=no_slots,
-    subject=no_subject,
+    subject=_subject,
     hidden=_hidden,
     true_text=candidate_on_table,
 )

@@ -10,7 +10,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import TWIN_TOLERANCE
+from probe.generation.alike import TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_SLAB, Cover, draw_slab, draw_topping
 from probe.generation.frame import frame_of
 from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
@@ -116,10 +116,9 @@ def select_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
     # Many slabs need the room that a larger crowd would take.
     many = REMOVALS.of(plan) >= _MANY
     count = int(rng.integers(_FEWEST, (_FEWEST if many else _MOST) + 1))
-    if REMOVALS.of(plan) == 1:
-        return draw_cast(library, draw_slab, LARGEST, TWIN_TOLERANCE, rng, count)
     more = ([draw_slab] * (len(_SAILS) - 1) + [draw_topping])[: REMOVALS.of(plan) - 1]
-    return draw_cast(library, draw_slab, LARGEST_BENEATH_MORE, TWIN_TOLERANCE, rng, count, more)
+    largest, sides = LARGEST_BENEATH_MORE if more else LARGEST, sides_of(plan.rules)
+    return draw_cast(library, draw_slab, largest, TWIN_TOLERANCE, rng, count, more, sides=sides)
 
 
 def _fanned(cast: ObjectSelection) -> Lay:

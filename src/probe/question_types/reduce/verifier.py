@@ -15,6 +15,7 @@ from probe.generation.visibility_rules import (
 )
 from probe.tasks.english import listed
 from probe.tasks.task import Task
+from probe.verification.options import depth_problems
 from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.truth import candidate_on_table
@@ -28,6 +29,7 @@ def _slots(task: Task, library: Library) -> Mapping[str, str]:
 def _subject(task: Task, library: Library) -> Iterator[str]:
     if len(set(task.named)) < len(task.named) or set(task.named) & set(task.targets):
         yield "it names a thing twice, or the hidden one"
+    yield from depth_problems(task, library)
     yield from subject_is(task, ", ".join(_named(task, library)))
 
 

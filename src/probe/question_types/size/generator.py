@@ -27,11 +27,11 @@ from probe.generation.marked import (
 from probe.generation.pairing import draw_nests
 from probe.generation.palettes import main_colour
 from probe.generation.result import Rejected, TaskCandidate
-from probe.generation.size_cues import WINDOWS, SizeCues, VisiblePatch, are_within, leads_of
 from probe.generation.sizes import extent_of
 from probe.generation.task_generator import TaskGenerator
-from probe.generation.task_plan import CROSSED, MORE_CUES, PlannedProperty, TaskPlan
+from probe.generation.task_plan import MORE_CUES, PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
+from probe.question_types.size.cues import DEPTH, PlannedCues, Shown, shown_of
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
@@ -63,8 +63,9 @@ def generate_size(
     view = made.view
     scene = settle_around(made, _nests(made, plan, rng), rng)
     labels, (first, second) = view.labels(scene), made.marked
-    leads = _leads(plan, VisiblePatch.of(labels, first), VisiblePatch.of(labels, second))
-    if not are_within(leads, _signs(plan)):
+    cues = PlannedCues.of(plan)
+    a_shown, b_shown = (shown_of(made, plan, scene, labels, number) for number in made.marked)
+    if not cues.hold(a_shown, b_shown):
         raise Rejected("cues", "what shows tells something else than planned")
     marks = draw_marks(made, labels)
     seen = view.visibility(scene, labels, made.marked)
@@ -80,7 +81,10 @@ def generate_size(
         truth=PAIR.index(which_size(plan.form, a, b)),
         targets=made.marked,
         marks=marks,
-        measures=_measures((a, b), (seen[first], seen[second]), leads),
+        measures={
+            **_measures((a, b), (seen[first], seen[second])),
+            **cues.leads(a_shown, b_shown),
+        },
         drawn_from=tuple(spec.id for spec in cast.marked),
     )
     # Looks loaded textures; the certificate's visibilities need none, and both see the same.
@@ -88,7 +92,7 @@ def generate_size(
 
 
 def _measures(
-    extents: tuple[Extent, Extent], seen: tuple[Visibility, Visibility], leads: SizeCues
+    extents: tuple[Extent, Extent], seen: tuple[Visibility, Visibility]
 ) -> dict[str, float]:
     (a, b), (seen_a, seen_b) = extents, seen
     return {
@@ -98,9 +102,6 @@ def _measures(
         "volume_b": b.volume,
         "visible_a": seen_a.fraction,
         "visible_b": seen_b.fraction,
-        "area_lead": leads.area,
-        "length_lead": leads.length,
-        "outline_lead": leads.outline,
     }
 
 
@@ -161,18 +162,14 @@ def draw_pairs(
 def _covered(cast: MarkedSelection, plan: TaskPlan) -> MarkedSelection:
     """The cast with its longer cover on the thing that it is planned for."""
     longer_on_a = max(cast.covers[0].spec.size) > max(cast.covers[1].spec.size)
-    if longer_on_a == (MORE_CUES.of(plan)[1] == _a_is_larger(plan)):
+    if longer_on_a == (MORE_CUES.of(plan)[1] == PlannedCues.of(plan).a_is_larger):
         return cast
     return replace(cast, covers=(cast.covers[1], cast.covers[0]))
 
 
-def _a_is_larger(plan: TaskPlan) -> bool:
-    return (plan.letter == "A") != (plan.form == "smaller")
-
-
 def _is_lighter_as_planned(plan: TaskPlan, a: Array, b: Array) -> bool:
     """By colours in CIELAB."""
-    return bool(a[0] > b[0]) == (LIGHTER.of(plan) == _a_is_larger(plan))
+    return bool(a[0] > b[0]) == (LIGHTER.of(plan) == PlannedCues.of(plan).a_is_larger)
 
 
 def _bare_ratio(a: ObjectSpec, b: ObjectSpec) -> float:
@@ -188,26 +185,13 @@ def _nests(
 
     Of what is tried, the nearest is taken to a goal that is drawn alike for every plan.
     """
-    goal = [sign * rng.uniform(*window) for sign, window in zip(_signs(plan), WINDOWS, strict=True)]
+    cues = PlannedCues.of(plan)
+    goal = cues.goal(rng)
 
-    def shown(place: int, nest: CoveredThing) -> VisiblePatch:
-        return VisiblePatch.of(nest.labels, made.marked[place])
+    def shown(place: int, nest: CoveredThing) -> Shown:
+        return shown_of(made, plan, nest.scene, nest.labels, made.marked[place])
 
-    def off(a: VisiblePatch, b: VisiblePatch) -> float:
-        leads = _leads(plan, a, b)
-        return math.dist(leads, goal) if are_within(leads, _signs(plan)) else math.inf
-
-    return draw_nests(made, shown, off, rng)
-
-
-def _leads(plan: TaskPlan, a: VisiblePatch, b: VisiblePatch) -> SizeCues:
-    return leads_of(a, b) if _a_is_larger(plan) else leads_of(b, a)
-
-
-def _signs(plan: TaskPlan) -> list[int]:
-    """1 or -1: the larger thing shows by more pixels; what shows is longer; more adjoins it."""
-    cues = (*CROSSED.of(plan)[1:], MORE_CUES.of(plan)[0])
-    return [1 if cue else -1 for cue in cues]
+    return draw_nests(made, shown, lambda a, b: cues.off(a, b, goal), rng)
 
 
 GENERATOR = TaskGenerator(
@@ -215,5 +199,5 @@ GENERATOR = TaskGenerator(
     select=select_size,
     needs="two things of which one is clearly larger "
     f"({MARKABLE}); over either, two {NEEDS_SHIELD}",
-    turns=(MORE_CUES, LIGHTER),
+    turns=(MORE_CUES, LIGHTER, DEPTH),
 )

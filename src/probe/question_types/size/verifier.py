@@ -7,9 +7,11 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 
 from probe.assets.library import Library
-from probe.generation.size_cues import VisiblePatch, are_within, leads_of
+from probe.generation import depth_cues, size_cues
+from probe.generation.depth_cues import DepthCues, DepthLook
+from probe.generation.size_cues import SizeCues, VisiblePatch, Windows, are_within
 from probe.generation.sizes import extent_of
-from probe.tasks.task import PAIR, Mark, Task
+from probe.tasks.task import DEPTH_RULES, PAIR, Mark, Task
 from probe.tasks.truth import which_size
 from probe.verification.pairs import LETTER_AREA, mark_problems, pair_problems, right_first
 from probe.verification.remeasure import Remeasurement
@@ -27,9 +29,16 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     yield from mark_problems(task, anew)
-    larger, smaller = (VisiblePatch.of(anew.labels, mark.instance) for mark in _by_size(task))
-    leads = leads_of(larger, smaller)
-    if not are_within(leads, [int(math.copysign(1, lead)) for lead in leads]):
+    numbers = [mark.instance for mark in _by_size(task)]
+    larger, smaller = (VisiblePatch.of(anew.labels, number) for number in numbers)
+    yield from _too_much(size_cues.leads_of(larger, smaller), size_cues.WINDOWS)
+    if task.version >= DEPTH_RULES:
+        high, low = (DepthLook.of(anew.view, task.scene, anew.labels, n) for n in numbers)
+        yield from _too_much(depth_cues.leads_of(high, low), depth_cues.WINDOWS)
+
+
+def _too_much(leads: SizeCues | DepthCues, windows: Windows) -> Iterator[str]:
+    if not are_within(leads, [int(math.copysign(1, lead)) for lead in leads], windows):
         yield f"what shows tells too much: the larger one leads by {leads}"
 
 
@@ -49,6 +58,14 @@ def _larger(task: Task) -> str:
     return "more: {}, longer: {}".format(*leads)
 
 
+def _deep(task: Task) -> str:
+    """What depth shows of the larger thing."""
+    names = ("cover_height_lead", "tilt_lead", "height_lead")
+    return _DEEP.format(*(task.certificate.measures[name] > 0 for name in names))
+
+
+_DEEP = "cover higher: {}, steeper: {}, thing higher: {}"
+
 VERIFIER = Verifier(
     makeup=Makeup(len(PAIR), len(PAIR), ("area_lead", "length_lead")),
     slots=no_slots,
@@ -61,6 +78,12 @@ VERIFIER = Verifier(
             "what shows of the larger",
             [f"more: {a}, longer: {b}" for a, b in product((True, False), repeat=2)],
             _larger,
+        ),
+        Crossing(
+            "what depth shows of the larger",
+            [_DEEP.format(*signs) for signs in product((True, False), repeat=3)],
+            _deep,
+            since=DEPTH_RULES,
         ),
     ),
 )

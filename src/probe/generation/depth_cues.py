@@ -1,0 +1,93 @@
+"""By how much more of the larger of two marked things a depth camera sees, in three ways."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from probe.generation.scene_view import SceneView
+from probe.generation.size_cues import Windows
+from probe.scene.scene import Scene
+from probe.types import Array
+
+
+class DepthCues(NamedTuple):
+    """What the larger thing has over the smaller one; negative where it lags.
+
+    Attributes:
+        cover_height: Natural logarithm of the ratio of the heights to which their covers reach.
+        tilt: Difference of the covers' tilts, radians.
+        height: Natural logarithm of the ratio of the heights to which what shows of the things
+            themselves reaches.
+    """
+
+    cover_height: float
+    tilt: float
+    height: float
+
+
+WINDOWS: Windows = (
+    (math.log(1.05), math.log(1.8)),
+    (math.radians(1), math.radians(20)),
+    (math.log(1.05), math.log(1.8)),
+)
+"""Of DepthCues: where amounts differ, they tell which is larger."""
+
+_LOWEST = 0.002
+"""Metres; what lies flatter counts as so high, as its depth is measured no better."""
+
+
+@dataclass(frozen=True)
+class DepthLook:
+    """What a depth camera sees where something lies beneath a cover.
+
+    Attributes:
+        cover_height: Height above the table of its cover's highest point, metres.
+        tilt: Angle between the vertical and the side by which its cover is thinnest, radians.
+        height: Height above the table of the highest point that shows of the thing, metres.
+    """
+
+    cover_height: float
+    tilt: float
+    height: float
+
+    @classmethod
+    def of(cls, view: SceneView, scene: Scene, labels: Array, number: int) -> DepthLook:
+        """What is seen of an instance, and of what hides most of it.
+
+        Args:
+            view: A view of the scene's objects.
+            scene: The table.
+            labels: Instance numbers of its picture, shape (h, w).
+            number: A partly hidden instance.
+
+        Raises:
+            ValueError: Nothing hides any of it.
+        """
+        cover = scene[_hiding(labels, view.silhouettes(scene, [number])[number].mask, number)]
+        return cls(
+            max(view.top_of(cover), _LOWEST),
+            view.tilt(cover),
+            max(view.top_shown(scene, labels, number), _LOWEST),
+        )
+
+
+def leads_of(larger: DepthLook, smaller: DepthLook) -> DepthCues:
+    """What the larger thing has over the smaller one."""
+    return DepthCues(
+        math.log(larger.cover_height / smaller.cover_height),
+        larger.tilt - smaller.tilt,
+        math.log(larger.height / smaller.height),
+    )
+
+
+def _hiding(labels: Array, outline: Array, number: int) -> int:
+    """The instance that hides most of one, whose outline it would have alone is this mask."""
+    over = labels[outline]
+    numbers, counts = np.unique(over[(over != number) & (over != 0)], return_counts=True)
+    if not len(numbers):
+        raise ValueError(f"nothing hides any of instance {number}")
+    return int(numbers[np.argmax(counts)])
