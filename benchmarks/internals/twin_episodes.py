@@ -11,7 +11,9 @@ camera. No label gets to the agent's side of the bridge. Finished episodes are k
 pictures; those that a fault of ours ended are repeated by the next call. About a minute an
 episode and two a task on one core, at a haste of 4.
 
-`--simulated` plays the same tasks in the simulation, with its labels; Beneath from above there.
+`--simulated` plays the same tasks in the simulation, so that what each step costs can be told
+apart: with its labels, and Beneath from above; with its labels, all from the front; and from the
+front with what was enrolled, as on the twin.
 """
 
 from __future__ import annotations
@@ -36,13 +38,14 @@ from probe.episodes.circumstances import Circumstances
 from probe.episodes.episode import Episode
 from probe.episodes.files import append_record, read_records
 from probe.episodes.grading import question_of
+from probe.episodes.perceptions import used_by
 from probe.episodes.play import play as play_task
 from probe.episodes.real import open_real_episode
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Turn
 from probe.errors import ProbeError
 from probe.files import claim_folder
-from probe.perception.choice import Enrolled
+from probe.perception.choice import Enrolled, Perceiver, ideal
 from probe.perception.enrolled.enrolment import EnrolledWords, Enrolment
 from probe.perception.enrolled.enrolment_file import enrolment_of
 from probe.perception.enrolled.simulated import enrol_simulated
@@ -66,6 +69,7 @@ TRIES = 3
 TOKEN = "known-to-this-process-alone"
 
 Without = Literal["depth", "calibration", "colours", "losses"]
+Simulated = Literal["no", "above", "front", "enrolled"]
 out = Console()
 
 
@@ -74,7 +78,7 @@ class TwinSetting(pydantic.BaseModel, extra="forbid"):
 
     without: tuple[Without, ...]
     perfect: bool
-    simulated: bool
+    simulated: Simulated
     uncorrected: bool
 
 
@@ -182,7 +186,7 @@ def main(
     runs: tuple[int, ...] = (0, 1, 2),
     without: tuple[Without, ...] = (),
     perfect: bool = False,
-    simulated: bool = False,
+    simulated: Simulated = "no",
     uncorrected: bool = False,
     haste: float = 4.0,
     film: bool = False,
@@ -195,7 +199,7 @@ def main(
         runs: Of each task; several calls can share the folder if their runs differ.
         without: Flaws to switch off.
         perfect: Switch all of them off.
-        simulated: In the simulation instead, whose labels tell what shows.
+        simulated: In the simulation instead; all but the last see by its labels.
         uncorrected: Leave the cameras as they were meant to stand.
         haste: How much faster than a real robot the twin is.
         film: Keep pictures of the arm in motion as well; they slow a busy machine's twin down.
@@ -221,10 +225,13 @@ def main(
                 out.print(f"{task.id}, run {run}: {task.question} {task.answer}", highlight=False)
                 begun = time.monotonic()
                 try:
-                    if simulated:
-                        record = in_simulation(task, run, things, renderer)
+                    if perceiver is None and simulated in ("no", "enrolled"):
+                        perceiver = Enrolled(enrolment_for(task, things, renderer))
+                    if simulated != "no":
+                        seen = from_above(task) if simulated == "above" else task
+                        record = in_simulation(seen, run, things, renderer, perceiver or ideal)
                     else:
-                        perceiver = perceiver or Enrolled(enrolment_for(task, things, renderer))
+                        assert perceiver is not None
                         settings = TwinSettings(flaws, haste, run, ("front",))
                         if (flaws.shift or flaws.turn) and not uncorrected:
                             cameras = cameras_of(settings, task, renderer, folder)
@@ -242,12 +249,21 @@ def main(
     summary(asked, runs, tried)
 
 
-def in_simulation(task: Task, run: int, things: Library, renderer: Renderer) -> EpisodeRecord:
-    """The same agent at the same task without a robot; what lies beneath is seen from above."""
-    seen = task if task.question_type == "behind" else replace(task, camera="top")
+def from_above(task: Task) -> Task:
+    """The task as the top camera shows it, if it can be asked so."""
+    return task if task.question_type == "behind" else replace(task, camera="top")
+
+
+def in_simulation(
+    task: Task, run: int, things: Library, renderer: Renderer, perceiver: Perceiver
+) -> EpisodeRecord:
+    """The same agent at the same task without a robot."""
     rng = generator(task.seed, "twin", run)
-    agent = Scripted(seen.question_type, seen.subject, rng, form=seen.form, bold=True)
-    return play_task(seen, agent, "scripted", things, renderer, Circumstances(run=run))
+    agent = Scripted(task.question_type, task.subject, rng, form=task.form, bold=True)
+    tried = Circumstances(run=run, perception=used_by(perceiver))
+    return play_task(
+        task, agent, "scripted", things, renderer, tried, pictures=True, perceiver=perceiver
+    )
 
 
 def summary(asked: Sequence[Task], runs: Sequence[int], tried: Sequence[EpisodeRecord]) -> None:

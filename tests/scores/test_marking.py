@@ -154,6 +154,9 @@ def test_the_roster_lists_all_tasks():
         "find-0123abcd": Listed("find", "hidden", 5),
         "count-1": Listed("count", "", 2),
     }
+    stated = replace(FIND.certificate, measures={"necessary": 3.0})
+    (listed,) = roster_of_tasks([replace(FIND, certificate=stated)]).values()
+    assert listed == Listed("find", "hidden", 5, 3)
 
 
 @pytest.mark.parametrize(("correct", "strict"), [(True, True), (False, False)])

@@ -21,7 +21,11 @@ REDUCE = row(
     cost=0.1 + 0.2,
     seconds_agent=1e-9,
 )
-ROWS = [row("find-1", stratum="partly"), faulty("count-2", run=3, agent="bob, jr"), REDUCE]
+ROWS = [
+    row("find-1", stratum="partly", necessary=2),
+    faulty("count-2", run=3, agent="bob, jr"),
+    REDUCE,
+]
 FORMS = [(write_csv, read_csv), (write_json_lines, read_json_lines)]
 
 
@@ -53,6 +57,7 @@ def test_a_spreadsheet_sees_plain_cells(tmp_path):
         first, second, third = csv.DictReader(file)
     assert (first["task"], first["correct"], first["stratum"]) == ("find-1", "true", "partly")
     assert (second["agent"], second["correct"]) == ("bob, jr", "false")
+    assert (first["necessary"], second["necessary"]) == ("2", "")
     assert (first["tokens_in"], third["tokens_in"], third["tokens_out"]) == ("", "1234", "0")
 
 

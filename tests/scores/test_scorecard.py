@@ -13,6 +13,7 @@ from scipy import stats
 from statsmodels.stats.proportion import proportion_confint
 
 from probe.scores.missing import Gap, Headline
+from probe.scores.roster import Listed
 from probe.scores.scorecard import icc, scorecard
 from probe.scores.units import ContraryRows, Unit
 from score_rows import faulty, roster, row, unit
@@ -261,3 +262,31 @@ def test_a_card_has_the_version_of_its_tools_and_no_two():
     assert scorecard(rows, roster("find-1", "find-2"), 0).tools == 2
     with pytest.raises(ContraryRows, match="has version 1 of the tools, others have 2"):
         scorecard([rows[0], row("find-2", tools=1)], roster("find-1", "find-2"), 0)
+
+
+def test_right_answers_that_took_more_than_one_needless_manipulation_are_not_restrained():
+    """By hand: two types, two tasks each; 0 to 2 manipulations are necessary."""
+    needs = {"find-1": 0, "find-2": 1, "count-1": 2, "count-2": 0}
+    used = {"find-1": 1, "find-2": 3, "count-1": 1, "count-2": 5}
+    rows = [
+        row(task, task != "count-2", necessary=least, manipulations=used[task])
+        for task, least in needs.items()
+    ]
+    listed = {task: Listed(task.split("-")[0], "", 5, least) for task, least in needs.items()}
+    card = scorecard(rows, listed, 0)
+    assert card.macro.headline.value == 0.75
+    # Find: 1 of 2, as the second took 2 too many. Count: 1 of 2, as the second is wrong.
+    assert card.restrained.headline.value == 0.5
+    assert [(it.name, it.tasks, it.headline.value) for it in card.by_necessary] == [
+        ("0", 2, 0.5),
+        ("1", 1, 1.0),
+        ("2", 1, 1.0),
+    ]
+    assert (card.needless.n, card.needless.total) == (4, 1 + 2 + 0 + 5)
+
+
+def test_one_task_that_does_not_state_what_is_necessary_leaves_restraint_unknown():
+    rows = [row("find-1", necessary=0), row("find-2")]
+    listed = {"find-1": Listed("find", "", 5, 0), "find-2": Listed("find", "", 5)}
+    card = scorecard(rows, listed, 0)
+    assert (card.restrained, card.by_necessary, card.needless) == (None, (), None)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 
 from probe.episodes.record import EpisodeRecord
+from probe.generation.necessary import NECESSARY
 from probe.generation.visibility_rules import is_hidden
 from probe.scores.fidelity import fidelity
 from probe.scores.roster import Listed
@@ -81,6 +82,7 @@ def row_of(
             "seconds_agent": _total(record.seconds.agent, record),
             "seconds_tools": _total(record.seconds.tools, record),
             "tools": record.tools,
+            "necessary": _necessary(task),
             **asdict(usage or _usage(record)),
             **_execution(task, record, score),
         }
@@ -112,6 +114,11 @@ def stratum_of(task: Task) -> str:
     return "hidden" if is_hidden(seen) else "partly"
 
 
+def _necessary(task: Task) -> int | None:
+    stated = task.certificate.measures.get(NECESSARY)
+    return None if stated is None else int(stated)
+
+
 def _letter(record: EpisodeRecord) -> str | None:
     choice = record.answer.choice if record.answer else None
     return choice if choice in LETTERS else None
@@ -125,5 +132,6 @@ def _total(seconds: tuple[float, ...], record: EpisodeRecord) -> float | None:
 def roster_of_tasks(tasks: Iterable[Task]) -> dict[str, Listed]:
     """All that a suite consists of, run or not."""
     return {
-        task.id: Listed(task.question_type, stratum_of(task), len(task.options)) for task in tasks
+        task.id: Listed(task.question_type, stratum_of(task), len(task.options), _necessary(task))
+        for task in tasks
     }

@@ -9,7 +9,7 @@ from typing import Annotated
 import pydantic
 
 from probe.scores.estimates import macro
-from probe.scores.roster import Listed, Roster
+from probe.scores.roster import Roster, task_of
 from probe.scores.row import Entrant, Row
 from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
 
@@ -79,7 +79,7 @@ def gaps_of(rows: Sequence[Row], roster: Roster, runs: Collection[int] = ()) -> 
         ContraryRows: A row's task isn't on the roster, or is another one there.
     """
     for row in rows:
-        if roster.get(row.task) != Listed(row.question_type, row.stratum, row.options):
+        if roster.get(row.task) != task_of(row):
             raise ContraryRows(row, "the task isn't of this suite")
     there = {(row.task, row.run): row for row in rows}
     wanted = sorted(runs_of(rows) | set(runs)) or [0]

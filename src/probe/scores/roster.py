@@ -18,20 +18,27 @@ class Listed(NamedTuple):
         question_type: Question type.
         stratum: Part of the type that is also reported apart, else empty.
         options: Number of options to choose from.
+        necessary: Fewest manipulations that it takes; None where it doesn't state that.
     """
 
     question_type: str
     stratum: str
     options: int
+    necessary: int | None = None
 
 
 Roster = Mapping[str, Listed]
 """Tasks by id."""
 
 
+def task_of(row: Row) -> Listed:
+    """What a row says of its task."""
+    return Listed(row.question_type, row.stratum, row.options, row.necessary)
+
+
 def roster_of(rows: Iterable[Row]) -> dict[str, Listed]:
     """All tasks that somebody was given; what nobody was given can't be known of from rows."""
-    return {row.task: Listed(row.question_type, row.stratum, row.options) for row in rows}
+    return {row.task: task_of(row) for row in rows}
 
 
 def chance_by_type(roster: Roster) -> dict[str, float]:

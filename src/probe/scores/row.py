@@ -52,6 +52,8 @@ class Row(
         precision, recall, exact, attempts_a_removal, others_disturbed, strict: Of Reduce, how
             what was asked for was done; see probe.scores.fidelity.
         tools: Version of the tools; files leave it out where it is 1, as release 0.1 did.
+        necessary: Fewest manipulations after which the answer can be seen; None of tasks that
+            don't state it, and files then leave it out.
     """
 
     suite: str
@@ -88,6 +90,7 @@ class Row(
     others_disturbed: int | None = None
     strict: bool | None = None
     tools: int = pydantic.Field(default=1, ge=1, exclude_if=lambda version: version == 1)
+    necessary: int | None = pydantic.Field(default=None, ge=0, exclude_if=lambda it: it is None)
 
     @pydantic.model_validator(mode="after")
     def _agrees_with_itself(self) -> Row:

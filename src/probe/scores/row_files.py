@@ -15,15 +15,18 @@ from probe.reading import RECORDS, contents
 from probe.scores.row import Row
 from probe.texts import cell, uncell
 
-_TOOLS = "tools"
+_LEFT_OUT = {"tools": "1", "necessary": ""}
+"""Columns that are left out where no row says anything, and what a row has that doesn't."""
+
 _REMEDY = "Write it again with `probe rescore`"
 
 
 def write_csv(path: Path, rows: Sequence[Row]) -> None:
     """Write rows as CSV with a head (RFC 4180, UTF-8); what is unknown is an empty cell.
 
-    There is no column for the tools if their version is 1 in all rows, as in release 0.1. A text
-    that a spreadsheet would take for a formula has an apostrophe before it.
+    There is no column for the tools if their version is 1 in all rows, as in release 0.1, and none
+    for what is necessary if no task states it. A text that a spreadsheet would take for a formula
+    has an apostrophe before it.
 
     Raises:
         OutputFailed: It can't be written; nothing half-written is left.
@@ -32,9 +35,11 @@ def write_csv(path: Path, rows: Sequence[Row]) -> None:
     cells = [{name: _cell(value) for name, value in row.model_dump().items()} for row in rows]
     told = {name for each in cells for name in each}
     heads = [field.alias or name for name, field in Row.model_fields.items()]
-    writer = csv.DictWriter(text, [it for it in heads if it in told or it != _TOOLS], restval="1")
+    kept = [head for head in heads if head in told or head not in _LEFT_OUT]
+    unsaid = {head: rest for head, rest in _LEFT_OUT.items() if head in kept}
+    writer = csv.DictWriter(text, kept)
     writer.writeheader()
-    writer.writerows(cells)
+    writer.writerows({**unsaid, **each} for each in cells)
     write_text(path, text.getvalue())
 
 

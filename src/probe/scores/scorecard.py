@@ -5,16 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, TypedDict
 
 import numpy as np
 import pydantic
 
-from probe.scores.breakdown import Effort, Execution, Outcomes, effort, execution, outcomes
+from probe.scores.breakdown import (
+    Effort,
+    Execution,
+    Outcomes,
+    Spread,
+    effort,
+    execution,
+    outcomes,
+)
 from probe.scores.estimates import corrected, macro_chance
 from probe.scores.intervals import Interval, bootstrap, standard_error, student, wilson
 from probe.scores.missing import Gap, Headline, gaps_of, headline, present, runs_of
 from probe.scores.power import detectable_gap
+from probe.scores.restraint import is_restrained, needless
 from probe.scores.roster import Listed, Roster, chance_by_type, naive_by_type
 from probe.scores.row import Entrant, Row
 from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
@@ -86,6 +95,17 @@ class Figure:
     wilson: Interval | None
 
 
+class Restraint(TypedDict, total=False):
+    """Fields of a Scorecard that need all tasks to state what is necessary."""
+
+    restrained: Figure
+    by_necessary: tuple[Figure, ...]
+    needless: Spread | None
+
+
+_IF_ANY = pydantic.Field(exclude_if=lambda it: not it)
+
+
 @dataclass(frozen=True)
 class Scorecard:
     """All figures of one entrant.
@@ -100,6 +120,11 @@ class Scorecard:
             suites of this size would show; pairs have their own. None while rows are missing.
         outcomes, effort, execution: What it did; the last of Reduce.
         tools: Version of the tools it had; files leave it out where it is 1.
+        restrained: As `macro`, of right answers with at most SPARE manipulations more than
+            necessary; None, as the next two, unless all tasks state what is necessary. Files then
+            leave it out.
+        by_necessary: Accuracy by how many manipulations are necessary.
+        needless: Manipulations more than necessary.
     """
 
     entrant: Entrant
@@ -113,6 +138,9 @@ class Scorecard:
     effort: Effort
     execution: Execution | None
     tools: Annotated[int, pydantic.Field(exclude_if=lambda version: version == 1)] = 1
+    restrained: Annotated[Figure | None, _IF_ANY] = None
+    by_necessary: Annotated[tuple[Figure, ...], _IF_ANY] = ()
+    needless: Annotated[Spread | None, _IF_ANY] = None
 
 
 def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
@@ -147,7 +175,23 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
         effort=effort(rows),
         execution=execution(rows),
         tools=tools,
+        **_restraint(rows, roster, seed),
     )
+
+
+def _restraint(rows: Sequence[Row], roster: Roster, seed: int) -> Restraint:
+    counts = {listed.necessary for listed in roster.values()}
+    steps = sorted(count for count in counts if count is not None)
+    if None in counts:
+        return {}
+    return {
+        "restrained": _figure("restrained", rows, roster, seed, is_restrained),
+        "by_necessary": tuple(
+            _part(str(count), rows, roster, seed, lambda it, n=count: it.necessary == n)
+            for count in steps
+        ),
+        "needless": needless(rows),
+    }
 
 
 def _of_type(question_type: str) -> Callable[[Listed], bool]:
