@@ -86,12 +86,18 @@ def test_what_falls_onto_it_once_its_cover_is_gone_has_to_go_as_well(renderer):
     assert fewest(renderer, *spots) == (3,)
 
 
-def test_where_the_table_is_graded_what_is_named_is_part_of_it(renderer):
-    spots = [CUBE, LID, BESIDE]
-    exact = task(*spots, question_type="exact", named=(3,))
-    assert necessary_removals(exact, LIBRARY, renderer) == (2, 3)
-    plain = task(*spots, named=(3,))
-    assert necessary_removals(plain, LIBRARY, renderer) == (2,)
+@pytest.mark.parametrize("question_type", ["exact", "reduce"])
+def test_what_the_question_wants_removed_is_part_of_it(renderer, question_type):
+    asked = task(CUBE, LID, BESIDE, question_type=question_type, named=(3,))
+    assert necessary_removals(asked, LIBRARY, renderer) == (2, 3)
+
+
+def test_a_number_is_known_once_the_whole_table_shows(renderer):
+    other = [("pink_bar", -0.2, 0.0, 0.0), ("brown_board", -0.2, 0.0, 0.03)]
+    counted = task(CUBE, LID, *other, question_type="count", targets=(1,))
+    assert necessary_removals(counted, LIBRARY, renderer) == (2, 4)
+    bare = task(CUBE, BESIDE, question_type="count", targets=(1,))
+    assert necessary_removals(bare, LIBRARY, renderer) == ()
 
 
 def test_none_of_them_is_known_once_all_copies_of_the_cover_are_gone(renderer):

@@ -55,21 +55,21 @@ class RemovalSearch:
     def necessary(self, task: Task) -> tuple[int, ...] | None:
         """The fewest instances without which a task's answer can be seen; None if more than MOST.
 
-        They include what the task wants removed, where it is graded by that.
+        They include what the task wants removed.
         """
-        required = set(task.named) if rules_of(task.question_type).exact else set[int]()
-        return self.fewest(self.evidence(task), required)
+        return self.fewest(self.evidence(task), task.named)
 
     def evidence(self, task: Task) -> tuple[int, ...]:
         """Instances that have to show before a task can be answered with certainty.
 
-        They are its targets; that something is *not* there may take more.
+        They are its targets; that something is *not* there may take more, and so may a number.
         """
-        wanted, where = set(task.targets), rules_of(task.question_type).searched
+        wanted, rules = set(task.targets), rules_of(task.question_type)
         texts = {option.letter: option.text for option in task.options}
-        if texts[task.answer] == NONE_OF_THE_ABOVE and where == "table":
+        none = texts[task.answer] == NONE_OF_THE_ABOVE
+        if rules.numbered or (none and rules.searched == "table"):
             wanted |= {n for n, seen in self._shares(self.scene).items() if not is_seen(seen)}
-        if texts[task.answer] == NONE_OF_THE_ABOVE and where == "copies":
+        if none and rules.searched == "copies":
             wanted |= self._beneath_copies(task)
         return tuple(sorted(wanted))
 

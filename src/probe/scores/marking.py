@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 
 from probe.episodes.record import EpisodeRecord
 from probe.generation.necessary import NECESSARY
-from probe.generation.visibility_rules import is_hidden
+from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.scores.fidelity import fidelity
 from probe.scores.roster import Listed
 from probe.scores.row import Row
@@ -107,11 +107,11 @@ def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, obj
 
 
 def stratum_of(task: Task) -> str:
-    """How much of the target shows, "hidden" or "partly"; empty where a type has one part."""
+    """How much of the target shows: "hidden", "partly", "open"; empty where a type has one part."""
     if not rules_of(task.question_type).strata:
         return ""
     seen = task.certificate.visibility[task.targets[0]]
-    return "hidden" if is_hidden(seen) else "partly"
+    return "hidden" if is_hidden(seen) else "open" if is_clear(seen) else "partly"
 
 
 def _necessary(task: Task) -> int | None:

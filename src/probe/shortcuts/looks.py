@@ -12,6 +12,7 @@ from probe.assets.cache import content_key
 from probe.assets.library import Library
 from probe.files import write_bytes
 from probe.generation.first_look import FirstLook, look_at
+from probe.generation.necessary import NECESSARY
 from probe.render.renderer import Renderer
 from probe.shortcuts.sample import LabelledSample, example_of
 from probe.tasks.suite import Suite, check_objects, part
@@ -23,6 +24,8 @@ _DOCUMENT = pydantic.TypeAdapter(FirstLook)
 
 def examples_of(suites: Iterable[Suite], library: Library, cache: Path) -> Iterator[LabelledSample]:
     """Every task of some suites once, as an example, in their order.
+
+    Those that need no manipulation are left out: looking is what answers them.
 
     Args:
         suites: Of generated tasks.
@@ -36,7 +39,7 @@ def examples_of(suites: Iterable[Suite], library: Library, cache: Path) -> Itera
     with Renderer() as renderer:
         for suite in suites:
             for task in suite.tasks:
-                if task.id not in done:
+                if task.id not in done and task.certificate.measures.get(NECESSARY) != 0:
                     done.add(task.id)
                     yield example_of(task, _look(suite, task, library, renderer, cache))
 

@@ -41,6 +41,12 @@ RulesVersion = Literal[2, 3]
 DEPTH_RULES: RulesVersion = 3
 """Since these, heights and tilts of covers, which a depth camera sees, don't tell an answer."""
 
+STEP_RULES: RulesVersion = 3
+"""Since these, every task states how many removals it takes."""
+
+OPEN_RULES: RulesVersion = 3
+"""Since these, some tasks can be answered from the first picture."""
+
 NEWEST_RULES: RulesVersion = 3
 
 

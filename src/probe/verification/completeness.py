@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from probe.assets.library import Library
 from probe.errors import UnknownName
-from probe.tasks.task import PAIR, Task
+from probe.generation.necessary import NECESSARY
+from probe.tasks.task import PAIR, STEP_RULES, Task
 from probe.tasks.type_rules import rules_of
 from probe.verification.type_verifier import verifier_of
 
@@ -19,7 +20,8 @@ def makeup_problems(task: Task, library: Library) -> Iterator[str]:
         yield f"it has {len(task.targets)} targets, not {makeup.targets}"
     if len(proof.candidates) != makeup.candidates:
         yield f"its certificate lists {len(proof.candidates)} candidates, not {makeup.candidates}"
-    if missing := [name for name in makeup.measures if name not in proof.measures]:
+    measures = {*makeup.measures, *([NECESSARY] if task.version >= STEP_RULES else [])}
+    if missing := sorted(measures - set(proof.measures)):
         yield f"its certificate doesn't state {', '.join(missing)}"
     if strange := set(proof.visibility) - {placed.instance for placed in task.scene.objects}:
         yield f"its certificate measures objects {sorted(strange)}, which aren't there"

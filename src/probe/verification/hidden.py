@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from probe.tasks.task import Task
+from probe.generation.necessary import NECESSARY
+from probe.tasks.task import STEP_RULES, Task
+from probe.verification.necessary import necessary_problems
 from probe.verification.remeasure import Remeasurement
 from probe.verification.type_verifier import verifier_of
 
@@ -19,4 +21,7 @@ def hidden_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
         found = anew.seen[number].visible_px
         if abs(found - stated.visible_px) > max(_SAME * stated.visible_px, _SAME_PX):
             yield f"{found} px of object {number} show, not {stated.visible_px}"
-    yield from verifier_of(task.question_type).hidden(task, anew)
+    verifier = verifier_of(task.question_type)
+    yield from verifier.hidden(task, anew)
+    if task.version >= STEP_RULES and NECESSARY not in verifier.makeup.measures:
+        yield from necessary_problems(task, anew)

@@ -27,10 +27,12 @@ from probe.generation.twins import (
     right_above,
 )
 from probe.generation.visibility_rules import PARTLY, is_partly_visible
+from probe.question_types.find.in_view import OPEN, is_open, open_scene, with_secret
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
+from probe.tasks.task import OPEN_RULES
 from probe.tasks.truth import which_on_table
 from probe.types import Array
 from probe.world.model import Post
@@ -55,12 +57,14 @@ def generate_find(
         Rejected: It failed a check.
     """
     rng = generator(seed, "find")
-    cast, partly = select_find(library, plan, rng), PARTLY_SEEN.of(plan)
+    cast, partly = select_find(library, plan, rng), is_partly(plan)
     post = draw_post(cast.covers, _KEEP_OFF_PARTLY if partly else _KEEP_OFF_HIDDEN, rng)
     stage = Stage(cast.specs, library, [post], plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
-    if partly:
+    if is_open(plan):
+        scene, twins = open_scene(cast, stage, post, view, frame, rng), ()
+    elif partly:
         scene, twins = _partly_scene(cast, stage, post, view, frame, rng), ()
     else:
         scene, twins = _hidden_scene(cast, stage, post, view, frame, rng)
@@ -75,19 +79,33 @@ def generate_find(
         candidates=tuple(spec.name for spec in cast.candidates),
         truth=ids.index(target.object_id),
         targets=(target.instance,),
-        measures={"visible_share": seen.fraction, "partly": float(partly)},
+        measures={"visible_share": seen.fraction, "partly": float(partly), **_openness(plan)},
         drawn_from=tuple(ids),
     )
     return TaskCandidate(write_task(draft, plan, view), twins)
 
 
 def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
-    """Who plays; see draw_cast()."""
-    if PARTLY_SEEN.of(plan):
+    """Who plays; see draw_cast(). Where the target lies open, the cover hides something else.
+
+    Raises:
+        Rejected: The library has no such set.
+    """
+    if is_partly(plan):
         # A colour that shows would tell; so all candidates have it.
         return draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
     sides = sides_of(plan.rules)
-    return draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng, sides=sides)
+    cast = draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng, sides=sides)
+    return with_secret(library, cast, LARGEST_HIDDEN, rng) if is_open(plan) else cast
+
+
+def is_partly(plan: TaskPlan) -> bool:
+    """Whether a little of the target shows."""
+    return PARTLY_SEEN.of(plan) and not is_open(plan)
+
+
+def _openness(plan: TaskPlan) -> dict[str, float]:
+    return {"open": float(is_open(plan))} if plan.rules >= OPEN_RULES else {}
 
 
 def _hidden_scene(
@@ -166,5 +184,5 @@ GENERATOR = TaskGenerator(
     f"over any of them {NEEDS_COVER}. For every third task "
     f"{needs_alike(LARGEST_PARTLY, LOOSE_TOLERANCE)} but for the colour's name; "
     f"over any of them {NEEDS_LEAN}",
-    turns=(PARTLY_SEEN,),
+    turns=(PARTLY_SEEN, OPEN),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from probe.assets.library import Library
-from probe.generation.visibility_rules import is_hidden, is_partly_visible
+from probe.generation.visibility_rules import is_clear, is_hidden, is_partly_visible
 from probe.tasks.task import Task
 from probe.verification.options import depth_problems
 from probe.verification.remeasure import Remeasurement
@@ -20,10 +20,13 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
 
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
-    seen = anew.seen[task.targets[0]]
-    partly = bool(task.certificate.measures["partly"])
-    if not (is_partly_visible if partly else is_hidden)(seen):
-        wanted = "a little" if partly else "hidden"
+    seen, measures = anew.seen[task.targets[0]], task.certificate.measures
+    rule, wanted = is_hidden, "hidden"
+    if measures["partly"]:
+        rule, wanted = is_partly_visible, "a little"
+    elif measures.get("open"):
+        rule, wanted = is_clear, "in plain view"
+    if not rule(seen):
         yield f"the answer shows by {seen.fraction:.0%}, which isn't {wanted}"
 
 
