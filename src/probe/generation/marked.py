@@ -13,6 +13,7 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.alike import unlike
 from probe.generation.covers import Cover, draw_shield, lies_on_side, low_footprint_of
 from probe.generation.frame import SceneFrame
+from probe.generation.in_view import check_open
 from probe.generation.object_selection import draw_crowd
 from probe.generation.result import Rejected
 from probe.generation.scene_view import SceneView
@@ -140,8 +141,21 @@ def build_set(
     tables: Sequence[str],
     rng: np.random.Generator,
     setup: Setup,
+    *,
+    keep_off: bool = True,
 ) -> MarkedStage:
-    """The stage of a cast: its two nests go on two sides of the middle."""
+    """The stage of a cast: its two nests go on two sides of the middle.
+
+    Args:
+        cast: Who plays.
+        seed: Of the scene.
+        library: Has the cast.
+        renderer: What was loaded in it is replaced.
+        tables: Ids of tables to choose from.
+        rng: Draws table, numbers and places.
+        setup: What stands around.
+        keep_off: Whether all others stay clear of the nests.
+    """
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], setup)
     table = tables[int(rng.integers(len(tables)))]
     angle = float(rng.uniform(0, 2 * math.pi))
@@ -153,7 +167,9 @@ def build_set(
     )
     posts = first, second
     frame = SceneFrame.of(cast.specs, seed, table, rng, setup)
-    return MarkedStage(cast, Stage(cast.specs, library, posts, setup), posts, view, frame)
+    return MarkedStage(
+        cast, Stage(cast.specs, library, posts if keep_off else (), setup), posts, view, frame
+    )
 
 
 def peeks(
@@ -229,6 +245,19 @@ def settle_around(
         if not is_little(seen[number]) or is_seen(seen[number]):
             share, pixels = seen[number].fraction, seen[number].visible_px
             raise Rejected("shows", f"{share:.0%}, {pixels} px of a marked thing show")
+    return scene
+
+
+def settle_open(made: MarkedStage, rng: np.random.Generator) -> Scene:
+    """Everything in one pile, covers included, with both marked things in plain view.
+
+    Raises:
+        Rejected: They aren't, or things don't come to rest.
+    """
+    others = list(range(_SIDES + 1, len(made.cast.specs) + 1))
+    poses = made.stage.heap({}, [*others, *range(1, _SIDES + 1)], rng)
+    scene = made.frame.scene(made.stage.settle(poses))
+    check_open(scene, made.view, made.marked)
     return scene
 
 

@@ -164,6 +164,11 @@ def _sets(useful: Sequence[int], required: Collection[int]) -> Iterator[tuple[in
             yield tuple(sorted({*required, *some}))
 
 
+def is_answerable_at_sight(task: Task) -> bool:
+    """Whether a task states that nothing has to go before its answer can be seen."""
+    return task.certificate.measures.get(NECESSARY) == 0
+
+
 def with_necessary(task: Task, view: SceneView, library: Library) -> Task:
     """A task whose certificate says how many things have to go before its answer can be seen.
 

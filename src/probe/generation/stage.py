@@ -206,7 +206,8 @@ def draw_clear_drop(
     best, best_gap = draw_drop(rng, reach), -math.inf
     for _ in range(_SPOT_TRIES):
         drop = draw_drop(rng, reach)
-        gap = min(math.hypot(drop.x - p.x, drop.y - p.y) - p.radius - radius for p in posts)
+        gaps = (math.hypot(drop.x - p.x, drop.y - p.y) - p.radius - radius for p in posts)
+        gap = min(gaps, default=math.inf)
         if gap > best_gap:
             best, best_gap = drop, gap
         if gap >= 0:

@@ -12,7 +12,7 @@ from probe.assets.cache import content_key
 from probe.assets.library import Library
 from probe.files import write_bytes
 from probe.generation.first_look import FirstLook, look_at
-from probe.generation.necessary import NECESSARY
+from probe.generation.necessary import is_answerable_at_sight
 from probe.render.renderer import Renderer
 from probe.shortcuts.sample import LabelledSample, example_of
 from probe.tasks.suite import Suite, check_objects, part
@@ -39,7 +39,7 @@ def examples_of(suites: Iterable[Suite], library: Library, cache: Path) -> Itera
     with Renderer() as renderer:
         for suite in suites:
             for task in suite.tasks:
-                if task.id not in done and task.certificate.measures.get(NECESSARY) != 0:
+                if task.id not in done and not is_answerable_at_sight(task):
                     done.add(task.id)
                     yield example_of(task, _look(suite, task, library, renderer, cache))
 

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from probe.generation.necessary import is_answerable_at_sight
 from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, QuestionType, Task
 from probe.verification.type_verifier import verifier_of
 
@@ -42,7 +43,9 @@ def balances(tasks: Sequence[Task]) -> Iterator[Balance]:
         for crossing in verifier_of(question_type).crossed:
             if crossing.since > oldest:
                 continue
-            found = [crossing.value_of(task) for task in mine]
+            # What lies open tells the answer, and isn't crossed with anything.
+            hidden = [it for it in mine if not is_answerable_at_sight(it)]
+            found = [crossing.value_of(task) for task in hidden]
             yield _balance(question_type, crossing.of, crossing.values, found)
 
 

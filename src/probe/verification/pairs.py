@@ -8,7 +8,8 @@ from itertools import product
 from scipy import ndimage
 
 from probe.generation.marked import INSIDE_PX
-from probe.generation.visibility_rules import LITTLE, is_seen
+from probe.generation.necessary import is_answerable_at_sight
+from probe.generation.visibility_rules import LITTLE, is_clear, is_seen
 from probe.tasks.task import PAIR, Mark, Task
 from probe.verification.remeasure import Remeasurement
 from probe.verification.type_verifier import Crossing
@@ -30,11 +31,15 @@ def pair_problems(task: Task) -> Iterator[str]:
 
 
 def mark_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
-    """Whether a little of each marked thing shows, and the marks lie well inside of that."""
+    """Whether a little of each marked thing shows, and the marks lie well inside of that.
+
+    Of tasks that can be answered at sight, whether both are clear.
+    """
     for mark in task.marks:
-        share = anew.seen[mark.instance].fraction
-        if not LITTLE[0] <= share <= LITTLE[1] or is_seen(anew.seen[mark.instance]):
-            yield f"{mark.letter} shows by {share:.0%}"
+        seen = anew.seen[mark.instance]
+        little = LITTLE[0] <= seen.fraction <= LITTLE[1] and not is_seen(seen)
+        if not (is_clear(seen) if is_answerable_at_sight(task) else little):
+            yield f"{mark.letter} shows by {seen.fraction:.0%}"
         u, v = mark.point
         inside = ndimage.distance_transform_edt(anew.labels == mark.instance)[v, u]
         if inside < INSIDE_PX - 1:

@@ -14,6 +14,7 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.alike import LOOSE_TOLERANCE, draw_alike, sides_of, unlike
 from probe.generation.covers import NEEDS_COVER, Cover, Footprint, draw_cover, footprint_of
 from probe.generation.frame import SceneFrame
+from probe.generation.in_view import OPEN, check_all_seen, is_open
 from probe.generation.object_selection import (
     CAST_TRIES,
     LARGEST,
@@ -77,16 +78,18 @@ def generate_count(
         Rejected: It failed a check.
     """
     rng = generator(seed, "count")
-    visible, hidden_ones = INSTANCES.of(plan)
+    visible, hidden_ones = instances(plan)
     cast = select_count(library, plan, rng)
-    posts = _draw_posts(cast.covers, rng)
+    posts = [] if is_open(plan) else _draw_posts(cast.covers, rng)
     stage = Stage(cast.specs, library, posts, plan.setup)
     table = tables[int(rng.integers(len(tables)))]
     frame = SceneFrame.of(cast.specs, seed, table, rng, plan.setup)
     scene = frame.scene(_settle(cast, stage, posts, rng))
     view = SceneView(renderer, library, frame.ids.values(), plan.setup)
-    hidden = [frame.number_of[number] for number in range(1, NESTS + 1)]
+    hidden = [frame.number_of[number] for number in range(1, len(cast.beneath) + 1)]
     _check(cast, scene, view, hidden)
+    if is_open(plan):
+        check_all_seen(scene, view)
     truth = how_many(scene, cast.counted.id)
     candidates = count_candidates(visible, rng)
     draft = Draft(
@@ -101,6 +104,12 @@ def generate_count(
         drawn_from=candidates,
     )
     return TaskCandidate(write_task(draft, plan, view))
+
+
+def instances(plan: TaskPlan) -> tuple[int, int]:
+    """How many instances are clear, and how many hidden."""
+    visible, hidden = INSTANCES.of(plan)
+    return visible, 0 if is_open(plan) else hidden
 
 
 def select_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> _Cast:
@@ -132,12 +141,12 @@ def select_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> 
         raise Rejected("cover", reason)
     if library.leading and not any(map(library.leads, (counted, *(c.spec for c in covers)))):
         raise Rejected(LEADING, f"neither {counted.name} nor what covers it is of your own")
-    visible, hidden = INSTANCES.of(plan)
-    beneath = [counted] * hidden + decoys[: NESTS - hidden]
-    order = [int(index) for index in rng.permutation(NESTS)]
+    visible, hidden = instances(plan)
+    beneath = [] if is_open(plan) else [counted] * hidden + decoys[: NESTS - hidden]
+    order = [int(index) for index in rng.permutation(len(beneath))]
     total = int(rng.integers(_FEWEST, _MOST + 1))
     free = unlike(free, [cover.spec for cover in covers])
-    crowd = draw_crowd(free, total - 2 * NESTS - visible, rng)
+    crowd = draw_crowd(free, total - len(beneath) - NESTS - visible, rng)
     return _Cast(counted, tuple(beneath[index] for index in order), tuple(covers), crowd, visible)
 
 
@@ -158,11 +167,15 @@ def _draw_covers(
 
 
 def _settle(cast: _Cast, stage: Stage, posts: Sequence[Post], rng: np.random.Generator) -> Poses:
-    """Nests on two sides of the middle, the crowd around them, open instances last."""
+    """Nests on two sides of the middle, the crowd around them, open instances last.
+
+    With nothing beneath them, covers are part of the crowd.
+    """
     nests: Poses = {}
-    for index, (cover, post) in enumerate(zip(cast.covers, posts, strict=True)):
-        nests |= build_nest(stage, index + 1, right_above(NESTS + index + 1, cover), post, rng)
-    falling = range(2 * NESTS + 1, len(cast.specs) + 1)
+    for index, post in enumerate(posts):
+        lay = right_above(NESTS + index + 1, cast.covers[index])
+        nests |= build_nest(stage, index + 1, lay, post, rng)
+    falling = range(len(nests) + 1, len(cast.specs) + 1)
     return stage.settle(stage.heap(nests, list(falling), rng))
 
 
@@ -200,5 +213,5 @@ GENERATOR = TaskGenerator(
     select=select_count,
     needs=f"{needs_alike(LARGEST, LOOSE_TOLERANCE, 1 + NESTS)}; "
     f"over any of them, {NESTS} times, {NEEDS_COVER}",
-    turns=(INSTANCES,),
+    turns=(INSTANCES, OPEN),
 )

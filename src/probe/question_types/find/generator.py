@@ -11,6 +11,7 @@ from probe.assets.library import Library
 from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_COVER, NEEDS_LEAN, draw_cover, draw_lean
 from probe.generation.frame import SceneFrame, frame_of
+from probe.generation.in_view import OPEN
 from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
@@ -27,12 +28,11 @@ from probe.generation.twins import (
     right_above,
 )
 from probe.generation.visibility_rules import PARTLY, is_partly_visible
-from probe.question_types.find.in_view import OPEN, is_open, open_scene, with_secret
+from probe.question_types.find.in_view import is_find_open, open_scene, with_secret
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
-from probe.tasks.task import OPEN_RULES
 from probe.tasks.truth import which_on_table
 from probe.types import Array
 from probe.world.model import Post
@@ -62,7 +62,7 @@ def generate_find(
     stage = Stage(cast.specs, library, [post], plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
-    if is_open(plan):
+    if is_find_open(plan):
         scene, twins = open_scene(cast, stage, post, view, frame, rng), ()
     elif partly:
         scene, twins = _partly_scene(cast, stage, post, view, frame, rng), ()
@@ -79,7 +79,7 @@ def generate_find(
         candidates=tuple(spec.name for spec in cast.candidates),
         truth=ids.index(target.object_id),
         targets=(target.instance,),
-        measures={"visible_share": seen.fraction, "partly": float(partly), **_openness(plan)},
+        measures={"visible_share": seen.fraction, "partly": float(partly)},
         drawn_from=tuple(ids),
     )
     return TaskCandidate(write_task(draft, plan, view), twins)
@@ -96,16 +96,12 @@ def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> O
         return draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
     sides = sides_of(plan.rules)
     cast = draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng, sides=sides)
-    return with_secret(library, cast, LARGEST_HIDDEN, rng) if is_open(plan) else cast
+    return with_secret(library, cast, LARGEST_HIDDEN, rng) if is_find_open(plan) else cast
 
 
 def is_partly(plan: TaskPlan) -> bool:
     """Whether a little of the target shows."""
-    return PARTLY_SEEN.of(plan) and not is_open(plan)
-
-
-def _openness(plan: TaskPlan) -> dict[str, float]:
-    return {"open": float(is_open(plan))} if plan.rules >= OPEN_RULES else {}
+    return PARTLY_SEEN.of(plan) and not is_find_open(plan)
 
 
 def _hidden_scene(

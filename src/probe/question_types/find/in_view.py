@@ -10,24 +10,21 @@ from probe.assets.library import Library
 from probe.generation.alike import unlike
 from probe.generation.covers import footprint_of
 from probe.generation.frame import SceneFrame
+from probe.generation.in_view import check_open, is_open
 from probe.generation.object_selection import ObjectSelection, hideable
 from probe.generation.result import Rejected
 from probe.generation.scene_view import SceneView
 from probe.generation.stage import Stage
-from probe.generation.task_plan import PlannedProperty, TaskPlan
+from probe.generation.task_plan import TaskPlan
 from probe.generation.twins import build_nest, check_hidden, right_above
-from probe.generation.visibility_rules import is_clear, is_seen
 from probe.scene.scene import Scene
-from probe.tasks.task import LETTERS, OPEN_RULES
+from probe.tasks.task import LETTERS
 from probe.world.model import Post
 
-OPEN = PlannedProperty("open", (False, False, True))
-"""Whether the target lies open, so that nothing needs to be moved."""
 
-
-def is_open(plan: TaskPlan) -> bool:
-    """Whether the target lies open. None of the options does where none of them is right."""
-    return plan.rules >= OPEN_RULES and plan.letter != LETTERS[-1] and OPEN.of(plan)
+def is_find_open(plan: TaskPlan) -> bool:
+    """Whether the target lies open. No option does where none of them is right."""
+    return is_open(plan) and plan.letter != LETTERS[-1]
 
 
 def with_secret(
@@ -75,10 +72,7 @@ def open_scene(
     lay = right_above(cast.covering[0], cast.covers[0])
     nest = build_nest(stage, secret, lay, post, rng)
     scene = frame.scene(stage.settle(stage.heap(nest, [*cast.crowd, target], rng)))
-    below, above = frame.number_of[secret], frame.number_of[target]
-    shown = view.visibility(scene, view.labels(scene), [below, above])
-    check_hidden(shown[below])
-    seen = shown[above]
-    if not is_clear(seen) or not is_seen(seen):
-        raise Rejected("open", f"only {seen.fraction:.0%} show")
+    below = frame.number_of[secret]
+    check_hidden(view.visibility(scene, view.labels(scene), [below])[below])
+    check_open(scene, view, [frame.number_of[target]])
     return scene

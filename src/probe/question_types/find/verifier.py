@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from probe.assets.library import Library
+from probe.generation.necessary import is_answerable_at_sight
 from probe.generation.visibility_rules import is_clear, is_hidden, is_partly_visible
 from probe.tasks.task import Task
 from probe.verification.options import depth_problems
@@ -20,11 +21,11 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
 
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
-    seen, measures = anew.seen[task.targets[0]], task.certificate.measures
+    seen = anew.seen[task.targets[0]]
     rule, wanted = is_hidden, "hidden"
-    if measures["partly"]:
+    if task.certificate.measures["partly"]:
         rule, wanted = is_partly_visible, "a little"
-    elif measures.get("open"):
+    elif is_answerable_at_sight(task):
         rule, wanted = is_clear, "in plain view"
     if not rule(seen):
         yield f"the answer shows by {seen.fraction:.0%}, which isn't {wanted}"

@@ -11,6 +11,7 @@ import numpy as np
 
 from probe.generation import depth_cues, size_cues
 from probe.generation.depth_cues import DepthLook
+from probe.generation.in_view import is_open
 from probe.generation.marked import MarkedStage
 from probe.generation.size_cues import VisiblePatch, Windows, are_within
 from probe.generation.task_plan import CROSSED, MORE_CUES, PlannedProperty, TaskPlan
@@ -81,7 +82,7 @@ class PlannedCues:
 
 
 def shown_of(made: MarkedStage, plan: TaskPlan, scene: Scene, labels: Array, number: int) -> Shown:
-    """What shows of a marked thing on a table."""
-    seen = plan.rules >= DEPTH_RULES
+    """What shows of a marked thing on a table; without depth where it lies open."""
+    seen = plan.rules >= DEPTH_RULES and not is_open(plan)
     depth = DepthLook.of(made.view, scene, labels, number) if seen else None
     return Shown(VisiblePatch.of(labels, number), depth)

@@ -13,6 +13,7 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.alike import told_apart
 from probe.generation.colour_views import ColourViews
 from probe.generation.covers import NEEDS_SHIELD
+from probe.generation.in_view import OPEN, is_open
 from probe.generation.marked import (
     MARKABLE,
     CoveredThing,
@@ -23,6 +24,7 @@ from probe.generation.marked import (
     draw_marks,
     markable,
     settle_around,
+    settle_open,
 )
 from probe.generation.pairing import draw_nests
 from probe.generation.palettes import main_colour
@@ -59,18 +61,19 @@ def generate_size(
     rng = generator(seed, "size")
     cast = select_size(library, plan, rng)
     a, b = (extent_of(library, spec.id) for spec in cast.marked)
-    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup)
+    hidden = not is_open(plan)
+    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup, keep_off=hidden)
     view = made.view
-    scene = settle_around(made, _nests(made, plan, rng), rng)
+    scene = settle_around(made, _nests(made, plan, rng), rng) if hidden else settle_open(made, rng)
     labels, (first, second) = view.labels(scene), made.marked
     cues = PlannedCues.of(plan)
     a_shown, b_shown = (shown_of(made, plan, scene, labels, number) for number in made.marked)
-    if not cues.hold(a_shown, b_shown):
+    if hidden and not cues.hold(a_shown, b_shown):
         raise Rejected("cues", "what shows tells something else than planned")
     marks = draw_marks(made, labels)
     seen = view.visibility(scene, labels, made.marked)
     looks = ColourViews(renderer, scene, labels, made.marked, library)
-    if not _is_lighter_as_planned(plan, looks.patch(first), looks.patch(second)):
+    if hidden and not _is_lighter_as_planned(plan, looks.patch(first), looks.patch(second)):
         raise Rejected("cues", "what shows of the other one is lighter")
     draft = Draft(
         question_type="size",
@@ -199,5 +202,5 @@ GENERATOR = TaskGenerator(
     select=select_size,
     needs="two things of which one is clearly larger "
     f"({MARKABLE}); over either, two {NEEDS_SHIELD}",
-    turns=(MORE_CUES, LIGHTER, DEPTH),
+    turns=(MORE_CUES, LIGHTER, DEPTH, OPEN),
 )

@@ -9,6 +9,7 @@ from itertools import product
 from probe.assets.library import Library
 from probe.generation import depth_cues, size_cues
 from probe.generation.depth_cues import DepthCues, DepthLook
+from probe.generation.necessary import is_answerable_at_sight
 from probe.generation.size_cues import SizeCues, VisiblePatch, Windows, are_within
 from probe.generation.sizes import extent_of
 from probe.tasks.task import DEPTH_RULES, PAIR, Mark, Task
@@ -29,6 +30,8 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     yield from mark_problems(task, anew)
+    if is_answerable_at_sight(task):
+        return
     numbers = [mark.instance for mark in _by_size(task)]
     larger, smaller = (VisiblePatch.of(anew.labels, number) for number in numbers)
     yield from _too_much(size_cues.leads_of(larger, smaller), size_cues.WINDOWS)
