@@ -32,9 +32,9 @@ def test_size_crosses_what_shows_of_the_larger_thing():
     proof = replace(task.certificate, measures={**task.certificate.measures, **leads})
     *_, crossed = balances([replace(task, certificate=proof)])
     assert crossed.of == "what shows of the larger"
-    deep = {"cover_height_lead": 0.1, "tilt_lead": -0.2, "height_lead": 0.1}
+    deep = {"cover_height_lead": 0.1, "height_lead": -0.1}
     proof = replace(proof, measures={**proof.measures, **deep})
     *_, depth = balances([replace(task, certificate=proof, version=3)])
-    assert len(depth.counts) == 8
-    assert depth.counts["cover higher: True, steeper: False, thing higher: True"] == 1
+    assert len(depth.counts) == 4
+    assert depth.counts["cover higher: True, thing higher: False"] == 1
     assert len(crossed.counts) == 4 and crossed.counts["more: True, longer: False"] == 1

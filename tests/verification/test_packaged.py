@@ -21,12 +21,13 @@ V1_1 = packaged_suite("v1.1")
 
 
 def quickly_solved(question_type: str) -> Task:
-    """The first of a type that the very first attempt solved: the others take minutes."""
+    """The first of a type that the very first attempt solved, by grasps: others take minutes."""
+    first = {"solved_attempt": 0.0, "solved_by_pushing_first": 0.0}
     return next(
         task
         for task in V1.tasks
         if task.question_type == question_type
-        and task.certificate.measures["solved_attempt"] == 0.0
+        and first.items() <= task.certificate.measures.items()
     )
 
 

@@ -1,4 +1,4 @@
-"""By how much more of the larger of two marked things a depth camera sees, in three ways."""
+"""By how much higher the larger of two marked things lies, as a depth camera sees it."""
 
 from __future__ import annotations
 
@@ -19,21 +19,15 @@ class DepthCues(NamedTuple):
 
     Attributes:
         cover_height: Natural logarithm of the ratio of the heights to which their covers reach.
-        tilt: Difference of the covers' tilts, radians.
         height: Natural logarithm of the ratio of the heights to which what shows of the things
             themselves reaches.
     """
 
     cover_height: float
-    tilt: float
     height: float
 
 
-WINDOWS: Windows = (
-    (math.log(1.05), math.log(1.8)),
-    (math.radians(1), math.radians(20)),
-    (math.log(1.05), math.log(1.8)),
-)
+WINDOWS: Windows = ((math.log(1.05), math.log(1.8)),) * 2
 """Of DepthCues: where amounts differ, they tell which is larger."""
 
 _LOWEST = 0.002
@@ -46,12 +40,10 @@ class DepthLook:
 
     Attributes:
         cover_height: Height above the table of its cover's highest point, metres.
-        tilt: Angle between the vertical and the side by which its cover is thinnest, radians.
         height: Height above the table of the highest point that shows of the thing, metres.
     """
 
     cover_height: float
-    tilt: float
     height: float
 
     @classmethod
@@ -70,7 +62,6 @@ class DepthLook:
         cover = scene[_hiding(labels, view.silhouettes(scene, [number])[number].mask, number)]
         return cls(
             max(view.top_of(cover), _LOWEST),
-            view.tilt(cover),
             max(view.top_shown(scene, labels, number), _LOWEST),
         )
 
@@ -79,7 +70,6 @@ def leads_of(larger: DepthLook, smaller: DepthLook) -> DepthCues:
     """What the larger thing has over the smaller one."""
     return DepthCues(
         math.log(larger.cover_height / smaller.cover_height),
-        larger.tilt - smaller.tilt,
         math.log(larger.height / smaller.height),
     )
 

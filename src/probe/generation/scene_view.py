@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterable
 from copy import copy
 
@@ -78,12 +77,6 @@ class SceneView:
     def top_of(self, placed: PlacedObject) -> float:
         """Height above the table of an object's highest point, metres."""
         return float(placed.pose.apply(self._meshes[placed.object_id].vertices)[:, 2].max())
-
-    def tilt(self, placed: PlacedObject) -> float:
-        """Angle between the vertical and the side by which an object is thinnest, radians."""
-        thin = np.eye(3)[int(np.argmin(np.ptp(self._meshes[placed.object_id].vertices, axis=0)))]
-        origin, tip = placed.pose.apply(np.stack([np.zeros(3), thin]))
-        return math.acos(min(1.0, abs(float(tip[2] - origin[2]))))
 
     def silhouettes(self, scene: Scene, of: Collection[int]) -> dict[int, Silhouette]:
         """Silhouettes of some instances of a scene."""

@@ -19,8 +19,8 @@ from probe.scene.scene import Scene
 from probe.tasks.task import DEPTH_RULES
 from probe.types import Array
 
-DEPTH = PlannedProperty("depth", tuple(product((True, False), repeat=3)))
-"""Whether the larger thing leads by height and tilt of its cover, and by its own height."""
+DEPTH = PlannedProperty("depth", tuple(product((True, False), repeat=2)))
+"""Whether the larger thing leads by the height of its cover, and by its own."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +55,11 @@ class PlannedCues:
         a_is_larger = (plan.letter == "A") != (plan.form == "smaller")
         return PlannedCues(a_is_larger, [1 if cue else -1 for cue in cues], windows)
 
+    @property
+    def depth_signs(self) -> Sequence[int]:
+        """Those of DepthCues alone; empty by rules that don't know them."""
+        return self.signs[len(size_cues.WINDOWS) :]
+
     def goal(self, rng: np.random.Generator) -> list[float]:
         """Leads within the windows, drawn alike for every plan."""
         return [
@@ -86,3 +91,19 @@ def shown_of(made: MarkedStage, plan: TaskPlan, scene: Scene, labels: Array, num
     seen = plan.rules >= DEPTH_RULES and not is_open(plan)
     depth = DepthLook.of(made.view, scene, labels, number) if seen else None
     return Shown(VisiblePatch.of(labels, number), depth)
+
+
+def suits_depth(heights: Sequence[float], plan: TaskPlan, *, place: int) -> bool:
+    """Whether heights that A and B will about have, metres, go with a plan.
+
+    Args:
+        heights: Of A and of B.
+        plan: By older rules, any do.
+        place: Of which of the DepthCues.
+    """
+    cues = PlannedCues.of(plan)
+    if not cues.depth_signs:
+        return True
+    larger, smaller = heights if cues.a_is_larger else reversed(heights)
+    least, most = depth_cues.WINDOWS[place]
+    return least <= cues.depth_signs[place] * math.log(larger / smaller) <= most

@@ -12,7 +12,7 @@ from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import told_apart
 from probe.generation.colour_views import ColourViews
-from probe.generation.covers import NEEDS_SHIELD
+from probe.generation.covers import NEEDS_SHIELD, low_footprint_of
 from probe.generation.in_view import OPEN, is_open
 from probe.generation.marked import (
     MARKABLE,
@@ -33,11 +33,11 @@ from probe.generation.sizes import extent_of
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import MORE_CUES, PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.question_types.size.cues import DEPTH, PlannedCues, Shown, shown_of
+from probe.question_types.size.cues import DEPTH, PlannedCues, Shown, shown_of, suits_depth
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
-from probe.tasks.task import PAIR
+from probe.tasks.task import DEPTH_RULES, PAIR
 from probe.tasks.truth import Extent, which_size
 from probe.types import Array
 
@@ -45,6 +45,7 @@ LIGHTER = PlannedProperty("lighter", (True, False))
 """Whether the larger thing is the lighter one."""
 
 _PAIRS = 400
+_CASTS = 6
 
 _LARGEST_RATIO = 2.5
 """Most by which the bare areas of the two differ: else a little of both can't look alike."""
@@ -126,12 +127,31 @@ def select_size(library: Library, plan: TaskPlan, rng: np.random.Generator) -> M
         first, second = (main_colour(library, spec.id) for spec in pair)
         if not _is_lighter_as_planned(plan, first, second):
             continue
-        if cast := cast_marked(library, pair, (), rng):
-            return _covered(cast, plan)
+        if not suits_depth(
+            [low_footprint_of(library, spec.id).height for spec in pair], plan, place=1
+        ):
+            continue
+        if cast := _cast(library, pair, plan, rng):
+            return cast
         uncovered = True
     if uncovered:
         raise Rejected("cover", "no two things cover any pair that was drawn")
     raise Rejected("candidates", f"no two things of which one is clearly {plan.form}")
+
+
+def _cast(
+    library: Library, pair: tuple[ObjectSpec, ObjectSpec], plan: TaskPlan, rng: np.random.Generator
+) -> MarkedSelection | None:
+    """A pair with covers that go with the plan; None if none that were drawn do."""
+    heights = [low_footprint_of(library, spec.id).height for spec in pair]
+    for _ in range(_CASTS if plan.rules >= DEPTH_RULES else 1):
+        if not (drawn := cast_marked(library, pair, (), rng)):
+            return None
+        cast = _covered(drawn, plan)
+        tops = [h + cover.extent[2] for h, cover in zip(heights, cast.covers, strict=True)]
+        if suits_depth(tops, plan, place=0):
+            return cast
+    return None
 
 
 def draw_pairs(

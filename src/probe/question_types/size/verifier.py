@@ -63,11 +63,11 @@ def _larger(task: Task) -> str:
 
 def _deep(task: Task) -> str:
     """What depth shows of the larger thing."""
-    names = ("cover_height_lead", "tilt_lead", "height_lead")
+    names = ("cover_height_lead", "height_lead")
     return _DEEP.format(*(task.certificate.measures[name] > 0 for name in names))
 
 
-_DEEP = "cover higher: {}, steeper: {}, thing higher: {}"
+_DEEP = "cover higher: {}, thing higher: {}"
 
 VERIFIER = Verifier(
     makeup=Makeup(len(PAIR), len(PAIR), ("area_lead", "length_lead")),
@@ -84,7 +84,7 @@ VERIFIER = Verifier(
         ),
         Crossing(
             "what depth shows of the larger",
-            [_DEEP.format(*signs) for signs in product((True, False), repeat=3)],
+            [_DEEP.format(*signs) for signs in product((True, False), repeat=2)],
             _deep,
             since=DEPTH_RULES,
         ),
