@@ -23,6 +23,11 @@ DEPTH = PlannedProperty("depth", tuple(product((True, False), repeat=2)))
 """Whether the larger thing leads by the height of its cover, and by its own."""
 
 
+def has_depth(plan: TaskPlan) -> bool:
+    """Whether cues of depth are planned: by newer rules, where something is hidden."""
+    return plan.rules >= DEPTH_RULES and not is_open(plan)
+
+
 @dataclass(frozen=True)
 class Shown:
     """What shows of a marked thing; by rules that leave depth out, without it."""
@@ -50,7 +55,7 @@ class PlannedCues:
     def of(plan: TaskPlan) -> PlannedCues:
         """A plan's."""
         cues, windows = (*CROSSED.of(plan)[1:], MORE_CUES.of(plan)[0]), [*size_cues.WINDOWS]
-        if plan.rules >= DEPTH_RULES:
+        if has_depth(plan):
             cues, windows = (*cues, *DEPTH.of(plan)), [*windows, *depth_cues.WINDOWS]
         a_is_larger = (plan.letter == "A") != (plan.form == "smaller")
         return PlannedCues(a_is_larger, [1 if cue else -1 for cue in cues], windows)
@@ -88,8 +93,7 @@ class PlannedCues:
 
 def shown_of(made: MarkedStage, plan: TaskPlan, scene: Scene, labels: Array, number: int) -> Shown:
     """What shows of a marked thing on a table; without depth where it lies open."""
-    seen = plan.rules >= DEPTH_RULES and not is_open(plan)
-    depth = DepthLook.of(made.view, scene, labels, number) if seen else None
+    depth = DepthLook.of(made.view, scene, labels, number) if has_depth(plan) else None
     return Shown(VisiblePatch.of(labels, number), depth)
 
 
@@ -98,7 +102,7 @@ def suits_depth(heights: Sequence[float], plan: TaskPlan, *, place: int) -> bool
 
     Args:
         heights: Of A and of B.
-        plan: By older rules, any do.
+        plan: If it has no cues of depth, any do.
         place: Of which of the DepthCues.
     """
     cues = PlannedCues.of(plan)

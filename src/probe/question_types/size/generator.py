@@ -33,11 +33,18 @@ from probe.generation.sizes import extent_of
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import MORE_CUES, PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.question_types.size.cues import DEPTH, PlannedCues, Shown, shown_of, suits_depth
+from probe.question_types.size.cues import (
+    DEPTH,
+    PlannedCues,
+    Shown,
+    has_depth,
+    shown_of,
+    suits_depth,
+)
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
-from probe.tasks.task import DEPTH_RULES, PAIR
+from probe.tasks.task import PAIR
 from probe.tasks.truth import Extent, which_size
 from probe.types import Array
 
@@ -144,7 +151,7 @@ def _cast(
 ) -> MarkedSelection | None:
     """A pair with covers that go with the plan; None if none that were drawn do."""
     heights = [low_footprint_of(library, spec.id).height for spec in pair]
-    for _ in range(_CASTS if plan.rules >= DEPTH_RULES else 1):
+    for _ in range(_CASTS if has_depth(plan) else 1):
         if not (drawn := cast_marked(library, pair, (), rng)):
             return None
         cast = _covered(drawn, plan)
