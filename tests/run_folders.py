@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from probe.episodes.conditions import RendererKind
 from probe.episodes.files import write_records
 from probe.episodes.film import FRAMES
 from probe.episodes.folder import RECORDS, SUITE
@@ -96,10 +97,12 @@ def write_run(
     return folder
 
 
-def write_pictures(folder: Path, records: Sequence[EpisodeRecord], suite: Suite) -> None:
-    """Plain pictures, named as those that a report of these records would draw."""
+def write_pictures(
+    folder: Path, records: Sequence[EpisodeRecord], suite: Suite, renderer: RendererKind = "own"
+) -> None:
+    """Plain pictures, named as those that a report of these records would draw with a renderer."""
     tasks = {task.id: task for task in suite.tasks}
     plain = encode(Image.new("RGB", (1024, 1024), (120, 140, 160)), "WEBP")
     for record in records:
-        for still in stills_of(tasks[record.task], record, folder):
+        for still in stills_of(tasks[record.task], record, folder, renderer):
             write_bytes(folder / PICTURES / file_of(still, suite.objects), plain)

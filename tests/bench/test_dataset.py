@@ -36,7 +36,8 @@ def test_what_is_written_loads_back(tmp_path):
     tasks = demo().tasks
     pictures = [bytes([n]) * 7 for n in range(len(tasks))]
     rows = [row_of(task, it, "pixels") for task, it in zip(tasks, pictures, strict=True)]
-    assert write_dataset(tmp_path / "set", "small", rows) == len(tasks)
+    drawn_by = ("filament", "blender")
+    assert write_dataset(tmp_path / "set", "small", rows, drawn_by=drawn_by) == len(tasks)
     _, found = load(tmp_path / "set", tmp_path / "cache")
     for row, task, picture in zip(found, tasks, pictures, strict=True):
         assert row["image"]["bytes"] == picture
@@ -47,6 +48,7 @@ def test_what_is_written_loads_back(tmp_path):
         assert "ANSWER: X" in row["system"] and row["canary"] == CANARY
     card = (tmp_path / "set" / CARD).read_text()
     assert CANARY in card and "6 questions" in card
+    assert "drawn by blender and filament" in card
 
 
 def test_pictures_are_the_files_that_direct_mode_sends(tmp_path, cache):

@@ -127,6 +127,37 @@ def test_a_thing_that_turns_about_its_middle_has_turned():
     assert fates(compare(look(bar), look(moved(bar, 5)))) == {"blue book": "stayed"}
 
 
+BAR = Block(2, (300, 480, 699, 519), height=0.02, colour=(30, 60, 150))
+ACROSS = Block(2, (480, 300, 519, 699), height=0.02, colour=(30, 60, 150))
+UPRIGHT = Block(2, (400, 400, 499, 499), height=0.15, colour=(30, 60, 150))
+ON_ITS_SIDE = Block(2, (400, 400, 639, 499), height=0.06, colour=(30, 60, 150))
+ABOVE = Block(3, (250, 440, 499, 559), height=0.08, colour=(240, 240, 240))
+BEYOND = moved(ABOVE, 200)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "turned"),
+    [
+        ([BAR], [BAR], False),
+        ([BAR], [ACROSS], True),
+        ([UPRIGHT], [UPRIGHT], False),
+        ([UPRIGHT], [ON_ITS_SIDE], True),
+        ([ON_ITS_SIDE], [UPRIGHT], True),
+        ([BAR, ABOVE], [BAR], False),
+        ([BAR], [BAR, BEYOND], False),
+        ([BAR, ABOVE], [ACROSS], True),
+    ],
+)
+def test_a_thing_that_moved_has_turned_if_no_slide_explains_what_shows(before, after, turned: bool):
+    slid = [moved(block, 14 * CM, 4 * CM) if block.instance == 2 else block for block in after]
+    (change,) = [
+        it
+        for it in compare(look(*before), look(*slid)).things
+        if it.before.thing.words.name == "blue book"
+    ]
+    assert (change.fate, change.turned) == ("moved", turned)
+
+
 @pytest.mark.parametrize(("white", "doubtful"), [(0.1, True), (0.01, False)])
 def test_what_may_show_in_part_is_not_surely_gone(white: float, doubtful: bool):
     before = look(MUG, BALL)

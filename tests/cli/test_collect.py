@@ -1,4 +1,4 @@
-"""`probe collect --model` as users type it, against a local server."""
+"""`probe collect`: how it begins, and `--model` as users type it, against a local server."""
 
 from __future__ import annotations
 
@@ -14,8 +14,12 @@ import pytest
 from lessons import BY_KIND, FIRST_SEED
 from model_server import Reply, serving
 from probe.assets.library import open_library
+from probe.cli.teaching import TeachingSetup
+from probe.errors import BadData
 from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.train.collect.batches import TASKS, batches
+from probe.train.collect.settings import claim
+from probe.train.collect.training import FIRST_EPISODE
 
 PATIENCE = 240.0
 ONE_COUNT = (
@@ -62,6 +66,17 @@ def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, mis
     (grade,) = batches(tmp_path)[0].grades()
     assert grade.correct is (None if missing else True)
     assert len(refused) == (3 if missing else 1)
+
+
+def test_a_collection_has_one_renderer(tmp_path):
+    blender = TeachingSetup(renderer="blender")
+    assert blender.conditions.label == "renderer blender"
+    usual = TeachingSetup().settings("0/1", FIRST_EPISODE)
+    # Files of before there was a choice say nothing of it, and go on.
+    assert "renderer" not in usual.model_dump_json()
+    claim(tmp_path, usual)
+    with pytest.raises(BadData, match="was begun with renderer own, not blender"):
+        claim(tmp_path, blender.settings("0/1", FIRST_EPISODE))
 
 
 def test_a_budget_in_dollars_needs_a_price(tmp_path):

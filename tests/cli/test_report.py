@@ -19,7 +19,7 @@ from probe.errors import BadData
 from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes
 from probe.report.scene_renderer import SceneRenderer
 from probe.tasks.suite_file import write_suite
-from run_folders import DEMO, episode, on_robot, write_run
+from run_folders import DEMO, episode, on_robot, write_pictures, write_run
 
 TABLES = ("rows.csv", "rows.jsonl", "scores.json")
 PLAIN = [task for task in DEMO.tasks if task.question_type != "find"]
@@ -103,6 +103,20 @@ def test_runs_of_one_suite_are_compared(tmp_path):
     assert {path.name for path in (out / "pictures").iterdir()} == {
         path.name for run in (one, other) for path in (run / "pictures").iterdir()
     }
+
+
+def test_another_renderers_pictures_stand_beside_the_others(tmp_path):
+    records = [episode(task) for task in PLAIN]
+    out = write_run(tmp_path / "run", records)
+    before = set((out / PICTURES).iterdir())
+    write_pictures(out, records, DEMO, "blender")
+    report((out,), renderer="blender")
+    page = (out / "index.html").read_text()
+    shown = {out / task["picture"] for task in data_of(Page(page))["tasks"]}
+    assert shown.isdisjoint(before) and all(path.is_file() for path in shown)
+    assert "Blender drew the pictures" in page
+    report((out,))
+    assert "Blender drew the pictures" not in (out / "index.html").read_text()
 
 
 def test_an_agent_of_two_folders_is_told_apart_by_their_names(tmp_path):

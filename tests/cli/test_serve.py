@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from probe.tasks.suite_file import demo_suite, write_suite
+from run_folders import DEMO, episode, write_run
 
 WITHOUT_EXTRA = "import sys; sys.modules['fastmcp'] = None; from probe.cli import main; main()"
 
@@ -30,6 +31,12 @@ def other(tmp_path):
     return tmp_path / "other"
 
 
+@pytest.fixture
+def filaments(tmp_path):
+    """A folder with a record of a table that was drawn as it was frozen."""
+    return write_run(tmp_path / "filaments", [episode(DEMO.tasks[0])], pictures=False)
+
+
 @pytest.mark.parametrize(
     ("arguments", "environment", "words"),
     [
@@ -38,6 +45,7 @@ def other(tmp_path):
         (["--suite", "v1", "--task", "demo-1"], {}, "There is no task called 'demo-1'"),
         (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),
         (["--out", "OTHER"], {}, "is another suite. Choose another folder"),
+        (["--out", "FILAMENTS", "--renderer", "blender"], {}, "was run under other conditions"),
         ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
     ],
     ids=[
@@ -46,11 +54,15 @@ def other(tmp_path):
         "no such task of v1",
         "unwritable",
         "another suite's folder",
+        "another renderer's folder",
         "no driver",
     ],
 )
-def test_failures_are_one_line_with_a_remedy(tmp_path, other, arguments, environment, words):
-    told = [str(other) if word == "OTHER" else word for word in arguments]
+def test_failures_are_one_line_with_a_remedy(
+    tmp_path, other, filaments, arguments, environment, words
+):
+    folders = {"OTHER": str(other), "FILAMENTS": str(filaments)}
+    told = [folders.get(word, word) for word in arguments]
     out = [] if "--out" in told else ["--out", tmp_path / "out"]
     result = python("-m", "probe", "serve", *told, *out, **environment)
     assert result.returncode == 1 and result.stdout == ""

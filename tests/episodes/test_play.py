@@ -6,10 +6,13 @@ import pytest
 
 from probe.api.resources import everything
 from probe.episodes.circumstances import Circumstances
+from probe.episodes.conditions import Conditions
 from probe.episodes.play import open_episode, play, replay_afresh
 from probe.episodes.replay import differences
 from probe.episodes.turns import Call
 from probe.render.renderer import Renderer
+from probe.runs.plan import Job, RunOrder
+from probe.runs.viewpoints import circumstances_of
 from probe.tasks.suite_file import packaged_suite
 
 pytestmark = pytest.mark.slow
@@ -45,6 +48,13 @@ def test_another_renderer_than_the_one_that_is_said_draws_nothing(things):
     blender = Circumstances(viewpoint=replace(task.viewpoint, renderer="blender"))
     with pytest.raises(ValueError, match="blender is to draw"):
         open_episode(task, "anna", library, renderer, blender)
+
+
+def test_the_record_of_an_open_episode_tells_its_conditions(things):
+    task = task_of("size")
+    order = RunOrder("anna", conditions=Conditions(camera="moved", renderer="filament"))
+    circumstances = circumstances_of(order, Job(task, 2), None)
+    assert open_episode(task, "anna", *things, circumstances).record.circumstances == circumstances
 
 
 def test_size_has_two_letters(things):

@@ -89,9 +89,10 @@ def test_an_episode_over_mcp_is_the_benchmarks_episode(server, task, library, tm
 
 
 def test_two_sessions_do_not_see_each_other(server, tmp_path):
+    command = server(tmp_path, "--renderer", "filament")
     with ExitStack() as stack:
         here, there = (
-            stack.enter_context(playing(*server(tmp_path), env=dict(os.environ))) for _ in range(2)
+            stack.enter_context(playing(*command, env=dict(os.environ))) for _ in range(2)
         )
         here.call("find_object", description="green mug")
         assert "no object_id" in there.call("grasp_and_remove", object_id="object_1").text
@@ -105,6 +106,7 @@ def test_two_sessions_do_not_see_each_other(server, tmp_path):
     records = read_records(tmp_path / "records.jsonl")
     answers = {record.run: record.answer and record.answer.choice for record in records}
     assert answers == {0: "C", 1: "A"}
+    assert {record.label for record in records} == {"renderer filament"}
 
 
 @pytest.mark.parametrize("state", ["idle", "busy"])

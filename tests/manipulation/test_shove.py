@@ -12,8 +12,8 @@ from manipulation.standing import grasp_first, is_in_basket, is_parked, position
 from manipulation.views import Block, view
 from probe.manipulation.candidates import Planner, propose
 from probe.manipulation.grasp import GraspResult, grasp_and_remove
-from probe.manipulation.push import Direction
-from probe.manipulation.shove import emptiest, stands_free
+from probe.manipulation.push import ALONG, Direction
+from probe.manipulation.shove import _swept, emptiest, stands_free
 from probe.manipulation.target import Target, target_of
 from probe.manipulation.terrain import Terrain, survey
 from probe.render.renderer import Renderer
@@ -124,3 +124,16 @@ def test_what_no_push_makes_smaller_stays_where_it_is(renderer: Renderer) -> Non
     result = grasp_first(wide)
     assert (result.status, result.shove) == ("no_candidate", None)
     assert position(wide) == pytest.approx(np.zeros(3), abs=1e-6)
+
+
+@pytest.mark.parametrize("direction", ["left", "right", "up", "down"])
+def test_what_would_leave_the_grid_does_not_come_back_on_its_other_side(
+    direction: Direction,
+) -> None:
+    cells, along = np.zeros((41, 41), bool), ALONG[direction][:2].astype(int)
+    start = 20 + 17 * along
+    cells[*start] = True
+    passed = [start + step * along for step in range(4)]
+    assert sorted(map(tuple, np.argwhere(_swept(cells, ALONG[direction])))) == sorted(
+        map(tuple, passed)
+    )

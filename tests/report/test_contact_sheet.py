@@ -1,5 +1,8 @@
 from __future__ import annotations
 
+from contextlib import contextmanager
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -20,6 +23,21 @@ def test_the_first_of_each_category(library):
     assert len(set(categories)) == len(categories)
     assert set(categories) == {spec.category for spec in library.specs}
     assert first[0] == library.specs[0]
+
+
+def test_a_sheet_is_drawn_by_the_chosen_renderer(library, monkeypatch):
+    asked = list[str]()
+
+    @contextmanager
+    def painter(engine):
+        asked.append(engine)
+        yield SimpleNamespace(load=lambda *_: None)
+
+    grey = np.zeros((TILE_PX, TILE_PX, 3), np.uint8)
+    monkeypatch.setattr("probe.report.contact_sheet.Renderer", painter)
+    monkeypatch.setattr("probe.report.contact_sheet.portrait", lambda *_: grey)
+    contact_sheet(library, [library[FEW[0]]], named=False, renderer="blender")
+    assert asked == ["blender"]
 
 
 @pytest.mark.slow

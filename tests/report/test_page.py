@@ -8,6 +8,7 @@ import pytest
 
 from pages import Page
 from played_examples import played, report_of, write_page
+from probe.episodes.conditions import RendererKind
 from probe.episodes.participation import Participation
 from probe.report.page import LARGEST_SINGLE, TooManyEpisodes, write_report
 from probe.report.rendering import digest
@@ -164,6 +165,15 @@ def test_the_figure_has_numbers_and_words(tmp_path):
     verdicts = {"beneath": "right", "count": "wrong", "find": "right"}
     bars = [f"{name} {name}, manipulated, {verdict}: 2 2 2" for name, verdict in verdicts.items()]
     assert figure.text == " ".join(bars)
+
+
+@pytest.mark.parametrize("renderer", ["own", "filament", "blender"])
+def test_pictures_that_agents_saw_otherwise_are_told_of(tmp_path, renderer: RendererKind):
+    report = replace(report_of([played(episode(DEMO.tasks[0]))]), renderer=renderer)
+    write_report(tmp_path / "index.html", report)
+    notices = Page((tmp_path / "index.html").read_text()).all("p", class_="notice")
+    told = "Blender drew the pictures of this page. Agents saw others, drawn by Filament."
+    assert (told in {notice.text for notice in notices}) == (renderer == "blender")
 
 
 def test_every_field_has_a_name(tmp_path):

@@ -54,6 +54,15 @@ def test_a_file_is_named_by_what_it_shows():
     assert file_of(STILL, unshown) == name
 
 
+def test_what_draws_a_picture_is_part_of_its_name():
+    record = episode(TASK)
+    own, other = (stills_of(TASK, record, Path(), name) for name in ("own", "blender"))
+    assert {still.viewpoint.renderer for still in own} == {"filament"}
+    assert {still.viewpoint.renderer for still in other} == {"blender"}
+    names, others = ({file_of(still, DEMO.objects) for still in some} for some in (own, other))
+    assert names.isdisjoint(others) and len(names) == len(others)
+
+
 def test_a_picture_that_another_folder_has_is_taken_over(tmp_path):
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "x.webp").write_bytes(b"drawn before")

@@ -44,8 +44,8 @@ class Skills:
         return self._go(station)
 
 
-def told(name, skills, tool="grasp_and_remove", **arguments):
-    shed = Toolshed(PaintedStation([MUG, BOOK, BALL]), Oracle(SPECS), skills, UR5_TABLE)
+def told(name, skills, tool="grasp_and_remove", blocks=(MUG, BOOK, BALL), **arguments):
+    shed = Toolshed(PaintedStation(blocks), Oracle(SPECS), skills, UR5_TABLE)
     found = yaml.safe_load(shed.call("find_object", {"description": name}).text)
     return shed.call(tool, {"object_id": found["object_id"], **arguments})
 
@@ -119,6 +119,27 @@ def test_what_shows_otherwise_in_the_basket_must_be_what_was_held():
 def test_bystanders_are_named_with_their_places():
     result = told("red mug", Skills("removed", [BOOK, moved(BALL, -300)], [MUG]))
     assert "Also moved: white ball by about 16 cm, to [339, 489]." in result.text
+
+
+BAR = Block(42, (500, 300, 539, 699), height=0.02, colour=(30, 60, 150))
+ACROSS = Block(42, (500, 700, 899, 739), height=0.02, colour=(30, 60, 150))
+
+
+def test_a_thing_that_moved_and_turned_is_told_as_both():
+    def bar_told(name, skills, **arguments):
+        return told(name, skills, blocks=[MUG, BAR], **arguments).text
+
+    beside = bar_told("red mug", Skills("removed", [ACROSS], [MUG]))
+    assert "Also moved: blue book by about 16 cm, to [519, 719], turned or tipped." in beside
+    lost = bar_told("blue book", Skills("dropped", [MUG, ACROSS]))
+    assert "still on the table, now at [519, 719], turned or tipped. It is object_2 now." in lost
+    pushed = bar_told(
+        "blue book", Skills("pushed", [MUG, ACROSS], moved=0.12), tool="push",
+        direction="right", distance_cm=12,
+    )  # fmt: skip
+    assert "moved about 12 cm that way, to [519, 719], turned or tipped; it is object_2" in pushed
+    slid = bar_told("red mug", Skills("removed", [moved(BAR, 100)], [MUG]))
+    assert "to [619, 319]. Manipulations" in slid
 
 
 def test_a_push_that_hardly_moved_the_thing_has_failed():

@@ -16,9 +16,13 @@ from probe.types import Array
 _NOW = re.compile(r"(?<!turned or tipped, )now at \[(\d+), (\d+)\]")
 _WAY = r"about \d+ cm(?: (?:down|up) in height)?"
 _MOVED = re.compile(rf"(?:by {_WAY}(?: and {_WAY})?, to|turned or tipped, now at) \[(\d+), (\d+)\]")
+_TURNED = re.compile(
+    r"turned or tipped, (?:now )?at \[(\d+), (\d+)\]|\[(\d+), (\d+)\], turned or tipped"
+)
 _LEFT = re.compile(r"that was at \[(\d+), (\d+)\]")
 _BASKET = re.compile(r"Also in the basket now: (.*?)\.(?: [A-Z]|$)")
 _FAR = 0.03
+_TURN = np.radians(10)
 _UNFOUND = re.compile(r"(?:Beside the basket[^:]*|Not found again): .*?(?=\. [A-Z]|$)")
 """What is told without a claim that the camera shows it no longer."""
 _UNSEEN = ("shows neither", "shows no longer")
@@ -71,6 +75,8 @@ class Verdict:
     wrongly_unseen: list[str] = field(default_factory=list[str])
     placed: int = 0
     mixed_up: list[str] = field(default_factory=list[str])
+    turned: int = 0
+    wrongly_turned: list[str] = field(default_factory=list[str])
 
     def line(self) -> dict[str, object]:
         return asdict(self)
@@ -101,10 +107,12 @@ def judge(
     places = _NOW.findall(text)
     mixed = [old.names[target] for place in places if new.at(*place) != target]
     mixed += [old.names.get(n, "the table") for n in now if n not in others]
+    turned = [new.at(*filter(None, places)) for places in _TURNED.findall(text)]
+    still = [old.names.get(n, "the table") for n in turned if not _has_turned(old, new, n)]
     return Verdict(
         seed, pool, dense, tool, text, old.names[target], done, done and not inside,
         len(fell_in) + inside, unsaid, len(changed), silent, len(unseen), wrong,
-        len(places) + len(now), mixed,
+        len(places) + len(now), mixed, len(turned), still,
     )  # fmt: skip
 
 
@@ -115,3 +123,11 @@ def _unnamed(said: list[str]) -> bool:
 def _far(old: Table, new: Table, instance: int) -> bool:
     way = np.subtract(new.scene[instance].pose.position, old.scene[instance].pose.position)
     return float(np.linalg.norm(way)) > _FAR
+
+
+def _has_turned(old: Table, new: Table, instance: int) -> bool:
+    """About any axis; of what is round, a turn doesn't show."""
+    if not instance:
+        return False
+    one, other = (np.array(it.scene[instance].pose.wxyz) for it in (old, new))
+    return float(2 * np.arccos(min(1.0, abs(one @ other)))) > _TURN

@@ -102,12 +102,13 @@ def summary(lines: list[dict[str, Any]]) -> None:
         ("unmentioned", "moved", "others moved or gone, unmentioned"),
         ("wrongly_unseen", "called_unseen", "wrongly called not to be seen"),
         ("mixed_up", "placed", "given the place of another"),
+        ("wrongly_turned", "turned", "called turned or tipped, and not"),
     ):
         bad = sum(len(line[errors]) for line in lines)
         out.print(f"{words}: {share(bad, sum(line[of] for line in lines))}")
     for line in lines:
         found = {key: line[key] for key in ("basket_unsaid", "unmentioned", "wrongly_unseen",
-                                            "mixed_up") if line[key]}  # fmt: skip
+                                            "mixed_up", "wrongly_turned") if line[key]}  # fmt: skip
         if found or line["false_done"]:
             out.print(
                 f"seed {line['seed']} {line['tool']} {line['target']}: {found} {line['text']}"

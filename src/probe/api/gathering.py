@@ -10,6 +10,7 @@ from pathlib import Path
 from probe.api.grading import grade_folder
 from probe.api.progress import Track, silent
 from probe.api.rows import rows_of
+from probe.episodes.conditions import RendererKind
 from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import ProbeError
@@ -74,6 +75,7 @@ def gather(
     out: Path,
     *,
     setting: str | None = None,
+    renderer: RendererKind = "own",
     single: bool = False,
     track: Track = silent,
 ) -> tuple[ReportEpisode, ...]:
@@ -85,6 +87,7 @@ def gather(
         scene_renderer: Where to draw.
         out: Folder of the report.
         setting: Of all agents; None for what is usual.
+        renderer: What draws pictures: "own" for what drew them for each agent, or another.
         single: Stop before drawing if a single file can't hold them.
         track: Watches the work.
 
@@ -92,7 +95,7 @@ def gather(
         NoRuns: No folder holds a record.
         TooManyEpisodes: For a single file.
     """
-    folders = [_entries(run, suite, scene_renderer, setting, track) for run in runs]
+    folders = [_entries(run, suite, scene_renderer, setting, renderer, track) for run in runs]
     entries = [entry for some in _told_apart(runs, folders) for entry in some]
     if not entries:
         raise NoRuns(f"There is no record in {runs[0]}. Let an agent work on the suite first.")
@@ -117,12 +120,17 @@ def gather(
 
 
 def _entries(
-    run: Path, suite: Suite, scene_renderer: SceneRenderer, setting: str | None, track: Track
+    run: Path,
+    suite: Suite,
+    scene_renderer: SceneRenderer,
+    setting: str | None,
+    renderer: RendererKind,
+    track: Track,
 ) -> list[_Entry]:
     found = grade_folder(run, suite, scene_renderer, track)
     rows = rows_of(run, identity_of(suite).title, found, setting)
     return [
-        _Entry(task, record, row, stills_of(task, record, run))
+        _Entry(task, record, row, stills_of(task, record, run, renderer))
         for (task, record, _), row in zip(found, rows, strict=True)
     ]
 

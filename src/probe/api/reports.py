@@ -12,6 +12,7 @@ from probe.api.progress import Track, silent
 from probe.api.resources import audit_key_file
 from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES, rows_of, write_beside
 from probe.audit.audit_file import audit_of
+from probe.episodes.conditions import RendererKind
 from probe.episodes.folder import SUITE
 from probe.report.build_log import read_build_log
 from probe.report.page import Report
@@ -73,6 +74,7 @@ def write_report(
     *,
     setting: str | None = None,
     build_log: str | Path | None = None,
+    renderer: RendererKind = "own",
     single_file: bool = False,
     track: Track = silent,
 ) -> WrittenReport:
@@ -83,6 +85,8 @@ def write_report(
         out: Folder for the page; by default that of the records, for several outputs/report.
         setting: How the agents were allowed to answer; by default as each record says.
         build_log: The log that was written beside the suite when it was built, for its yield.
+        renderer: What draws the pictures of replays: "own" for what drew them for each agent, or
+            another; the page says so.
         single_file: Write one file that holds everything; for up to 20 episodes.
         track: Watches the work.
 
@@ -91,6 +95,7 @@ def write_report(
         OtherSuite: The folders aren't about one suite.
         NoRuns: There is no folder, or no record in any.
         TooManyEpisodes: For a single file.
+        MissingExtra: Blender is to draw and isn't installed.
     """
     runs = [Path(it) for it in ([folders] if isinstance(folders, str | Path) else folders)]
     suite = one_suite(runs)
@@ -98,7 +103,14 @@ def write_report(
     folder = Path(out) if out else (runs[0] if len(runs) == 1 else SEVERAL)
     with scene_renderer_of(suite) as scene_renderer:
         played = gather(
-            runs, suite, scene_renderer, folder, setting=setting, single=single_file, track=track
+            runs,
+            suite,
+            scene_renderer,
+            folder,
+            setting=setting,
+            renderer=renderer,
+            single=single_file,
+            track=track,
         )
     rows, identity = [each.row for each in played], identity_of(suite)
     roster = roster_of_tasks(suite.tasks)
@@ -110,6 +122,6 @@ def write_report(
         for name, run in zip(short_names(runs), runs, strict=True)
     )
     files = (ROWS_CSV, ROWS_JSON, SCORES)
-    shown = Report(suite, scores, played, tuple(candidates), files, audits)
+    shown = Report(suite, scores, played, tuple(candidates), files, audits, renderer)
     _write_report(page, shown, single=single_file)
     return WrittenReport(page, scores, audits, identity.remark)

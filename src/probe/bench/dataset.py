@@ -16,6 +16,7 @@ from probe.episodes.grading import question_of
 from probe.episodes.participation import Points
 from probe.errors import MissingExtra
 from probe.files import write_bytes, write_text
+from probe.scene.setup import RendererName
 from probe.tasks.suite_file import CANARY
 from probe.tasks.task import Task
 from probe.transcripts.messages import opening
@@ -48,7 +49,13 @@ def row_of(task: Task, picture: bytes, points: Points) -> Row:
     }
 
 
-def write_dataset(out: Path, name: str, rows: Iterable[Row], objects: Iterable[str] = ()) -> int:
+def write_dataset(
+    out: Path,
+    name: str,
+    rows: Iterable[Row],
+    objects: Iterable[str] = (),
+    drawn_by: Iterable[RendererName] = ("filament",),
+) -> int:
     """Write a folder with a card and a table; returns how many tasks it has.
 
     Args:
@@ -56,6 +63,7 @@ def write_dataset(out: Path, name: str, rows: Iterable[Row], objects: Iterable[s
         name: Of the suite.
         rows: Its tasks.
         objects: Ids of what is on its tables; the card says how many are set aside for training.
+        drawn_by: What drew the pictures, which the card says, too.
 
     Raises:
         MissingExtra: The library isn't installed.
@@ -73,14 +81,15 @@ def write_dataset(out: Path, name: str, rows: Iterable[Row], objects: Iterable[s
     table.to_parquet(buffer)
     write_bytes(out / TABLE, buffer.getvalue())
     # The card comes last: a folder with one is whole.
-    write_text(out / CARD, _card(name, len(table), objects))
+    write_text(out / CARD, _card(name, len(table), objects, drawn_by))
     return len(table)
 
 
-def _card(name: str, count: int, objects: Iterable[str]) -> str:
+def _card(name: str, count: int, objects: Iterable[str], drawn_by: Iterable[RendererName]) -> str:
     words = (resources.files("probe.bench") / "data/card.md").read_text()
     seen = parts_shown(objects)["train"]
     note = (
         f"\n\n**{seen} of the objects on these tables are set aside for training.**" if seen else ""
     )
-    return words.format(name=name, count=count, canary=CANARY, note=note)
+    drawn = " and ".join(sorted(drawn_by))
+    return words.format(name=name, count=count, canary=CANARY, note=note, renderers=drawn)

@@ -12,7 +12,7 @@ Fate = Literal["stayed", "moved", "turned", "basket", "beside", "covered", "lost
 """What became of a thing:
 
 stayed: It is where it was, or within MOVED of it.
-moved: It shows elsewhere on the table.
+moved: It shows elsewhere on the table; see Change for whether it lies otherwise, too.
 turned: Its middle is within MOVED of where it was, but it has turned or tipped over.
 basket: It shows in the basket.
 beside: It shows beside the basket, out of the fixed camera's picture.
@@ -31,6 +31,7 @@ class Change:
         after: As it is seen now; None if it isn't.
         shift: How its middle moved on the table, metres, shape (3,); zeros elsewhere.
         doubtful: Of what is covered or lost: whether something that shows now may yet be it.
+        turned: Of what moved or turned: whether it is seen to lie otherwise than before.
     """
 
     before: Sighting
@@ -38,6 +39,7 @@ class Change:
     after: Sighting | None
     shift: Array
     doubtful: bool = False
+    turned: bool = False
 
     @property
     def gone(self) -> bool:

@@ -12,6 +12,7 @@ from probe.changes.matching import Located, again, may_be, uncovered
 from probe.changes.places import covered, has_turned, least_shift
 from probe.changes.rest import AtRest, at_rest
 from probe.changes.sighting import Look, Sighting
+from probe.changes.turning import lies_otherwise
 from probe.manipulation.looking import still_there, tracked
 from probe.types import Array
 
@@ -94,13 +95,14 @@ def _gone(
     if other.where != "table":
         return Change(one, other.where, other.sighting, np.zeros(3))
     shift = _shift(before, after, one, other.sighting)
-    if float(np.linalg.norm(shift)) >= MOVED:
-        return Change(one, "moved", other.sighting, shift)
+    moved = float(np.linalg.norm(shift)) >= MOVED
+    differs = lies_otherwise if moved else has_turned
     # Of what showed only in part, nothing tells whether it has turned or come to light.
-    turned = one.thing.nameable and has_turned(
+    turned = one.thing.nameable and differs(
         before.table, after.table, one.thing.mask, other.sighting.thing.mask
     )
-    return Change(one, "turned" if turned else "stayed", other.sighting, shift)
+    fate = "moved" if moved else "turned" if turned else "stayed"
+    return Change(one, fate, other.sighting, shift, turned=turned)
 
 
 def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> Array:

@@ -21,6 +21,7 @@ from probe.cli.screen import Column, ScreenTable, say, sign
 from probe.files import write_picture
 from probe.render.portraits import AROUND, GROUND, portrait
 from probe.render.renderer import Renderer
+from probe.scene.setup import RendererName
 
 _SIDE_PX = 400
 _WIDTH = 140
@@ -65,6 +66,7 @@ def show(
     object_id: ObjectId,
     pool: Pool = "procedural",
     out: Path = Path("outputs/object.png"),
+    renderer: RendererName = "filament",
 ) -> None:
     """Print what the catalogue knows of an object, and draw it.
 
@@ -72,6 +74,7 @@ def show(
         object_id: As `probe assets list` prints it.
         pool: Where to look; scans need PROBE_ASSETS.
         out: File for the picture.
+        renderer: What draws it; blender needs the extra of that name, and more time.
     """
     with sign(f"Looking for {object_id} ..."):
         objects = library(pool)
@@ -82,8 +85,8 @@ def show(
     facts.add("triangles", str(len(body.mesh.faces)))
     facts.add("collision pieces", str(len(body.pieces)))
     facts.show()
-    with sign("Drawing ..."), Renderer() as renderer:
-        renderer.load({spec.id: body.mesh}, GROUND)
-        views = [portrait(renderer, spec.id, spec.size, side, _SIDE_PX) for side in AROUND]
+    with sign("Drawing ..."), Renderer(engine=renderer) as drawing:
+        drawing.load({spec.id: body.mesh}, GROUND)
+        views = [portrait(drawing, spec.id, spec.size, side, _SIDE_PX) for side in AROUND]
     write_picture(out, np.concatenate(views, axis=1))
     say(f"Its picture is {out}")

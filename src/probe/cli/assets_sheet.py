@@ -10,6 +10,7 @@ from probe.cli.metavars import File
 from probe.cli.screen import passing, say, sign
 from probe.files import check_writable, encode, write_bytes
 from probe.report.contact_sheet import contact_sheet, one_a_category
+from probe.scene.setup import RendererName
 
 
 def sheet(
@@ -17,6 +18,7 @@ def sheet(
     pool: Pool = "procedural",
     named: bool = False,
     category: str | None = None,
+    renderer: RendererName = "filament",
 ) -> None:
     """Draw one object of each category on one sheet.
 
@@ -25,6 +27,7 @@ def sheet(
         pool: Which objects; scans need PROBE_ASSETS.
         named: Write names below, not numbers alone (which suit asking a stranger).
         category: Draw all objects of this category instead.
+        renderer: What draws them; blender needs the extra of that name, and more time.
     """
     with sign("Reading the catalogue of objects ..."):
         objects = library(pool)
@@ -33,5 +36,6 @@ def sheet(
         specs = of_category(objects.specs, category)
     check_writable(out.absolute().parent)
     watch = partial(passing, words="Drawing")
-    write_bytes(out, encode(contact_sheet(objects, specs, named=named, watch=watch), "PNG"))
+    picture = contact_sheet(objects, specs, named=named, renderer=renderer, watch=watch)
+    write_bytes(out, encode(picture, "PNG"))
     say(f"{len(specs)} objects are on {out}")

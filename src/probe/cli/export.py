@@ -12,10 +12,12 @@ from probe.bench.dataset import CARD, TABLE, Row, row_of, write_dataset
 from probe.cli.metavars import Folder, SuiteName
 from probe.cli.objects import all_objects, check
 from probe.cli.screen import say, track
+from probe.episodes.conditions import Conditions, RendererKind
 from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.render.renderers import Renderers
 from probe.runs.stills import stills
+from probe.runs.viewpoints import renderer_of, viewpoint_of
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.pictures import jpeg
@@ -25,6 +27,7 @@ def export(
     suite: SuiteName,
     out: Folder,
     points: Points = "pixels",
+    renderer: RendererKind = "own",
 ) -> None:
     """Write a suite's pictures, questions and answers as a data set of Hugging Face's form.
 
@@ -32,11 +35,16 @@ def export(
         suite: "v1", "demo" or a file that `probe suite build` wrote.
         out: A new folder; `datasets.load_dataset` reads it.
         points: How coordinates are written in the texts.
+        renderer: What draws the pictures: as the suite was frozen, or another; the card says which.
+            blender needs the extra of that name, and more time.
     """
     _check_place(out)
     asked, things = find_suite(suite), all_objects()
     check(asked, things)
-    count = write_dataset(out, asked.name, _rows(asked, things, points), asked.objects)
+    conditions = Conditions(renderer=renderer)
+    rows = _rows(asked, things, points, conditions)
+    drawn_by = {renderer_of(task, conditions) for task in asked.tasks}
+    count = write_dataset(out, asked.name, rows, asked.objects, drawn_by)
     say(f"{count} tasks are in {out}; the answers too, so keep its canary with every copy.")
 
 
@@ -58,9 +66,10 @@ def _check_place(out: Path) -> None:
         raise BadData(out, reason, remedy)
 
 
-def _rows(suite: Suite, things: Library, points: Points) -> Iterator[Row]:
+def _rows(suite: Suite, things: Library, points: Points, conditions: Conditions) -> Iterator[Row]:
     with Renderers(cache_folder() / "light") as renderers:
         for task in track(suite.tasks, "Drawing"):
-            renderer = renderers[task.setup.renderer]
-            (picture,) = stills("direct", task, task.viewpoint, things, renderer)
+            viewpoint = viewpoint_of(task, conditions, things.assets)
+            renderer = renderers[viewpoint.renderer]
+            (picture,) = stills("direct", task, viewpoint, things, renderer)
             yield row_of(task, jpeg(picture), points)

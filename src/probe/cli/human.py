@@ -19,22 +19,25 @@ from probe.cli.numbers import check_numbers
 from probe.cli.objects import all_objects, check
 from probe.cli.perception import PerceptionChoice
 from probe.cli.screen import say
-from probe.episodes.circumstances import Circumstances
+from probe.episodes.conditions import Conditions, RendererKind
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, check_suite, check_tools_of, claim_setting, occupied
-from probe.episodes.noise import NOISES, Noise, NoiseName
-from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed, used_by
+from probe.episodes.folder import RECORDS, check_suite, claim_setting, occupied
+from probe.episodes.noise import NOISES, NoiseName
+from probe.episodes.perceptions import used_by
 from probe.episodes.play import open_episode
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.remarks import REMARKS
-from probe.errors import BadData, MissingExtra
+from probe.errors import MissingExtra
 from probe.interfaces.human.feedback import Feedback, explain
 from probe.interfaces.human.practice import practice_for
 from probe.interfaces.human.session_store import UNFINISHED
 from probe.interfaces.human.table_places import TablePlace
 from probe.perception.choice import Perceiver, ideal
 from probe.render.renderers import Renderers
+from probe.runs.plan import Job, RunOrder
+from probe.runs.run import check_settings
+from probe.runs.viewpoints import circumstances_of, renderer_of
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
 from probe.tasks.task import Task
@@ -48,6 +51,7 @@ def human(
     port: int = 8137,
     noise: NoiseName = "none",
     seats: int = 4,
+    renderer: RendererKind = "own",
     seeing: Annotated[PerceptionChoice, tyro.conf.arg(name="")] = PerceptionChoice(),  # noqa: B008
 ) -> None:
     """Let people answer in a browser on this machine, with what agents see and can do.
@@ -61,6 +65,8 @@ def human(
         port: Where to listen; 0 for any that is free.
         noise: How far the hand errs, as in `probe run`; the same for all records of a folder.
         seats: Tables that may stand at once; each takes some memory.
+        renderer: What draws the pictures, the same for all records of a folder: as the tasks were
+            frozen, or another; blender needs the extra of that name, and more time.
         seeing: What the tools see with, the same for all records of a folder; see
             docs/reference/perception.md.
     """
@@ -77,9 +83,12 @@ def human(
         check(each, things)
     # A polite end in any case: whoever is in the middle of a question can go on with it.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    resources = HumanResources(things, NOISES[noise], perceiver)
+    conditions, used = Conditions(renderer=renderer), used_by(perceiver)
+    order = RunOrder("", noise=NOISES[noise], conditions=conditions, perception=used)
+    resources = HumanResources(things, order, perceiver)
+    resources.require()
     with (
-        taken_up(out, tasks, NOISES[noise], used_by(perceiver)),
+        taken_up(out, tasks, order),
         closing(SessionManager(tasks, out, resources.furnish, seats, practice)) as sessions,
     ):
         try:
@@ -90,15 +99,13 @@ def human(
 
 
 @contextmanager
-def taken_up(
-    out: Path, suite: Suite, noise: Noise, perception: PerceptionUsed = ORACLE_USED
-) -> Generator[None]:
+def taken_up(out: Path, suite: Suite, order: RunOrder) -> Generator[None]:
     """A folder that people's records are added to, by this process alone.
 
     A line that was cut off when an earlier one was killed is moved to a file beside it.
 
     Raises:
-        BadData: It is about another suite, has another noise or perception, holds records of
+        BadData: It is about another suite, was played under other conditions, holds records of
             others or of tools of another version, or another run is at work there.
         OutputFailed: It can't be written.
     """
@@ -109,19 +116,10 @@ def taken_up(
             cut = set_aside_cut(out / name)
             if cut is not None:
                 say(f"The last line of {name} was cut off: moved to {cut}.")
-        _check_earlier(out, noise, perception)
+        for path in (out / RECORDS, *sorted((out / UNFINISHED).glob("*.jsonl"))):
+            if path.exists():
+                check_settings(path, read_records(path), order)
         yield
-
-
-def _check_earlier(out: Path, noise: Noise, perception: PerceptionUsed) -> None:
-    records = read_records(out / RECORDS) if (out / RECORDS).exists() else []
-    check_tools_of(out / RECORDS, records)
-    for path in sorted((out / UNFINISHED).glob("*.jsonl")):
-        check_tools_of(path, read_records(path))
-    if any(record.noise != noise for record in records):
-        raise BadData(out, "holds records with another noise", "Choose another folder")
-    if any(record.perception != perception for record in records):
-        raise BadData(out, "holds records with another perception", "Choose another folder")
 
 
 def _tell(address: str) -> None:
@@ -134,14 +132,23 @@ class HumanResources:
 
     Attributes:
         things: Has the suite's objects; it isn't made for several threads.
-        noise: How far the hand errs.
-        perceiver: What the tools see with.
+        order: Under which conditions people play.
+        perceiver: What the tools see with; the order says the same.
     """
 
     things: Library
-    noise: Noise
+    order: RunOrder
     perceiver: Perceiver = ideal
     _lock: threading.Lock = field(default_factory=threading.Lock, init=False)
+
+    def require(self) -> None:
+        """See that what is to draw can be started here, before anybody sits down.
+
+        Raises:
+            NoGraphicsDriver, MissingExtra: It can't.
+        """
+        with Renderers() as renderers:
+            renderers.require(self.order.conditions.renderer)
 
     @contextmanager
     def furnish(self) -> Generator[TablePlace]:
@@ -150,16 +157,16 @@ class HumanResources:
 
             def set_table(task: Task, name: str, run: int) -> Episode:
                 with self._lock:
-                    used = used_by(self.perceiver)
-                    circumstances = Circumstances(run, self.noise, perception=used)
-                    renderer = renderers[task.setup.renderer]
+                    job = Job(task, run)
+                    circumstances = circumstances_of(self.order, job, self.things.assets)
+                    renderer = renderers[renderer_of(task, self.order.conditions)]
                     return open_episode(
                         task, name, self.things, renderer, circumstances, self.perceiver
                     )
 
             def explained(task: Task, record: EpisodeRecord) -> Feedback:
                 with self._lock:
-                    renderer = renderers[task.setup.renderer]
+                    renderer = renderers[renderer_of(task, self.order.conditions)]
                     return explain(task, record, self.things, renderer)
 
             yield TablePlace(set_table, explained)

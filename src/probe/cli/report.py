@@ -14,6 +14,7 @@ from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.metavars import RunFolders
 from probe.cli.rescore import headline_line
 from probe.cli.screen import say, track
+from probe.episodes.conditions import RendererKind
 from probe.toolshed.version import tools_words
 
 
@@ -22,6 +23,7 @@ def report(
     out: Path | None = None,
     setting: Annotated[str | None, tyro.conf.arg(aliases=["--arm"])] = None,
     build_log: Path | None = None,
+    renderer: RendererKind = "own",
     single_file: bool = False,
     open: bool = False,
 ) -> None:
@@ -32,10 +34,14 @@ def report(
         out: Folder for the page; by default that of the run, for several outputs/report.
         setting: How the agents were allowed to answer; as in `probe rescore`.
         build_log: The log that `probe suite build` wrote beside the suite, for its yield.
+        renderer: What draws the pictures of replays: what drew them for each agent, or another;
+            blender needs the extra of that name, and more time.
         single_file: Write one file, report.html, that holds everything; for up to 20 episodes.
         open: Show the page in a browser.
     """
-    page = write_run_report(runs, out, setting=setting, build_log=build_log, single=single_file)
+    page = write_run_report(
+        runs, out, setting=setting, build_log=build_log, renderer=renderer, single=single_file
+    )
     if not (open and webbrowser.open(page.resolve().as_uri())):
         say(f"Open {page} in a browser.")
 
@@ -46,11 +52,18 @@ def write_run_report(
     *,
     setting: str | None = None,
     build_log: Path | None = None,
+    renderer: RendererKind = "own",
     single: bool = False,
 ) -> Path:
     """Write a report and say what it holds; returns the page."""
     written = reports.write_report(
-        runs, out, setting=setting, build_log=build_log, single_file=single, track=track
+        runs,
+        out,
+        setting=setting,
+        build_log=build_log,
+        renderer=renderer,
+        single_file=single,
+        track=track,
     )
     for run in runs:
         tell_unsummed(run)

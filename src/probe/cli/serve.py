@@ -13,9 +13,10 @@ from probe.cli.numbers import check_numbers
 from probe.cli.objects import all_objects, check
 from probe.cli.perception import PerceptionChoice
 from probe.cli.screen import warn
-from probe.episodes.circumstances import Circumstances
+from probe.episodes.conditions import Conditions, RendererKind
 from probe.episodes.episode import Episode
-from probe.episodes.folder import start_folder
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS, check_suite, start_folder
 from probe.episodes.grading import question_of
 from probe.episodes.perceptions import used_by
 from probe.episodes.play import open_episode
@@ -24,6 +25,9 @@ from probe.interfaces.session import Session
 from probe.interfaces.words import question_text
 from probe.perception.choice import Perceiver
 from probe.render.renderer import Renderer
+from probe.runs.plan import Job, RunOrder
+from probe.runs.run import check_settings
+from probe.runs.viewpoints import circumstances_of, renderer_of
 from probe.scene.seeds import generator
 from probe.tasks.suite import Suite, part
 from probe.tasks.suite_file import find_suite
@@ -36,6 +40,7 @@ def serve(
     seed: int = 0,
     out: Path = Path("outputs/serve"),
     agent: str = "mcp",
+    renderer: RendererKind = "own",
     seeing: Annotated[PerceptionChoice, tyro.conf.arg(name="")] = PerceptionChoice(),  # noqa: B008
 ) -> None:
     """Let another program use the tools on one task, over MCP on standard input and output.
@@ -48,7 +53,10 @@ def serve(
         seed: Chooses a task.
         out: Folder that the record is added to; `probe report` shows it.
         agent: Who acts, for the record.
-        seeing: What the tools see with; see docs/reference/perception.md.
+        renderer: What draws the pictures, the same for all records of a folder: as the task was
+            frozen, or another; blender needs the extra of that name, and more time.
+        seeing: What the tools see with, the same for all records of a folder; see
+            docs/reference/perception.md.
     """
     try:
         from probe.interfaces.mcp_server import serve as serve_mcp
@@ -56,12 +64,15 @@ def serve(
         raise MissingExtra("Serving the tools", "serve") from error
     check_numbers({"--seed": seed})
     perceiver = seeing.perceiver()
+    conditions = Conditions(renderer=renderer)
+    order = RunOrder(agent, conditions=conditions, perception=used_by(perceiver))
     tasks = find_suite(suite)
     chosen = _chosen(tasks, task, seed)
+    _check_earlier(out, tasks, order)
     things = all_objects()
-    with Renderer(engine=chosen.setup.renderer) as renderer:
+    with Renderer(engine=renderer_of(chosen, conditions)) as drawing:
         start_folder(out, tasks)
-        opening = partial(_open, part(tasks, chosen), things, renderer, agent, perceiver)
+        opening = partial(_open, part(tasks, chosen), things, drawing, order, perceiver)
         session = Session(opening, out)
         question = question_of(chosen)
         # Standard output is the protocol's. Some clients show no instructions to their model.
@@ -81,11 +92,17 @@ def _chosen(suite: Suite, task: str | None, seed: int) -> Task:
     return tasks[task]
 
 
+def _check_earlier(out: Path, suite: Suite, order: RunOrder) -> None:
+    check_suite(out, suite)
+    if (out / RECORDS).exists():
+        check_settings(out / RECORDS, read_records(out / RECORDS), order)
+
+
 def _open(
-    suite: Suite, things: Library, renderer: Renderer, agent: str, perceiver: Perceiver
+    suite: Suite, things: Library, renderer: Renderer, order: RunOrder, perceiver: Perceiver
 ) -> Episode:
     """Set the table of a suite's only task."""
     check(suite, things)
     (task,) = suite.tasks
-    circumstances = Circumstances(perception=used_by(perceiver))
-    return open_episode(task, agent, things, renderer, circumstances, perceiver)
+    circumstances = circumstances_of(order, Job(task, 0), things.assets)
+    return open_episode(task, order.agent, things, renderer, circumstances, perceiver)

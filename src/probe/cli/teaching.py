@@ -9,7 +9,7 @@ from pathlib import Path
 from probe.api.resources import TRAINING_POOL, Pool, opener
 from probe.assets.pools.split import read_split
 from probe.bench.models import settings_of
-from probe.episodes.conditions import Conditions, LightKind
+from probe.episodes.conditions import Conditions, LightKind, RendererKind
 from probe.episodes.noise import NoiseName
 from probe.episodes.participation import Points
 from probe.toolshed.version import TOOLS_VERSION
@@ -36,6 +36,8 @@ class TeachingSetup:
         split: Take the training part of this split alone (`probe assets split`).
         noise: How far the hand errs.
         lighting: Of the pictures.
+        renderer: What draws the pictures: as tasks are made, which is Filament, or another; blender
+            needs the extra of that name, and more time.
         workers: Processes; by default 2, and on a cluster one on each core.
     """
 
@@ -47,6 +49,7 @@ class TeachingSetup:
     split: Path | None = None
     noise: NoiseName = "none"
     lighting: LightKind = "own"
+    renderer: RendererKind = "own"
     workers: int | None = None
 
     @property
@@ -66,7 +69,7 @@ class TeachingSetup:
     @property
     def conditions(self) -> Conditions:
         """In what episodes differ from tasks."""
-        return Conditions(lighting=self.lighting)
+        return Conditions(lighting=self.lighting, renderer=self.renderer)
 
     def settings(self, shard: str, first: int) -> CollectionSettings:
         """What must stay the same in a folder.
@@ -88,6 +91,7 @@ class TeachingSetup:
             noise=self.noise,
             # As it was called before a task could stand in another light than an even one.
             lighting="ambient" if self.lighting == "own" else self.lighting,
+            renderer=self.renderer,
             shard=shard,
             first=first,
             tools=TOOLS_VERSION,

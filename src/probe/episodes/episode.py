@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Protocol
 
+from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.noise import NO_NOISE, Noise
 from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed
 from probe.episodes.record import End, EpisodeRecord, Seconds, Step, TableState
@@ -47,6 +48,7 @@ class Episode:
         agent_name: For the record.
         run: Number of the run, for the record.
         noise: How far the hand errs, for the record.
+        conditions: In what the episode differs from its task, for the record.
         viewpoint: From where and in which light the table is seen, for the record.
         perception: What the tools see with, for the record.
         photograph: Keeps a picture of a real table and gives its name; None in simulation, where
@@ -63,6 +65,7 @@ class Episode:
         agent_name: str,
         run: int = 0,
         noise: Noise = NO_NOISE,
+        conditions: Conditions = AS_FROZEN,
         viewpoint: Viewpoint | None = None,
         perception: PerceptionUsed = ORACLE_USED,
         photograph: Callable[[], str] | None = None,
@@ -82,6 +85,7 @@ class Episode:
             None,
             "stopped",
             noise=noise,
+            conditions=conditions,
             viewpoint=viewpoint or Viewpoint(),
             perception=perception,
             frames=(photograph(),) if photograph else (),

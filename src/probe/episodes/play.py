@@ -139,11 +139,7 @@ def open_episode(
     circumstances: Circumstances = PLAIN_TRY,
     perceiver: Perceiver = ideal,
 ) -> Episode:
-    """A fresh episode with pictures, for somebody who acts from outside; see play().
-
-    Its record tells of noise and perception alone, not of conditions and viewpoint: whoever keeps
-    it adds them.
-    """
+    """A fresh episode with pictures, for somebody who acts from outside; see play()."""
     tools, station = set_table(
         task, library, renderer, circumstances, pictures=True, perceiver=perceiver
     )
@@ -155,7 +151,8 @@ def open_episode(
         agent_name=agent_name,
         run=circumstances.run,
         noise=circumstances.noise,
-        viewpoint=task.viewpoint,
+        conditions=circumstances.conditions,
+        viewpoint=circumstances.viewpoint or task.viewpoint,
         perception=circumstances.perception,
     )
 

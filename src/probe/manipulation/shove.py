@@ -116,7 +116,10 @@ def emptiest(target: Target, terrain: Terrain, camera: Camera, basket: Basket) -
 def _swept(cells: Array, along: Array) -> Array:
     """Cells that some cells pass over on the way, bool, shape (nx, ny)."""
     x, y = (int(step) for step in along[:2])
-    swept = cells.copy()
-    for k in range(1, round(DISTANCE / CELL) + 1):
-        swept |= np.roll(cells, (k * x, k * y), axis=(0, 1))
-    return swept
+    reach = round(DISTANCE / CELL)
+    # What leaves the grid would come back on its other side, were there no border around it.
+    bordered = np.pad(cells, reach)
+    swept = bordered.copy()
+    for k in range(1, reach + 1):
+        swept |= np.roll(bordered, (k * x, k * y), axis=(0, 1))
+    return swept[reach:-reach, reach:-reach]

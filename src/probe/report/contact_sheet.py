@@ -11,6 +11,7 @@ from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.render.portraits import FRONT, GROUND, portrait
 from probe.render.renderer import Renderer
+from probe.scene.setup import RendererName
 
 TILE_PX = 224
 CAPTION_PX = 20
@@ -32,6 +33,7 @@ def contact_sheet(
     *,
     named: bool,
     first: int = 1,
+    renderer: RendererName = "filament",
     watch: Callable[[Iterable[ObjectSpec]], Iterable[ObjectSpec]] = iter,
 ) -> Image.Image:
     """One tile an object in rows, with names beneath if wanted.
@@ -41,18 +43,21 @@ def contact_sheet(
         specs: What to draw.
         named: Write names, not numbers alone.
         first: Number of the first.
+        renderer: What draws them.
         watch: Goes through the objects as they are drawn, and may show how far that is.
 
     Raises:
         RenderFailed: The renderer died twice on one of them.
         NoGraphicsDriver: The machine has no Vulkan driver.
+        MissingExtra: Blender is to draw and isn't installed.
     """
     columns = max(1, math.ceil(math.sqrt(len(specs) * 1.4)))
     rows = math.ceil(len(specs) / columns)
     height = TILE_PX + CAPTION_PX
     sheet = Image.new("RGB", (columns * TILE_PX, rows * height), (255, 255, 255))
     pen, font = ImageDraw.Draw(sheet), ImageFont.load_default(13)
-    for k, (spec, tile) in enumerate(zip(specs, _tiles(library, specs, watch), strict=True)):
+    tiles = _tiles(library, specs, renderer, watch)
+    for k, (spec, tile) in enumerate(zip(specs, tiles, strict=True)):
         x, y = k % columns * TILE_PX, k // columns * height
         sheet.paste(tile, (x, y))
         caption = f"{first + k}  {spec.name}" if named else f"{first + k}"
@@ -63,9 +68,10 @@ def contact_sheet(
 def _tiles(
     library: Library,
     specs: Sequence[ObjectSpec],
+    engine: RendererName,
     watch: Callable[[Iterable[ObjectSpec]], Iterable[ObjectSpec]],
 ) -> Iterator[Image.Image]:
-    with Renderer() as renderer:
+    with Renderer(engine=engine) as renderer:
         for number, spec in enumerate(watch(specs)):
             if number % LOADED == 0:
                 some = specs[number : number + LOADED]

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from probe.episodes.conditions import RendererKind
 from probe.errors import BadData, ProbeError
 from probe.files import write_text
 from probe.reading import contents
@@ -19,6 +20,7 @@ from probe.report.rendering import digest, joined, script_json, write_page
 from probe.report.result_words import TOO_FEW, result_words
 from probe.report.suite_facts import suite_facts
 from probe.report.summary_tables import effort_table, missing_table, type_table, unknown_measures
+from probe.scene.setup import RendererName
 from probe.scores.summary import Scores
 from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
@@ -60,6 +62,7 @@ class Report:
         candidates: Of the suite's building, by type; empty if its log isn't known.
         files: Names of the tables that lie beside the page.
         audits: Name of each folder reported on, and how far it was audited, in words.
+        renderer: What drew its pictures; "own" for what drew them for each agent.
     """
 
     suite: Suite
@@ -68,6 +71,14 @@ class Report:
     candidates: tuple[Candidates, ...] = ()
     files: tuple[str, ...] = ()
     audits: tuple[tuple[str, str], ...] = ()
+    renderer: RendererKind = "own"
+
+    @property
+    def redrawn(self) -> tuple[RendererName, ...]:
+        """What drew pictures for agents that another renderer drew for the page; often nothing."""
+        mine = self.renderer
+        seen = {it.record.viewpoint.renderer for it in self.played if not it.record.frames}
+        return () if mine == "own" else tuple(sorted(seen - {mine}))
 
 
 def write_report(path: Path, report: Report, *, single: bool = False) -> None:
@@ -155,6 +166,8 @@ def _values(report: Report) -> dict[str, object]:
         "result": result_words(report.scores),
         "too_few": TOO_FEW,
         "audits": report.audits,
+        "renderer": report.renderer,
+        "redrawn": report.redrawn,
         "played": played,
         "index": script_json(index_of(played, entrants, gaps)),
     }

@@ -13,6 +13,7 @@ import numpy as np
 from PIL import Image
 
 from probe.assets.mesh.fingerprint import Fingerprint
+from probe.episodes.conditions import RendererKind
 from probe.episodes.record import EpisodeRecord, Step
 from probe.errors import BadData
 from probe.files import encode, write_bytes
@@ -58,18 +59,23 @@ class Still:
     photo: Path | None = None
 
 
-def stills_of(task: Task, record: EpisodeRecord, folder: Path) -> tuple[Still, ...]:
+def stills_of(
+    task: Task, record: EpisodeRecord, folder: Path, renderer: RendererKind = "own"
+) -> tuple[Still, ...]:
     """What to show of an episode: the start, with its marks, and the table after each step.
 
     Args:
         task: What it was about.
         record: What happened.
         folder: Of the run; a robot's pictures lie there.
+        renderer: What draws them: "own" for what drew them for the agent, or another.
     """
-    start = Still(record.start.scene, record.viewpoint, marks=task.marks)
+    seen = record.viewpoint
+    if renderer != "own":
+        seen = replace(seen, renderer=renderer)
     shown = (
-        start,
-        *(Still(step.after.scene, record.viewpoint, outline=_found(step)) for step in record.steps),
+        Still(record.start.scene, seen, marks=task.marks),
+        *(Still(step.after.scene, seen, outline=_found(step)) for step in record.steps),
     )
     if not record.frames:
         return shown
@@ -97,7 +103,7 @@ def file_of(still: Still, objects: Mapping[str, Fingerprint]) -> str:
         told = repr((_EDITION, marks)).encode() + _taken(still.photo)
         return hashlib.sha256(told).hexdigest()[:20] + ".webp"
     shown = {placed.object_id for placed in still.scene.objects}
-    said = [
+    said: list[object] = [
         _EDITION,
         SceneDocument.of(still.scene).model_dump(),
         _words_of(still.viewpoint),
@@ -105,6 +111,8 @@ def file_of(still: Still, objects: Mapping[str, Fingerprint]) -> str:
         still.outline,
         {id: objects[id] for id in sorted(shown)},
     ]
+    if still.viewpoint.renderer != still.scene.setup.renderer:
+        said.append(still.viewpoint.renderer)
     return hashlib.sha256(json.dumps(said).encode()).hexdigest()[:20] + ".webp"
 
 
@@ -117,7 +125,7 @@ def _taken(photo: Path) -> bytes:
 
 
 def _words_of(viewpoint: Viewpoint) -> str:
-    """A viewpoint in the words that the pictures of earlier reports were named by."""
+    """A viewpoint, its renderer apart, in the words that named the pictures of earlier reports."""
     return f"Sight(camera={viewpoint.camera!r}, lighting={viewpoint.lighting!r})"
 
 

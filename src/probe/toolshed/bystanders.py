@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from probe.changes.change import Change, Changes
 from probe.changes.sighting import Sighting
+from probe.toolshed.outcomes import lying
 from probe.types import Array
 
 _HIGHER_CM = 2
@@ -63,7 +64,7 @@ def _moved(change: Change) -> str:
     place = list(change.after.thing.point_px)
     if change.fate == "turned":
         return f"{_named(change)} turned or tipped, now at {place}"
-    return f"{_named(change)} by {_way(change.shift)}, to {place}"
+    return f"{_named(change)} by {_way(change.shift)}, to {place}{lying(change)}"
 
 
 def _way(shift: Array) -> str:

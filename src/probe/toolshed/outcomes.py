@@ -132,6 +132,7 @@ def push_words(
         return OutcomeText(False, f"{swept}. {_whereabouts(status, object_id, change, now)}")
     place = "" if change.after is None else f", to {_place(change)}"
     how_far = f"{object_id} moved about {max(0, round(100 * moved))} cm that way{place}"
+    how_far += lying(change)
     renamed = "" if now == object_id else f"; it is {now} now"
     worked = moved >= ENOUGH * asked
     advice = "" if worked else " Push it in another direction or further, or grasp it."
@@ -144,7 +145,8 @@ def _whereabouts(status: str, object_id: str, change: Change, now: str) -> str:
     if change.fate == "stayed":
         return f"{object_id} is still about where it was.{renamed}{advice}"
     if change.fate == "moved":
-        return f"{object_id} is still on the table, now at {_place(change)}.{renamed}{advice}"
+        where = f"now at {_place(change)}{lying(change)}"
+        return f"{object_id} is still on the table, {where}.{renamed}{advice}"
     if change.fate == "turned":
         how = f"{object_id} is still there, but turned or tipped, at {_place(change)}"
         return f"{how}.{renamed}{advice}"
@@ -163,6 +165,11 @@ def _unfound(object_id: str, change: Change) -> str:
     if change.fate == "covered":
         return f"{object_id} shows no longer; something has come over the place where it was."
     return f"{object_id} shows neither on the table nor in the basket."
+
+
+def lying(change: Change) -> str:
+    """What follows the place of a thing that lies otherwise than before."""
+    return ", turned or tipped" if change.turned else ""
 
 
 def _place(change: Change) -> str:

@@ -1,4 +1,5 @@
 import hashlib
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -12,12 +13,14 @@ from every_object import check, looking_the_same
 from probe.assets.mesh.likeness import like_pairs
 from probe.assets.mesh.nearness import fingerprint
 from probe.assets.procedural import build, specs
-from probe.assets.procedural.paint.colours import rgb
+from probe.assets.procedural.paint.colours import NAMED, SHADES, rgb
 from probe.assets.procedural.tables import entries
 from probe.assets.spec import ObjectSpec
 from probe.errors import UnknownName
+from probe.perception.phrase import main_phrase
 from probe.tasks.english import plural
 
+LOOKS = ("wooden", "striped", "dotted", "checked", "wicker", "leather", "glass", "metal", "plastic")
 SOME = (
     "proc_blue_mug",
     "proc_straw_hat",
@@ -47,6 +50,14 @@ def test_the_second_edition_begins_with_the_first() -> None:
     assert second[: len(first)] == first
     assert len(second) >= 1800
     assert len({spec.category for spec in second}) >= 480
+
+
+def test_no_description_says_a_look_twice() -> None:
+    colour = rf"(?:(?:{'|'.join(SHADES)}) )?(?:{'|'.join(NAMED)})"
+    look = re.compile(rf"\b(?:{colour}|{'|'.join(LOOKS)})\b")
+    for spec in specs(2):
+        said = look.findall(main_phrase(spec.description))
+        assert len(set(said)) == len(said), spec.description
 
 
 def test_enough_of_everything() -> None:

@@ -59,6 +59,20 @@ def test_descriptions_have_the_right_article() -> None:
     assert one("orange")["description"] == "An orange cup with a handle."
 
 
+@pytest.mark.parametrize(
+    ("look", "described", "description"),
+    [
+        ("red", "red cup with a handle", "A red cup with a handle."),
+        ("dark red", "tall dark red cup", "A tall dark red cup."),
+        ("red", "cup with a red handle", "A red cup with a red handle."),
+        ("light blue", "light bulb", "A light blue light bulb."),
+        ("red and black and red", "big cup", "A red and black big cup."),
+    ],
+)
+def test_a_description_says_a_look_once(look: str, described: str, description: str) -> None:
+    assert one(look, described=described)["description"] == description
+
+
 def test_a_noun_of_its_own() -> None:
     assert one("red", noun="beaker")["name"] == "red beaker"
 

@@ -20,10 +20,10 @@ from probe.episodes.episode import Episode
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.grading import answer_form, question_of
-from probe.episodes.noise import NO_NOISE
 from probe.interfaces.human.session_manager import SessionManager
 from probe.interfaces.human.table_places import TablePlace
 from probe.perception.oracle import Oracle
+from probe.runs.plan import RunOrder
 from probe.tasks.suite import selection
 from probe.toolshed.toolshed import Toolshed
 from run_folders import DEMO, write_pictures, wrong_letter
@@ -71,7 +71,7 @@ class CountingRoom(Room):
 @pytest.fixture
 def folder(tmp_path):
     """A folder of three people's sessions, one after the other."""
-    with taken_up(tmp_path, SUITE, NO_NOISE):
+    with taken_up(tmp_path, SUITE, RunOrder("")):
         hall = SessionManager(SUITE, tmp_path, CountingRoom().furnish, 2)
         with serving(hall) as port:
             for name, (letters, pause) in SESSIONS.items():

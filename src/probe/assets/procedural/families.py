@@ -9,6 +9,8 @@ from typing import Any, cast
 from probe.assets.procedural.paint.colours import NAMED, SHADES
 
 _COLOUR = re.compile(rf"\b(?:(?:{'|'.join(SHADES)}) )?(?:{'|'.join(NAMED)})\b")
+# What follows is about a part of a thing, or about what is beside it.
+_ASIDE = re.compile(r",| (?:with|in|on|of|for) ")
 _NAMED = ("main", "second", "third")  # what the first, second, third colour in the words is called
 _OWN = ("noun", "described", "defaults", "variants")  # what a family says that its members don't
 _ENTRY = (
@@ -68,7 +70,7 @@ def _member(raw: Raw, variant: str | Raw, words: Mapping[str, Raw]) -> Raw:
         "id": f"proc_{slug(values.get('name', name))}",
         "name": name,
         "colours": [values[k] for k in _NAMED if k in values],
-        "description": _sentence(f"{look} {raw.get('described', category)}"),
+        "description": _sentence(_described(look, raw.get("described", category))),
     }
     whole |= {k: replaced(v, values) for k, v in raw.items() if k not in _OWN}
     whole |= {k: values[k] for k in _ENTRY if k in values}
@@ -90,6 +92,13 @@ def _meaning(look: str, words: Mapping[str, Raw]) -> Raw:
 def _scaled_mass(whole: Raw) -> float:
     x, y, z = whole.get("stretch", (1, 1, 1))
     return float(f"{whole['mass'] * whole.get('scale', 1) ** 3 * x * y * z:.2g}")
+
+
+def _described(look: str, seen: str) -> str:
+    """How a member looks, each colour once, and what one sees of it, which may tell both."""
+    told = " and ".join(dict.fromkeys(look.split(" and ")))
+    said = _ASIDE.split(seen)[0].split()
+    return seen if set(told.split()) <= set(said) else f"{told} {seen}"
 
 
 def _sentence(text: str) -> str:

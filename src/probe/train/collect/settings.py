@@ -22,6 +22,7 @@ class CollectionSettings(pydantic.BaseModel, extra="forbid", frozen=True):
         points: How places are counted in pictures.
         noise: How far the hand errs, by name.
         lighting: Of the pictures.
+        renderer: What draws them.
         shard: Which part of the tasks, such as "0/2".
         first: Number of the first episode of all shards.
         tools: Version of the tools; 1 in files of before it was written down.
@@ -34,6 +35,8 @@ class CollectionSettings(pydantic.BaseModel, extra="forbid", frozen=True):
     points: str
     noise: str
     lighting: str
+    # Left out where it is the usual one, as files of before there was a choice do.
+    renderer: str = pydantic.Field(default="own", exclude_if=lambda it: it == "own")
     shard: str
     first: int
     tools: int = 1

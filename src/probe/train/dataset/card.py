@@ -37,6 +37,9 @@ def card(
         pictures=f"{manifest.pictures:,}",
         side=side,
         shrunk="" if side == whole else f", made smaller from {whole} x {whole}",
+        renderers=" and ".join(
+            sorted({record.viewpoint.renderer for _, record in chosen.episodes})
+        ),
         points=_PLACES[manifest.points],
         teachers=", ".join(sorted({record.agent for _, record in chosen.episodes})),
         sources=", ".join(document.sources),
