@@ -51,10 +51,11 @@ def test_another_renderer_than_the_one_that_is_said_draws_nothing(things):
 
 
 def test_the_record_of_an_open_episode_tells_its_conditions(things):
-    task = task_of("size")
+    task, (library, renderer) = task_of("size"), things
     order = RunOrder("anna", conditions=Conditions(camera="moved", renderer="filament"))
     circumstances = circumstances_of(order, Job(task, 2), None)
-    assert open_episode(task, "anna", *things, circumstances).record.circumstances == circumstances
+    episode = open_episode(task, "anna", library, renderer, circumstances)
+    assert episode.record.circumstances == circumstances
 
 
 def test_size_has_two_letters(things):

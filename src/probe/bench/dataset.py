@@ -16,7 +16,6 @@ from probe.episodes.grading import question_of
 from probe.episodes.participation import Points
 from probe.errors import MissingExtra
 from probe.files import write_bytes, write_text
-from probe.scene.setup import RendererName
 from probe.tasks.suite_file import CANARY
 from probe.tasks.task import Task
 from probe.transcripts.messages import opening
@@ -54,7 +53,7 @@ def write_dataset(
     name: str,
     rows: Iterable[Row],
     objects: Iterable[str] = (),
-    drawn_by: Iterable[RendererName] = ("filament",),
+    drawn_by: Iterable[str] = ("filament",),
 ) -> int:
     """Write a folder with a card and a table; returns how many tasks it has.
 
@@ -85,7 +84,7 @@ def write_dataset(
     return len(table)
 
 
-def _card(name: str, count: int, objects: Iterable[str], drawn_by: Iterable[RendererName]) -> str:
+def _card(name: str, count: int, objects: Iterable[str], drawn_by: Iterable[str]) -> str:
     words = (resources.files("probe.bench") / "data/card.md").read_text()
     seen = parts_shown(objects)["train"]
     note = (

@@ -68,7 +68,7 @@ def _slides(there: Array, here: Array) -> tuple[Array, Motions]:
     (low, high), (low_now, high_now) = (np.percentile(p, _EXTENT, axis=0) for p in (there, here))
     first, last = low_now - low, high_now - high
     least, most = np.minimum(first, last) - _BEYOND, np.maximum(first, last) + _BEYOND
-    across = [np.linspace(least[axis], most[axis], _STOPS) for axis in (0, 1)]
+    across: list[Array] = [np.linspace(least[axis], most[axis], _STOPS) for axis in (0, 1)]
     grid = np.meshgrid(*across, (0.0, last[2]))
     shifts = np.column_stack([part.ravel() for part in grid])
     start = Motions(np.eye(3)[None], np.zeros((1, 3)), there.mean(axis=0))

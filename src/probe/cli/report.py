@@ -34,8 +34,8 @@ def report(
         out: Folder for the page; by default that of the run, for several outputs/report.
         setting: How the agents were allowed to answer; as in `probe rescore`.
         build_log: The log that `probe suite build` wrote beside the suite, for its yield.
-        renderer: What draws the pictures of replays: what drew them for each agent, or another;
-            blender needs the extra of that name, and more time.
+        renderer: What draws the pictures of replays: what drew them for each agent, or
+            another; blender needs the extra of that name, and more time.
         single_file: Write one file, report.html, that holds everything; for up to 20 episodes.
         open: Show the page in a browser.
     """

@@ -53,8 +53,8 @@ def serve(
         seed: Chooses a task.
         out: Folder that the record is added to; `probe report` shows it.
         agent: Who acts, for the record.
-        renderer: What draws the pictures, the same for all records of a folder: as the task was
-            frozen, or another; blender needs the extra of that name, and more time.
+        renderer: What draws the pictures: as the task was frozen, or another, the same
+            for all records of a folder; blender needs the extra of that name, and more time.
         seeing: What the tools see with, the same for all records of a folder; see
             docs/reference/perception.md.
     """

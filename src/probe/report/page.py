@@ -20,7 +20,6 @@ from probe.report.rendering import digest, joined, script_json, write_page
 from probe.report.result_words import TOO_FEW, result_words
 from probe.report.suite_facts import suite_facts
 from probe.report.summary_tables import effort_table, missing_table, type_table, unknown_measures
-from probe.scene.setup import RendererName
 from probe.scores.summary import Scores
 from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
@@ -74,7 +73,7 @@ class Report:
     renderer: RendererKind = "own"
 
     @property
-    def redrawn(self) -> tuple[RendererName, ...]:
+    def redrawn(self) -> tuple[str, ...]:
         """What drew pictures for agents that another renderer drew for the page; often nothing."""
         mine = self.renderer
         seen = {it.record.viewpoint.renderer for it in self.played if not it.record.frames}
