@@ -35,9 +35,11 @@ BOWLS = [
 ]
 
 
-def agent(question_type: str, subject: str, first: Way = "grasp") -> Scripted:
+def agent(
+    question_type: str, subject: str, first: Way = "grasp", *, form: str = "plain"
+) -> Scripted:
     rng = np.random.default_rng
-    return Scripted(question_type, subject, rng(5), first, say=PhraseBook(rng(6)))
+    return Scripted(question_type, subject, rng(5), first, form=form, say=PhraseBook(rng(6)))
 
 
 def inside(instance: int) -> Block:
@@ -111,6 +113,31 @@ def test_decoys_are_all_lifted_before_none_is_said(play):
 def test_decoys_that_withstand_leave_no_answer(play):
     blocks = [*BOWLS, under(0, 3), under(1, 2), under(2, 5)]
     record = play(agent("decoys", "blue bowl"), OPTIONS, SPECS, blocks, Obedient("blocked"))
+    assert record.answer is None
+
+
+def lying(place: int, instance: int, wide: int, high: int = 30) -> Block:
+    """Something of this size in pixels under one of the like bowls."""
+    left = PLACES[place] + 20
+    return Block(instance, (left, 140, left + wide - 1, 140 + high - 1), 0.02)
+
+
+@pytest.mark.parametrize(("form", "letter"), [("longest", "E"), ("second", "A"), ("shortest", "E")])
+def test_ranked_lifts_all_covers_and_compares_what_shows(play, form, letter):
+    skills = Obedient()
+    blocks = [*BOWLS, lying(0, 2, 90), lying(1, 3, 120), lying(2, 5, 30, 60), BOX]
+    record = play(agent("ranked", "blue bowl", form=form), OPTIONS, SPECS, blocks, skills)
+    assert record.answer and record.answer.choice == letter
+    assert ways(skills) == ["grasp"] * 3
+
+
+def test_ranked_says_nothing_before_it_has_seen_all_three(play):
+    blocks = [*BOWLS, lying(0, 2, 90), lying(1, 3, 120), BOX]
+    record = play(agent("ranked", "blue bowl", form="longest"), OPTIONS, SPECS, blocks)
+    assert record.answer is None
+    stubborn = Obedient("blocked")
+    blocks = [*blocks, lying(2, 5, 60)]
+    record = play(agent("ranked", "blue bowl", form="longest"), OPTIONS, SPECS, blocks, stubborn)
     assert record.answer is None
 
 
