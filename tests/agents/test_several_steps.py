@@ -22,6 +22,7 @@ SPECS = {
     7: spec("gray tray", "gray"),
     8: spec("blue bowl", "blue"),
     9: spec("blue bowl", "blue"),
+    10: spec("black die", "black"),
 }
 NONE = "None of the above"
 OPTIONS = ["red die", "white cup", "black pen", "gray tin", NONE]
@@ -164,3 +165,40 @@ def test_exact_never_pushes_nor_clears_what_lies_on_top(play, status):
     assert record.answer is None
     assert set(ways(skills)) <= {"grasp"}
     assert any(placed.instance == 4 for placed in record.scenes[-1].objects)
+
+
+LARGE = [
+    Block(number, (left, 100, left + 249, 349), 0.08, (30, 60, 150))
+    for number, left in ((1, 30), (6, 330), (7, 630))
+]
+NARROW = Block(4, (100, 600, 199, 699), 0.08, (40, 120, 50))
+BUDGETED = "One lies flat and is about 10 centimetres long."
+
+
+def long_or_short(place: int, instance: int, wide: int) -> Block:
+    """Something under one of the large covers, so many pixels long; 10 cm are 177."""
+    left = 30 + 300 * place + 20
+    return Block(instance, (left, 200, left + wide - 1, 239), 0.02)
+
+
+@pytest.mark.parametrize(("place", "lifted"), [(0, 1), (1, 2), (2, 3)])
+@pytest.mark.parametrize(("hidden", "letter"), [(2, "A"), (3, "E")])
+def test_budgeted_lifts_only_what_is_large_enough(play, place, lifted, hidden, letter):
+    short = zip(sorted({0, 1, 2} - {place}), (5, 10), strict=True)
+    secrets = [long_or_short(other, number, 80) for other, number in short]
+    skills = Obedient()
+    blocks = [*LARGE, NARROW, long_or_short(place, hidden, 180), *secrets]
+    subject = "green book, blue bowl, brown box, gray tray"
+    budgeted = agent("budgeted", subject)
+    record = play(budgeted, OPTIONS, SPECS, blocks, skills, text=BUDGETED, manipulations=3)
+    assert record.answer and record.answer.choice == letter
+    assert ways(skills) == ["grasp"] * lifted
+    assert 4 in {placed.instance for placed in record.scenes[-1].objects}
+
+
+def test_budgeted_gives_up_when_its_manipulations_are_spent(play):
+    skills = Obedient("blocked")
+    blocks = [*LARGE, NARROW, long_or_short(0, 2, 180)]
+    budgeted = agent("budgeted", "green book, blue bowl, brown box, gray tray")
+    record = play(budgeted, OPTIONS, SPECS, blocks, skills, text=BUDGETED, manipulations=3)
+    assert record.answer is None and len(skills.calls) == 3

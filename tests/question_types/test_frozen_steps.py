@@ -29,7 +29,7 @@ from probe.verification.check import CheckDepth, check, rebuild_problem
 from probe.verification.text import read_anew
 
 HERE = Path(__file__).parent
-TYPES = ("nested", "exact", "decoys", "ranked")
+TYPES = ("nested", "exact", "decoys", "ranked", "budgeted")
 
 
 def suite(question_type: str) -> Suite:
@@ -75,7 +75,7 @@ def test_what_they_ask_is_checked_against_the_table(library: Library, name: str)
     assert read_anew(unstated, library) == (f"its certificate doesn't state {NECESSARY}",)
 
 
-@pytest.mark.parametrize("name", ["nested", "exact", "decoys"])
+@pytest.mark.parametrize("name", ["nested", "exact", "decoys", "budgeted"])
 def test_candidates_of_unlike_height_are_refused(library: Library, name: str):
     task = TASKS[name]
     tall = max(library.specs, key=lambda it: it.size[2]).id

@@ -47,7 +47,7 @@ def test_valid_wordings_are_read():
         ("way 2?", "way 1?", 2, "is there twice"),
         ("- What is under the {cover}, way 1?", "- 12", 5, "valid string"),
         ("    - What of the {cover}?\n", "", 2, "at least 20"),
-        ("question_type: beneath", "question_type: below", 1, "'beneath', 'compare'"),
+        ("question_type: beneath", "question_type: below", 1, "'beneath', 'budgeted'"),
         ("question_type: beneath\n", "question_type: beneath\nauthor: me\n", 2, "Extra inputs"),
         ("- What of", "- 'What of", 24, "unexpected end"),
         ("  plain:", "  longer:", 2, "the forms of beneath are plain"),
