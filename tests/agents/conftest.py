@@ -16,11 +16,14 @@ from tabletops import Obedient, PaintedStation
 def play():
     """A function: agent, options, specs and blocks to an episode's record."""
 
-    def run(agent, options, specs, blocks, skills=None, text="?"):
+    def run(agent, options, specs, blocks, skills=None, text="?", manipulations=10):
         station = PaintedStation(blocks)
         skills = skills or Obedient()
-        tools = Toolshed(station, Oracle(specs), skills, UR5_TABLE, pictures=False)
-        question = Question(text, tuple(zip("ABCDE", options, strict=False)))
+        tools = Toolshed(
+            station, Oracle(specs), skills, UR5_TABLE, pictures=False, budget=manipulations
+        )
+        letters = tuple(zip("ABCDE", options, strict=False))
+        question = Question(text, letters, manipulations=manipulations)
         return run_episode("t", question, agent, tools, station, agent_name="a")
 
     return run

@@ -22,6 +22,7 @@ SPECS = {
     7: spec("gray tray", "gray"),
     8: spec("blue bowl", "blue"),
     9: spec("blue bowl", "blue"),
+    10: spec("black die", "black"),
 }
 NONE = "None of the above"
 OPTIONS = ["red die", "white cup", "black pen", "gray tin", NONE]
@@ -35,9 +36,11 @@ BOWLS = [
 ]
 
 
-def agent(question_type: str, subject: str, first: Way = "grasp") -> Scripted:
+def agent(
+    question_type: str, subject: str, first: Way = "grasp", *, form: str = "plain"
+) -> Scripted:
     rng = np.random.default_rng
-    return Scripted(question_type, subject, rng(5), first, say=PhraseBook(rng(6)))
+    return Scripted(question_type, subject, rng(5), first, form=form, say=PhraseBook(rng(6)))
 
 
 def inside(instance: int) -> Block:
@@ -114,6 +117,31 @@ def test_decoys_that_withstand_leave_no_answer(play):
     assert record.answer is None
 
 
+def lying(place: int, instance: int, wide: int, high: int = 30) -> Block:
+    """Something of this size in pixels under one of the like bowls."""
+    left = PLACES[place] + 20
+    return Block(instance, (left, 140, left + wide - 1, 140 + high - 1), 0.02)
+
+
+@pytest.mark.parametrize(("form", "letter"), [("longest", "E"), ("second", "A"), ("shortest", "E")])
+def test_ranked_lifts_all_covers_and_compares_what_shows(play, form, letter):
+    skills = Obedient()
+    blocks = [*BOWLS, lying(0, 2, 90), lying(1, 3, 120), lying(2, 5, 30, 60), BOX]
+    record = play(agent("ranked", "blue bowl", form=form), OPTIONS, SPECS, blocks, skills)
+    assert record.answer and record.answer.choice == letter
+    assert ways(skills) == ["grasp"] * 3
+
+
+def test_ranked_says_nothing_before_it_has_seen_all_three(play):
+    blocks = [*BOWLS, lying(0, 2, 90), lying(1, 3, 120), BOX]
+    record = play(agent("ranked", "blue bowl", form="longest"), OPTIONS, SPECS, blocks)
+    assert record.answer is None
+    stubborn = Obedient("blocked")
+    blocks = [*blocks, lying(2, 5, 60)]
+    record = play(agent("ranked", "blue bowl", form="longest"), OPTIONS, SPECS, blocks, stubborn)
+    assert record.answer is None
+
+
 @pytest.mark.parametrize("first", ["grasp", "push"])
 @pytest.mark.parametrize(("hidden", "letter"), [(2, "A"), (3, "E")])
 def test_exact_lifts_what_is_named_and_nothing_else(play, first, hidden, letter):
@@ -137,3 +165,40 @@ def test_exact_never_pushes_nor_clears_what_lies_on_top(play, status):
     assert record.answer is None
     assert set(ways(skills)) <= {"grasp"}
     assert any(placed.instance == 4 for placed in record.scenes[-1].objects)
+
+
+LARGE = [
+    Block(number, (left, 100, left + 249, 349), 0.08, (30, 60, 150))
+    for number, left in ((1, 30), (6, 330), (7, 630))
+]
+NARROW = Block(4, (100, 600, 199, 699), 0.08, (40, 120, 50))
+BUDGETED = "One lies flat and is about 10 centimetres long."
+
+
+def long_or_short(place: int, instance: int, wide: int) -> Block:
+    """Something under one of the large covers, so many pixels long; 10 cm are 177."""
+    left = 30 + 300 * place + 20
+    return Block(instance, (left, 200, left + wide - 1, 239), 0.02)
+
+
+@pytest.mark.parametrize(("place", "lifted"), [(0, 1), (1, 2), (2, 3)])
+@pytest.mark.parametrize(("hidden", "letter"), [(2, "A"), (3, "E")])
+def test_budgeted_lifts_only_what_is_large_enough(play, place, lifted, hidden, letter):
+    short = zip(sorted({0, 1, 2} - {place}), (5, 10), strict=True)
+    secrets = [long_or_short(other, number, 80) for other, number in short]
+    skills = Obedient()
+    blocks = [*LARGE, NARROW, long_or_short(place, hidden, 180), *secrets]
+    subject = "green book, blue bowl, brown box, gray tray"
+    budgeted = agent("budgeted", subject)
+    record = play(budgeted, OPTIONS, SPECS, blocks, skills, text=BUDGETED, manipulations=3)
+    assert record.answer and record.answer.choice == letter
+    assert ways(skills) == ["grasp"] * lifted
+    assert 4 in {placed.instance for placed in record.scenes[-1].objects}
+
+
+def test_budgeted_gives_up_when_its_manipulations_are_spent(play):
+    skills = Obedient("blocked")
+    blocks = [*LARGE, NARROW, long_or_short(0, 2, 180)]
+    budgeted = agent("budgeted", "green book, blue bowl, brown box, gray tray")
+    record = play(budgeted, OPTIONS, SPECS, blocks, skills, text=BUDGETED, manipulations=3)
+    assert record.answer is None and len(skills.calls) == 3

@@ -46,6 +46,20 @@ def test_the_pool_it_was_made_of_is_kept_and_left_out_where_nobody_wrote_it_down
         read_suite(path)
 
 
+def test_how_many_manipulations_a_task_allows_is_kept_and_left_out_where_that_is_as_usual(
+    path: Path,
+):
+    assert "manipulations" not in json.loads(path.read_text())["tasks"][0]
+    first, *rest = SUITE.tasks
+    write_suite(path, replace(SUITE, tasks=(replace(first, manipulations=3), *rest)))
+    assert json.loads(path.read_text())["tasks"][0]["manipulations"] == 3
+    assert [task.manipulations for task in read_suite(path).tasks] == [3, *[None] * len(rest)]
+    assert content_hash(read_suite(path)) != content_hash(SUITE)
+    edit(path, ["tasks", 0, "manipulations"], 0)
+    with pytest.raises(BadData, match="manipulations"):
+        read_suite(path)
+
+
 def test_it_carries_a_canary(path: Path):
     assert "canary" in json.loads(path.read_text())["canary"]
 

@@ -194,6 +194,17 @@ def test_manipulations_are_budgeted_and_failures_count(shed, skills):
     assert shed.call("perceive_scene", {}).status == "done"
 
 
+def test_a_question_may_allow_fewer_manipulations(station, skills, specs):
+    shed = Toolshed(station, Oracle(specs), skills, UR5_TABLE, budget=1)
+    name = handle(shed, "red mug")
+    skills.status = "slipped"
+    told = shed.call("grasp_and_remove", {"object_id": name}).text
+    assert "Manipulations left: 0." in told
+    refused = shed.call("grasp_and_remove", {"object_id": name})
+    assert refused.status == "refused" and "all 1 manipulations are used up" in refused.text
+    assert len(skills.calls) == 1
+
+
 def test_turns_are_budgeted(shed):
     for _ in range(TURNS - 1):
         assert not shed.call("nonsense", {}).ended

@@ -37,6 +37,7 @@ class Search:
         say: Gives the words that go with each call.
         scale: Of the pictures.
         gentle: Whether it only lifts, and nothing but what it is to clear: others may not move.
+        budget: Manipulations that it may spend.
     """
 
     keep: Callable[[Seen], bool]
@@ -48,6 +49,7 @@ class Search:
     say: Say = silent
     scale: PictureScale = USUAL_SCALE
     gentle: bool = False
+    budget: int = MANIPULATIONS
     _tried: defaultdict[str, list[tuple[Way, Outcome]]] = field(
         default_factory=lambda: defaultdict[str, list[tuple[Way, Outcome]]](list)
     )
@@ -69,7 +71,7 @@ class Search:
     def may_clear(self, seen: Seen) -> bool:
         """Whether a thing hasn't withstood too often, and manipulations are left."""
         most = _HIDERS_TRIES if hider(seen.name or "") else _TRIES
-        return len(self._tried[seen.name or ""]) < most and self.spent < MANIPULATIONS
+        return len(self._tried[seen.name or ""]) < most and self.spent < self.budget
 
     def clear(self, seen: Seen, why: Reason) -> Plan[None]:
         """Move a thing away, or what lies on it and keeps it there, and look again.

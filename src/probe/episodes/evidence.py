@@ -71,6 +71,11 @@ class OracleRule:
     vanishing: Callable[[Task, TableSight], set[int]]
 
 
+def like_covers(task: Task, viewpoint: TableSight) -> set[int]:
+    """All copies of the cover that a question names."""
+    return set() if task.cover is None else set(task.scene.like(task.cover))
+
+
 def over_marked(task: Task, viewpoint: TableSight) -> set[int]:
     """All that lies over a marked thing."""
     return viewpoint.over(set(task.targets), set(task.targets))

@@ -10,6 +10,7 @@ from probe.tasks.marks import drawn
 from probe.tasks.task import LETTERS, Letter, Task
 from probe.tasks.type_rules import rules_of
 from probe.toolshed.answer_form import AnswerForm
+from probe.toolshed.toolshed import MANIPULATIONS
 from probe.types import Array
 
 
@@ -39,7 +40,7 @@ def question_of(task: Task, picture: Array | None = None) -> Question:
     if picture is not None:
         picture = drawn(picture, task.marks)
     options = tuple((option.letter, option.text) for option in task.options)
-    return Question(task.question, options, picture, task.scale)
+    return Question(task.question, options, picture, task.scale, task.manipulations)
 
 
 def answer_form(task: Task) -> AnswerForm:
@@ -47,6 +48,11 @@ def answer_form(task: Task) -> AnswerForm:
     letters = tuple(option.letter for option in task.options)
     pointed = rules_of(task.question_type).pointed
     return AnswerForm(letters, tuple(it for it in letters if it != "E") if pointed else ())
+
+
+def budget_of(task: Task) -> int:
+    """How many grasps and pushes an agent has for a task."""
+    return MANIPULATIONS if task.manipulations is None else task.manipulations
 
 
 def grade_episode(task: Task, record: EpisodeRecord, labels: Array) -> Score:

@@ -9,7 +9,7 @@ from probe.episodes.arm_skills import ArmSkills
 from probe.episodes.circumstances import PLAIN_TRY, Circumstances
 from probe.episodes.conditions import NO_DIALS
 from probe.episodes.episode import Episode
-from probe.episodes.grading import answer_form, grade_episode, question_of
+from probe.episodes.grading import answer_form, budget_of, grade_episode, question_of
 from probe.episodes.perceptions import check_perception
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import check_tools, replay
@@ -84,6 +84,7 @@ def set_table(
         teller=perception.teller,
         form=answer_form(task),
         guessed=perception.guessed,
+        budget=budget_of(task),
     )
     return tools, station
 

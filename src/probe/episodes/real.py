@@ -8,7 +8,7 @@ from pathlib import Path
 from probe.episodes.arm_skills import ArmSkills
 from probe.episodes.episode import Episode
 from probe.episodes.film import Film
-from probe.episodes.grading import answer_form, question_of
+from probe.episodes.grading import answer_form, budget_of, question_of
 from probe.episodes.perceptions import used_by
 from probe.perception.choice import Perceiver
 from probe.scene.scene import Scene
@@ -82,6 +82,7 @@ def open_real_episode(
         teller=perception.teller,
         form=answer_form(task),
         guessed=perception.guessed,
+        budget=budget_of(task),
     )
     kept = Film(folder, task.id)
     if film is not None:

@@ -21,12 +21,14 @@ class Question:
         picture: The table at the start, sRGB uint8, shape (h, w, 3); None for agents that
             look at no pictures.
         scale: How much of the table pictures show, as the tools' texts say too.
+        manipulations: Grasps and pushes that the question allows, if it says how many; else None.
     """
 
     text: str
     options: tuple[tuple[str, str], ...]
     picture: Array | None = field(default=None, compare=False, repr=False)
     scale: PictureScale = field(default=USUAL_SCALE, compare=False, repr=False)
+    manipulations: int | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True)

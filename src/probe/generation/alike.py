@@ -41,6 +41,11 @@ def longest(spec: ObjectSpec) -> float:
     return max(spec.size)
 
 
+def is_lying(spec: ObjectSpec) -> bool:
+    """Whether a thing lies along its longest side."""
+    return max(spec.size[:2]) == longest(spec)
+
+
 def sides_alike(specs: Sequence[ObjectSpec], tolerance: float) -> bool:
     """Whether length, width and height of things, as they stand, each differ by such a share."""
     sides = np.array([(*sorted(spec.size[:2]), spec.size[2]) for spec in specs])

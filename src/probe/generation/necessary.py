@@ -20,7 +20,7 @@ from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
 from probe.tasks.task import NONE_OF_THE_ABOVE, Task
-from probe.tasks.truth import lies_under
+from probe.tasks.truth import beneath_each
 from probe.tasks.type_rules import rules_of
 from probe.types import Array
 
@@ -76,13 +76,8 @@ class RemovalSearch:
     def _beneath_copies(self, task: Task) -> set[int]:
         """All that lies beneath anything that is the same as a task's cover."""
         assert task.cover is not None
-        covers = self.scene.like(task.cover)
         shapes = self.view.silhouettes(self.scene, [it.instance for it in self.scene.objects])
-        return {
-            number
-            for number, shape in shapes.items()
-            if number not in covers and any(lies_under(shape, shapes[it]) for it in covers)
-        }
+        return set[int]().union(*beneath_each(self.scene.like(task.cover), shapes).values())
 
     def fewest(
         self, evidence: Collection[int], required: Collection[int] = ()

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from probe.generation.nests import CoveredPairs
 from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected
-from probe.generation.side_by_side import Nests
 from probe.generation.twins import Twin, check_hidden
 from probe.generation.visibility_rules import is_clear
 from probe.tasks.truth import covered_share, lies_under
@@ -22,7 +22,7 @@ class NestsJudge:
         measures: By candidate.
     """
 
-    nests: Nests
+    nests: CoveredPairs
     ghosts: GhostRemoval
     measures: dict[int, dict[str, float]] = field(default_factory=dict[int, dict[str, float]])
 
@@ -35,7 +35,8 @@ class NestsJudge:
             Rejected: It breaks one.
         """
         look, view = self.ghosts.look(twin), self.ghosts.view
-        pairs = [tuple(look.number_of[n] for n in pair) for pair in self.nests.pairs]
+        staged = self.nests.pairs_of(twin.candidate)
+        pairs = [(look.number_of[item], look.number_of[cover]) for item, cover in staged]
         shapes = view.silhouettes(twin.scene, [number for pair in pairs for number in pair])
         seen = look.before(list(shapes))
         for hidden, cover in pairs:
@@ -47,7 +48,7 @@ class NestsJudge:
                 raise Rejected("under", f"{share:.0%} within the cover's outline")
         shown = [
             look.revealed(covering, hidden)
-            for (_, covering), (hidden, _) in zip(self.nests.pairs, pairs, strict=True)
+            for (_, covering), (hidden, _) in zip(staged, pairs, strict=True)
         ]
         (target, cover), *_ = pairs
         self.measures[twin.candidate] = {

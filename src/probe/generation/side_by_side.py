@@ -1,4 +1,4 @@
-"""Scenes with several covers side by side, each over something; beneath one lies the target."""
+"""Who plays where several covers stand side by side, each over something, and where they stand."""
 
 from __future__ import annotations
 
@@ -22,8 +22,6 @@ from probe.generation.object_selection import (
     those_to_hide,
 )
 from probe.generation.result import Rejected
-from probe.generation.stage import Poses, Stage
-from probe.generation.twins import build_nest, right_above
 from probe.tasks.options import CANDIDATES
 from probe.types import Array
 from probe.world.model import Post
@@ -74,12 +72,19 @@ class Hidden:
         return Hidden(specs[:CANDIDATES], specs[CANDIDATES:], room)
 
 
+DrawHidden = Callable[[Library, np.random.Generator], Hidden]
+"""Draws what is hidden; raises Rejected if there is nothing like it."""
+
 DrawCovers = Callable[[Sequence[ObjectSpec], Hidden], Sequence[Cover]]
-"""Draws covers for what is hidden from things that are free; COVERS of them if there are."""
+"""Draws covers for what is hidden from things that are free: one for each thing, if there are."""
 
 
 def select(
-    library: Library, draw: DrawCovers, crowd: int, rng: np.random.Generator
+    library: Library,
+    draw: DrawCovers,
+    crowd: int,
+    rng: np.random.Generator,
+    hide: DrawHidden = Hidden.drawn,
 ) -> ObjectSelection:
     """Who plays, with a crowd of so many.
 
@@ -88,12 +93,12 @@ def select(
     """
     failure = Rejected("cover", "nothing was drawn")
     for _ in range(CAST_TRIES):
-        hidden = Hidden.drawn(library, rng)
+        hidden = hide(library, rng)
         free = unlike(library.specs, [*hidden.candidates, *hidden.secrets])
         covers = draw(free, hidden)
-        if len(covers) < COVERS:
+        if len(covers) < (wanted := 1 + len(hidden.secrets)):
             names = ", ".join(spec.name for spec in (*hidden.candidates, *hidden.secrets))
-            failure = Rejected("cover", f"only {len(covers)} of {COVERS} covers for {names}")
+            failure = Rejected("cover", f"only {len(covers)} of {wanted} covers for {names}")
             continue
         try:
             eligible = those_to_hide(library, hidden.candidates, covers)
@@ -127,54 +132,3 @@ def draw_posts(covers: Sequence[Cover], wider: float, rng: np.random.Generator) 
         Post(float(x), float(y), wider * cover.reach)
         for (x, y), cover in zip(places, covers, strict=True)
     ]
-
-
-@dataclass(frozen=True, eq=False)
-class Nests:
-    """Covers on their places, all but one with a thing beneath that stays the same.
-
-    Attributes:
-        cast: Who plays.
-        stage: Made of the cast's specs.
-        posts: Where each cover stands.
-        place: Which of the covers hides the candidates.
-        fixed: Poses of the other covers and of what is beneath them.
-    """
-
-    cast: ObjectSelection
-    stage: Stage
-    posts: Sequence[Post]
-    place: int
-    fixed: Poses
-
-    @staticmethod
-    def built(
-        cast: ObjectSelection,
-        stage: Stage,
-        posts: Sequence[Post],
-        place: int,
-        rng: np.random.Generator,
-    ) -> Nests:
-        """Lay all covers but one.
-
-        Raises:
-            Rejected: One of them doesn't hide what is beneath it.
-        """
-        fixed: Poses = {}
-        further = [number for number in range(len(posts)) if number != place]
-        for secret, number in zip(cast.secrets, further, strict=True):
-            lay = right_above(cast.covering[number], cast.covers[number])
-            fixed |= build_nest(stage, secret, lay, posts[number], rng)
-        return Nests(cast, stage, posts, place, fixed)
-
-    def nest(self, target: int, rng: np.random.Generator) -> Poses:
-        """All covers, with this candidate beneath its own; see twins.Nest."""
-        lay = right_above(self.cast.covering[self.place], self.cast.covers[self.place])
-        return {**build_nest(self.stage, target, lay, self.posts[self.place], rng), **self.fixed}
-
-    @property
-    def pairs(self) -> tuple[tuple[int, int], ...]:
-        """Instances on the stage of what is hidden and of what hides it; the target's first."""
-        further = [n for number, n in enumerate(self.cast.covering) if number != self.place]
-        mine = (1, self.cast.covering[self.place])
-        return (mine, *zip(self.cast.secrets, further, strict=True))

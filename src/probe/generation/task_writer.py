@@ -20,7 +20,7 @@ class Draft:
     """All of a task but its words and letters.
 
     Attributes:
-        question_type, scene, subject, targets, cover, named, marks: As in Task.
+        question_type, scene, subject, targets, cover, named, marks, manipulations: As in Task.
         slots: What the wording's slots are filled with.
         candidates: Texts of the five candidates; none where the two marked things are the options.
         truth: Index of the true one, or of the marked thing that is.
@@ -40,6 +40,7 @@ class Draft:
     cover: int | None = None
     named: tuple[int, ...] = ()
     marks: tuple[Mark, ...] = ()
+    manipulations: int | None = None
 
 
 def write_task(draft: Draft, plan: TaskPlan, view: SceneView) -> Task:
@@ -70,6 +71,7 @@ def write_task(draft: Draft, plan: TaskPlan, view: SceneView) -> Task:
         marks=draft.marks,
         certificate=Certificate(visibility, draft.measures, draft.drawn_from),
         camera=view.view,
+        manipulations=draft.manipulations,
         version=plan.rules,
     )
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from probe.episodes.turns import Question
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 
-_INSTRUCTIONS = f"""\
+_INSTRUCTIONS = """\
 Before you stands a table with a pile of objects, seen by a camera from above, with a robot arm \
 beside it. You are asked one question about these objects that can't be answered by looking \
 alone: move what is in the way, look again, then answer with answer_question. You may answer \
 once; an episode that ends without an answer counts as wrong.
 
-You have {TURNS} tool calls in all, and {MANIPULATIONS} of them may be grasps or pushes."""
+You have {turns} tool calls in all, and {manipulations} of them may be grasps or pushes."""
 
 
 def question_text(question: Question) -> str:
@@ -21,4 +21,7 @@ def question_text(question: Question) -> str:
 
 def instructions(question: Question) -> str:
     """How an episode goes, and what is asked."""
-    return f"{_INSTRUCTIONS}\n\nThe question:\n{question_text(question)}"
+    allowed = question.manipulations
+    budget = MANIPULATIONS if allowed is None else allowed
+    told = _INSTRUCTIONS.format(turns=TURNS, manipulations=budget)
+    return f"{told}\n\nThe question:\n{question_text(question)}"

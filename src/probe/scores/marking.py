@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 
+from probe.episodes.grading import budget_of
 from probe.episodes.record import EpisodeRecord
 from probe.generation.necessary import NECESSARY
 from probe.generation.visibility_rules import is_clear, is_hidden
@@ -14,7 +15,6 @@ from probe.scores.row import Row
 from probe.tasks.grading import Score
 from probe.tasks.task import LETTERS, Task
 from probe.tasks.type_rules import rules_of
-from probe.toolshed.toolshed import MANIPULATIONS
 
 _PERCEPTION = ("perceive_scene", "find_object")
 
@@ -77,7 +77,7 @@ def row_of(
             "manipulations": record.manipulations,
             "perceptions": sum(name in _PERCEPTION for name in done),
             "turns_spent": record.end == "out_of_turns",
-            "manipulations_spent": record.manipulations >= MANIPULATIONS,
+            "manipulations_spent": record.manipulations >= budget_of(task),
             "manipulated": record.manipulations > 0,
             "seconds_agent": _total(record.seconds.agent, record),
             "seconds_tools": _total(record.seconds.tools, record),

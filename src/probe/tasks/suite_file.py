@@ -90,6 +90,8 @@ class TaskDocument(
     scene: SceneDocument
     # Left out where it is the top one, as files of before there was a choice do.
     camera: View = pydantic.Field(default="top", exclude_if=lambda it: it == "top")
+    # Left out of tasks that allow as many as usual.
+    manipulations: int | None = pydantic.Field(default=None, ge=1, exclude_if=lambda it: it is None)
 
     @pydantic.model_validator(mode="after")
     def _names_what_is_there(self) -> TaskDocument:
@@ -142,6 +144,7 @@ class TaskDocument(
             ),
             scene=SceneDocument.of(task.scene),
             camera=task.camera,
+            manipulations=task.manipulations,
         )
 
     def task(self) -> Task:
@@ -168,6 +171,7 @@ class TaskDocument(
             marks=tuple(Mark(mark.letter, mark.instance, mark.point) for mark in self.marks),
             certificate=Certificate(visibility, proof.measures, proof.candidates),
             camera=self.camera,
+            manipulations=self.manipulations,
             version=self.version,
         )
 

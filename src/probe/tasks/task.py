@@ -112,6 +112,7 @@ class Task:
         marks: Of Compare and Size, else empty.
         certificate: What was measured when it was made: visibilities, candidates, margins.
         camera: Which of the set-up's cameras shows it.
+        manipulations: Grasps and pushes that its question allows; None for as many as usual.
         version: Of the rules it was made by.
     """
 
@@ -130,6 +131,7 @@ class Task:
     marks: tuple[Mark, ...]
     certificate: Certificate
     camera: View = "top"
+    manipulations: int | None = None
     version: RulesVersion = NEWEST_RULES
 
     @property

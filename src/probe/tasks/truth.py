@@ -90,6 +90,22 @@ def lies_under(item: Silhouette, cover: Silhouette) -> bool:
     return covered_share(item, cover) >= COVERED_SHARE and item.top < cover.top
 
 
+def beneath_each(
+    covers: Collection[int], silhouettes: Mapping[int, Silhouette]
+) -> dict[int, tuple[int, ...]]:
+    """What lies under each of some covers: instances by that of the cover.
+
+    Args:
+        covers: Instances; none of them counts as lying under another one.
+        silhouettes: Of the covers and of all that may lie under one, by instance.
+    """
+    items = [number for number in silhouettes if number not in covers]
+    return {
+        cover: tuple(it for it in items if lies_under(silhouettes[it], silhouettes[cover]))
+        for cover in covers
+    }
+
+
 def covered_share(item: Silhouette, cover: Silhouette) -> float:
     """Share of an object's silhouette within the cover's, 0 to 1."""
     whole = np.count_nonzero(item.mask)

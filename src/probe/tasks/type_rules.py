@@ -33,6 +33,7 @@ class TypeRules:
         exact: Whether an answer counts only if what is named has left the table at the end and
             everything else is where it was; see grade().
         copies: Whether the thing that its subject names is there several times.
+        rivals: Whether more candidates than the true one may be on the table, of unlike sizes.
         searched: What has to be seen before "none of the above" is known to be right.
     """
 
@@ -44,6 +45,7 @@ class TypeRules:
     naive: float = 0.0
     exact: bool = False
     copies: bool = False
+    rivals: bool = False
     searched: Searched = "target"
 
     @property

@@ -42,7 +42,7 @@ TURNS = 40
 """Calls in an episode, malformed ones included."""
 
 MANIPULATIONS = 10
-"""Grasps and pushes in an episode, failed ones included."""
+"""Grasps and pushes in an episode, failed ones included, unless its question allows fewer."""
 
 _UNREADABLE = (
     "The perception model's reply could not be used: {reason}. Nothing changed on the table. Call "
@@ -74,6 +74,7 @@ class Toolshed:
         teller: SceneDescriber | None = None,
         form: AnswerForm = ANY_ANSWER,
         guessed: bool = False,
+        budget: int = MANIPULATIONS,
     ) -> None:
         """Set up the tools and look at the table once.
 
@@ -88,6 +89,7 @@ class Toolshed:
             form: What a complete answer is; by default any letter without a point.
             guessed: Whether the detector tells things apart by colours and depth, so that the same
                 thing may be outlined otherwise next time.
+            budget: Manipulations in the episode.
         """
         self.answer: Answer | None = None
         self.ended = False
@@ -102,6 +104,7 @@ class Toolshed:
         self._finder = finder
         self._teller = teller
         self._form = form
+        self._budget = budget
         self._asked_for_point = False
         self._handles = Handles(detected=finder is None and not guessed)
 
@@ -249,15 +252,15 @@ class Toolshed:
             UnknownHandle: No tool gave out this id.
             StaleHandle: Its pixels have changed.
         """
-        if self.manipulations >= MANIPULATIONS:
-            raise BudgetSpent(MANIPULATIONS)
+        if self.manipulations >= self._budget:
+            raise BudgetSpent(self._budget)
         thing = self._handles.resolve(object_id, self._view)
         self.manipulations += 1
         return thing
 
     def _told(self, told: OutcomeText, thing: Thing, others: str = "") -> ToolResult:
         verdict = "Done" if told.worked else "Failed"
-        left = f"Manipulations left: {MANIPULATIONS - self.manipulations}."
+        left = f"Manipulations left: {self._budget - self.manipulations}."
         text = " ".join(filter(None, (f"{verdict}:", told.words, others, left)))
         status = "done" if told.worked else "failed"
         return ToolResult(text, self._picture(), status=status, point_px=thing.point_px)

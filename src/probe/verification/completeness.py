@@ -27,6 +27,8 @@ def makeup_problems(task: Task, library: Library) -> Iterator[str]:
         yield f"its certificate measures objects {sorted(strange)}, which aren't there"
     if (task.cover is not None) != makeup.cover or bool(task.named) != makeup.named:
         yield f"what it names isn't what {task.question_type} names"
+    if task.manipulations != makeup.manipulations:
+        yield f"it allows {task.manipulations} manipulations, not {makeup.manipulations}"
     yield from _marks(task, paired=makeup.targets == len(PAIR))
     unknown = list(_unknown(task, library))
     yield from unknown

@@ -68,18 +68,20 @@ def _numbers(task: Task) -> Iterator[str]:
 
 
 def _candidates(task: Task, library: Library) -> Iterator[str]:
-    """One candidate alone is on the table, the hidden one; all could be it."""
-    drawn = task.certificate.candidates
+    """Only the hidden candidate is on the table, unless rivals may be; all could be it."""
+    rules, drawn = rules_of(task.question_type), task.certificate.candidates
     specs = [library[object_id] for object_id in drawn]
     there = [o.instance for o in task.scene.objects if o.object_id in drawn]
-    if there != list(task.targets):
+    if rules.rivals and (task.targets[0] not in there or not {*there} <= {*task.targets}):
+        yield f"of its candidates, objects {there} are on the table; its targets are {task.targets}"
+    if not rules.rivals and there != list(task.targets):
         yield f"of its candidates, objects {there} are on the table, not {list(task.targets)} alone"
     if not told_apart(specs):
         yield "two candidates share a name, or category and main colour"
     loose = task.certificate.measures.get("partly", 0.0) > 0
     tolerance = LOOSE_TOLERANCE if loose else TWIN_TOLERANCE
     sizes = [longest(spec) for spec in specs]
-    if max(sizes) > min(sizes) * (1 + tolerance) + _ROUNDING:
+    if not rules.rivals and max(sizes) > min(sizes) * (1 + tolerance) + _ROUNDING:
         yield f"its candidates' longest sides differ by more than {tolerance:.0%}"
 
 

@@ -26,6 +26,7 @@ class Makeup:
         measures: Numbers that its certificate must state.
         cover: Whether it names a cover.
         named: Whether it names things to remove.
+        manipulations: Grasps and pushes that its question allows; None for as many as usual.
     """
 
     targets: int | None
@@ -33,6 +34,7 @@ class Makeup:
     measures: tuple[str, ...] = ()
     cover: bool = False
     named: bool = False
+    manipulations: int | None = None
 
 
 @dataclass(frozen=True)

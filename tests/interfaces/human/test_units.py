@@ -5,14 +5,16 @@ from dataclasses import replace
 import pytest
 
 from interfaces.human.painted_hall import COUNT
+from probe.episodes.grading import question_of
 from probe.episodes.turns import Call
 from probe.errors import OutputFailed, RenderFailed
 from probe.interfaces.human.call_entries import CallEntry, handles_of
 from probe.interfaces.human.names import BadName, file_of, name_of
 from probe.interfaces.human.practice import practice_for
 from probe.interfaces.human.progress import HumanProgress
-from probe.interfaces.human.state import State, as_json
+from probe.interfaces.human.state import State, as_json, at_table
 from probe.interfaces.human.words import trouble_words
+from probe.interfaces.words import instructions
 from probe.tasks.suite_file import demo_suite, packaged_suite
 from run_folders import episode
 from task_examples import FIND
@@ -118,6 +120,17 @@ def test_the_page_is_told_what_is_left():
     said = as_json(replace(State(), entries=(entry,) * 3, manipulations=10))
     assert (said["turnsLeft"], said["manipulationsLeft"]) == (37, 0)
     assert said["entries"][0]["arguments"] == {"distance_cm": "5"}
+
+
+def test_the_page_is_told_of_a_smaller_budget():
+    state = at_table(State(), 0, replace(FIND, manipulations=3), None)
+    assert as_json(state)["manipulationsLeft"] == 3
+
+
+def test_clients_are_told_of_a_smaller_budget():
+    usual, few = (question_of(replace(FIND, manipulations=it)) for it in (None, 3))
+    assert "10 of them may be grasps or pushes" in instructions(usual)
+    assert "3 of them may be grasps or pushes" in instructions(few)
 
 
 def test_troubles_of_ours_are_not_told_in_detail():

@@ -6,6 +6,7 @@ import json
 from dataclasses import dataclass, replace
 from typing import Any
 
+from probe.episodes.grading import budget_of
 from probe.episodes.remarks import Remark
 from probe.interfaces.human.call_entries import CallEntry, handles_of
 from probe.interfaces.human.feedback import Feedback
@@ -28,6 +29,7 @@ class State:
         asks_point: Whether the answer takes a point.
         entries: Of each call so far.
         manipulations: That have been carried out.
+        budget: Manipulations that the question allows.
         pictures: How many there are.
         doing: What is going on, in words; None if it is the person's turn.
         trouble: What went wrong on our side, in words.
@@ -46,6 +48,7 @@ class State:
     asks_point: bool = False
     entries: tuple[CallEntry, ...] = ()
     manipulations: int = 0
+    budget: int = MANIPULATIONS
     pictures: int = 0
     doing: str | None = None
     trouble: str | None = None
@@ -83,6 +86,7 @@ def at_table(state: State, place: int, task: Task, said: Remark | None) -> State
         question=task.question,
         options=tuple((option.letter, option.text) for option in task.options),
         asks_point=rules_of(task.question_type).pointed,
+        budget=budget_of(task),
         ambiguous=said is not None and said.ambiguous,
         note="" if said is None else said.note,
     )
@@ -100,7 +104,7 @@ def as_json(state: State) -> dict[str, Any]:
         "entries": [_entry_json(entry) for entry in state.entries],
         "objects": handles_of(state.entries),
         "turnsLeft": max(0, TURNS - len(state.entries)),
-        "manipulationsLeft": MANIPULATIONS - state.manipulations,
+        "manipulationsLeft": state.budget - state.manipulations,
         "pictures": state.pictures,
         "doing": state.doing,
         "trouble": state.trouble,

@@ -11,6 +11,7 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.covers import NEEDS_COVER, Cover, draw_cover
 from probe.generation.frame import frame_of
 from probe.generation.necessary import with_necessary
+from probe.generation.nests import Nests
 from probe.generation.nests_judge import NestsJudge
 from probe.generation.object_selection import ObjectSelection
 from probe.generation.removal import GhostRemoval
@@ -20,7 +21,6 @@ from probe.generation.side_by_side import (
     COVERS,
     NEEDS_ALIKE,
     Hidden,
-    Nests,
     draw_posts,
     liftable,
     select,

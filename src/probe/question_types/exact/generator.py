@@ -12,6 +12,7 @@ from probe.generation.alike import unlike
 from probe.generation.covers import NEEDS_COVER, Cover, draw_cover
 from probe.generation.frame import frame_of
 from probe.generation.necessary import with_necessary
+from probe.generation.nests import Nests
 from probe.generation.nests_judge import NestsJudge
 from probe.generation.object_selection import ObjectSelection
 from probe.generation.removal import GhostRemoval
@@ -21,7 +22,6 @@ from probe.generation.side_by_side import (
     COVERS,
     NEEDS_ALIKE,
     Hidden,
-    Nests,
     draw_posts,
     liftable,
     select,

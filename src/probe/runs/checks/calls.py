@@ -15,17 +15,20 @@ from probe.toolshed.tools import AnswerQuestion, GraspAndRemove, Push, Request
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 
 
-def amiss_in_calls(record: EpisodeRecord, form: AnswerForm) -> Iterator[str]:
+def amiss_in_calls(
+    record: EpisodeRecord, form: AnswerForm, budget: int = MANIPULATIONS
+) -> Iterator[str]:
     """What can't be: more calls than there are turns, a status, a table that nothing moved.
 
     Args:
         record: Whose calls they are.
         form: What its tools took for a complete answer.
+        budget: Manipulations that its task allows.
     """
     if len(record.steps) > TURNS:
         yield f"it has {len(record.steps)} calls, and the rules allow {TURNS}"
-    if record.manipulations > MANIPULATIONS:
-        yield f"it has {record.manipulations} manipulations, and the rules allow {MANIPULATIONS}"
+    if record.manipulations > budget:
+        yield f"it has {record.manipulations} manipulations, and the rules allow {budget}"
     before, used, asked = record.start, 0, False
     for number, step in enumerate(record.steps, start=1):
         request = request_of(step, record.viewpoint.camera.width_px)
@@ -35,7 +38,7 @@ def amiss_in_calls(record: EpisodeRecord, form: AnswerForm) -> Iterator[str]:
             last = asked or number >= TURNS
             refusal = form.refusal_of(request.choice, request.point, last=last)
             asked = asked or isinstance(refusal, PointMissing)
-        possible = _possible(request if refusal is None else None, used)
+        possible = _possible(request if refusal is None else None, budget - used)
         known = (
             replace(before, joints=step.after.joints) if _rests(record, step, before) else before
         )
@@ -70,15 +73,15 @@ def _of_status(step: Step, possible: tuple[Status, ...]) -> str | None:
     return f'it is "{step.status}", and such a call can only be {" or ".join(possible)}'
 
 
-def _possible(request: Request | None, used: int) -> tuple[Status, ...]:
-    """How a call may have gone after so many manipulations; None is one that was refused."""
+def _possible(request: Request | None, left: int) -> tuple[Status, ...]:
+    """How a call may have gone with so many manipulations left; None is one that was refused."""
     if request is None:
         return ("malformed",)
     if isinstance(request, AnswerQuestion):
         return ("done",)
     if isinstance(request, GraspAndRemove | Push):
         # An id that was never given out, or is out of date, is malformed.
-        return ("refused",) if used >= MANIPULATIONS else ("done", "failed", "malformed")
+        return ("refused",) if left <= 0 else ("done", "failed", "malformed")
     return ("done", "failed")
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE
-from probe.episodes.grading import answer_form
+from probe.episodes.grading import answer_form, budget_of
 from probe.episodes.ordered import read_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
@@ -99,7 +99,8 @@ def _of_records(records: Sequence[EpisodeRecord], tasks: dict[str, Task]) -> _Fo
         yield from ((line, reason) for reason in amiss_beside_task(record, tasks[record.task]))
         yield from ((line, reason) for reason in amiss_as_stated(record))
         form = _form_of(record, tasks[record.task])
-        yield from ((line, reason) for reason in amiss_in_calls(record, form))
+        budget = budget_of(tasks[record.task])
+        yield from ((line, reason) for reason in amiss_in_calls(record, form, budget))
         yield from ((line, reason) for reason in amiss_at_the_end(record))
 
 

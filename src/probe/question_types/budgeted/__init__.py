@@ -1,0 +1,1 @@
+"""Budgeted: five covers, three manipulations; what under them is so long?"""
