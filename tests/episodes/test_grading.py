@@ -62,7 +62,8 @@ def test_another_task_is_refused(play):
 def test_an_agent_is_told_words_and_options_alone(play):
     question = question_of(task_of(play()))
     assert question.options == (("A", "here"), ("B", "there"))
-    assert set(vars(question)) == {"text", "options", "picture", "scale"}
+    assert set(vars(question)) == {"text", "options", "picture", "scale", "manipulations"}
+    assert question.manipulations is None
 
 
 def test_a_complete_answer_has_a_letter_of_the_task_and_where_asked_a_point():

@@ -29,7 +29,7 @@ def has_depth(plan: TaskPlan) -> bool:
 
 
 @dataclass(frozen=True)
-class Shown:
+class MarkedLook:
     """What shows of a marked thing; by rules that leave depth out, without it."""
 
     patch: VisiblePatch
@@ -71,7 +71,7 @@ class PlannedCues:
             s * rng.uniform(*window) for s, window in zip(self.signs, self.windows, strict=True)
         ]
 
-    def leads(self, a: Shown, b: Shown) -> dict[str, float]:
+    def leads(self, a: MarkedLook, b: MarkedLook) -> dict[str, float]:
         """What the larger thing has over the smaller one, by name."""
         larger, smaller = (a, b) if self.a_is_larger else (b, a)
         size = size_cues.leads_of(larger.patch, smaller.patch)
@@ -81,20 +81,22 @@ class PlannedCues:
             found |= {f"{name}_lead": value for name, value in depth._asdict().items()}
         return found
 
-    def hold(self, a: Shown, b: Shown) -> bool:
+    def hold(self, a: MarkedLook, b: MarkedLook) -> bool:
         """Whether all lead as planned."""
         return are_within([*self.leads(a, b).values()], self.signs, self.windows)
 
-    def off(self, a: Shown, b: Shown, goal: Sequence[float]) -> float:
+    def off(self, a: MarkedLook, b: MarkedLook, goal: Sequence[float]) -> float:
         """How far what shows is from a goal; infinity where it isn't as planned."""
         leads = [*self.leads(a, b).values()]
         return math.dist(leads, goal) if are_within(leads, self.signs, self.windows) else math.inf
 
 
-def shown_of(made: MarkedStage, plan: TaskPlan, scene: Scene, labels: Array, number: int) -> Shown:
+def shown_of(
+    made: MarkedStage, plan: TaskPlan, scene: Scene, labels: Array, number: int
+) -> MarkedLook:
     """What shows of a marked thing on a table; without depth where it lies open."""
     depth = DepthLook.of(made.view, scene, labels, number) if has_depth(plan) else None
-    return Shown(VisiblePatch.of(labels, number), depth)
+    return MarkedLook(VisiblePatch.of(labels, number), depth)
 
 
 def suits_depth(heights: Sequence[float], plan: TaskPlan, *, place: int) -> bool:

@@ -35,8 +35,8 @@ from probe.generation.task_plan import MORE_CUES, PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.question_types.size.cues import (
     DEPTH,
+    MarkedLook,
     PlannedCues,
-    Shown,
     has_depth,
     shown_of,
     suits_depth,
@@ -218,7 +218,7 @@ def _nests(
     cues = PlannedCues.of(plan)
     goal = cues.goal(rng)
 
-    def shown(place: int, nest: CoveredThing) -> Shown:
+    def shown(place: int, nest: CoveredThing) -> MarkedLook:
         return shown_of(made, plan, nest.scene, nest.labels, made.marked[place])
 
     return draw_nests(made, shown, lambda a, b: cues.off(a, b, goal), rng)
