@@ -17,6 +17,7 @@ from typing import Any, Literal
 import numpy as np
 import tyro
 from claims import Table, Verdict, judge
+from pictures import Moments, keep
 from rich.console import Console
 from rich.progress import track
 from scipy.stats import binomtest
@@ -50,9 +51,14 @@ def table_now(station: SimulatedStation, names: dict[int, str]) -> Table:
 
 
 def episode(
-    seed: int, pool: Literal["procedural", "scans"], things: Library, renderer: Renderer, most: int
+    seed: int,
+    pool: Literal["procedural", "scans"],
+    things: Library,
+    renderer: Renderer,
+    most: int,
+    pictures: Path | None = None,
 ) -> Iterable[Verdict]:
-    """Manipulations of one fresh scene."""
+    """Manipulations of one fresh scene; pictures of what was wrong go into a folder."""
     dense = seed % 2 == 1
     tables = tables_for(pool)
     scene = make_scene(seed, things, tables, pile=DENSE if dense else PileSettings())
@@ -62,8 +68,9 @@ def episode(
     names = {number: spec.name for number, spec in specs.items()}
     tools = Toolshed(station, Oracle(specs), ArmSkills(), UR5_TABLE, pictures=False)
     rng = np.random.default_rng(seed)
-    for _ in range(most):
+    for number in range(most):
         old = table_now(station, names)
+        before = station.observe(rgb=True) if pictures else None
         seen = read_graph(tools.call("perceive_scene", {}).text).objects
         place = seen[int(rng.integers(len(seen)))].place
         found = tools.call("find_object", {"description": place})
@@ -73,7 +80,10 @@ def episode(
         u, v = found.point_px
         target = int(old.labels[v, u])
         tool, result = _act(tools, name, rng)
-        yield judge(seed, pool, dense, tool, result, target, old, table_now(station, names))
+        verdict = judge(seed, pool, dense, tool, result, target, old, table_now(station, names))
+        if pictures and before:
+            keep(pictures, verdict, Moments(before, station.observe(rgb=True), names), number)
+        yield verdict
 
 
 def _act(tools: Toolshed, name: str, rng: np.random.Generator) -> tuple[str, str]:
@@ -121,6 +131,7 @@ def main(
     scenes: int = 20,
     most: int = 5,
     file: Path = Path("outputs/outcomes.jsonl"),
+    pictures: Path | None = None,
 ) -> None:
     """Act on scenes that the file lacks, then print the rates of all that it holds.
 
@@ -130,6 +141,7 @@ def main(
         scenes: How many.
         most: Manipulations in each.
         file: Where results are kept.
+        pictures: Folder for a picture of each reply that was wrong.
     """
     file.parent.mkdir(parents=True, exist_ok=True)
     kept = [json.loads(text) for text in file.read_text().splitlines()] if file.exists() else []
@@ -140,7 +152,7 @@ def main(
             if (pool, seed) in have:
                 continue
             try:
-                verdicts = list(episode(seed, pool, things, renderer, most))
+                verdicts = list(episode(seed, pool, things, renderer, most, pictures))
             except Unsatisfiable as error:
                 out.print(f"seed {seed} left out: {error}")
                 continue
