@@ -42,6 +42,13 @@ NEEDS = (
 )
 """For people."""
 
+_EASY = 0.114
+"""Narrow side in metres of a cover, at most. Wider ones barely fit between the fingers, so that the
+hand often touches them and stops; and tries are few."""
+
+_MARGIN = 0.008
+"""Metres by which a wide cover's narrow side is longer than what it hides, walls included."""
+
 _TINY = 0.06
 """Diagonal on the table in metres of what lies under a small cover, at most."""
 
@@ -112,12 +119,15 @@ def _covers(
 ) -> Sequence[Cover]:
     """Wide and small covers, shuffled; fewer if there aren't so many."""
     shortest = min(map(longest, hidden.candidates))
-    hollow = [spec for spec in liftable(free) if spec.hollow]
+    easy = [spec for spec in liftable(free) if min(spec.size[:2]) <= _EASY]
+    hollow = [spec for spec in easy if spec.hollow]
+    least = max(item.width for item in hidden.room[:-SMALL]) + _MARGIN
+    wide = [spec for spec in hollow if min(spec.size[:2]) >= least]
     small = [spec for spec in hollow if max(spec.size[:2]) * RULED_OUT <= shortest]
     small = [spec for spec in small if too_small(library, spec.id, shortest)]
     covers: list[Cover] = []
     for pool, room in [
-        *[(hollow, hidden.room[:-SMALL])] * WIDE,
+        *[(wide, hidden.room[:-SMALL])] * WIDE,
         *[(small, hidden.room[-SMALL:])] * SMALL,
     ]:
         fresh = unlike(pool, [cover.spec for cover in covers])
