@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from probe.assets.library import Library
+from probe.generation.build import rules_for
 from probe.generation.build_folder import TaskSlot
 from probe.generation.feasibility import possibilities
 from probe.generation.object_selection import LEAST_LEADING
-from probe.generation.plan import plan
+from probe.generation.plan import plan_of
 from probe.question_types.beneath.generator import select_beneath
 from probe.question_types.count.generator import select_count
 from probe.question_types.find.generator import select_find
@@ -43,6 +44,11 @@ def mixed(library: Library) -> Library:
     return mixed
 
 
+def test_things_of_ones_own_are_asked_about_by_the_older_rules(library: Library, mixed: Library):
+    """Few of them have four others that are alike in length, width and height."""
+    assert (rules_for(library), rules_for(mixed)) == (3, 2)
+
+
 def test_a_library_of_one_thing_allows_nothing_and_says_why(library: Library):
     lone = replace(library, specs=(library["proc_red_mug"],))
     found = {
@@ -72,7 +78,7 @@ def test_all_of_the_library_allows_every_type(library: Library):
 )
 def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, draw, question_type):
     for seed in range(3):
-        cast = draw(mixed, plan(question_type, 0), np.random.default_rng(seed))
+        cast = draw(mixed, plan_of(question_type, 0, rules=2), np.random.default_rng(seed))
         own = [spec.id in SOME for spec in cast.candidates]
         if sum(own) >= LEAST_LEADING:
             assert [own[index] for index in cast.eligible] == [True] * sum(own)
@@ -83,7 +89,8 @@ def test_what_is_hidden_is_of_ones_own_where_enough_are(mixed: Library, draw, qu
 
 @pytest.mark.slow
 def test_what_is_counted_is_of_ones_own(mixed: Library):
-    casts = [select_count(mixed, plan("count", 0), np.random.default_rng(k)) for k in range(4)]
+    wanted = plan_of("count", 0, rules=2)
+    casts = [select_count(mixed, wanted, np.random.default_rng(k)) for k in range(4)]
     assert all(cast.counted.id in SOME for cast in casts)
 
 

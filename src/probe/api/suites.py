@@ -8,7 +8,7 @@ from pathlib import Path
 from probe.api.progress import Track, silent
 from probe.api.resources import EVALUATION_POOL, Pool, opener, tables_for
 from probe.assets.library import Library
-from probe.generation.build import BuildResources, assemble, begin, fill, places_of
+from probe.generation.build import BuildResources, assemble, begin, fill, places_of, rules_for
 from probe.generation.build_folder import BuildFolder
 from probe.render.renderer import Renderer
 from probe.scene.setup import ROOM_TABLE, Setup
@@ -83,9 +83,12 @@ def build_suite(
     check_new_name(path.stem, path)
     folder, library = BuildFolder(path.with_suffix(".parts")), open_library(pool)
     places = places_of(counts, first)
-    salt = begin(folder, pool, public=public, unchecked=not certified, setup=table)
+    rules, unchecked = rules_for(library), not certified
+    salt = begin(folder, pool, public=public, unchecked=unchecked, setup=table, rules=rules)
     with Renderer(engine=table.renderer) as renderer:
-        resources = BuildResources(library, tables_for(pool), renderer, not certified, salt, table)
+        resources = BuildResources(
+            library, tables_for(pool), renderer, unchecked, salt, table, rules
+        )
         for place in track(places, "Building"):
             for _ in fill(place, folder, resources):
                 pass

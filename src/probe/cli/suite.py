@@ -32,6 +32,7 @@ from probe.generation.build import (
     assemble_unsolved,
     begin,
     places_of,
+    rules_for,
     why_none,
 )
 from probe.generation.build_folder import BuildFolder, CandidateLog, TaskSlot
@@ -44,7 +45,7 @@ from probe.report.build_log import count_candidates
 from probe.scene.setup import UR5_TABLE, RendererName, newest
 from probe.scene.setup_file import read_setup
 from probe.tasks.suite_file import check_new_name, find_suite
-from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVersion
+from probe.tasks.task import QUESTION_TYPES, QuestionType, RulesVersion
 
 app = CommandApp()
 app.command(shortcuts)
@@ -72,7 +73,7 @@ def build(
     lighting: str | None = None,
     looks: Looks = NEWEST_LOOKS,
     renderer: RendererName = "filament",
-    rules: RulesVersion = NEWEST_RULES,
+    rules: RulesVersion | None = None,
 ) -> None:
     """Make, check and freeze tasks; continues where an earlier run stopped.
 
@@ -101,7 +102,8 @@ def build(
         looks: How what is made by formula looks, as for `probe scene`; tasks keep it.
         renderer: What draws the tasks' pictures; tasks keep it. blender needs the extra of that
             name, and more time.
-        rules: Version of the rules that tasks are made by; tasks keep it. 2 made v1, and leaks.
+        rules: Version of the rules that tasks are made by; tasks keep it. By default 3; 2 of scans
+            and of your own objects. 2 made v1, and leaks by height.
     """
     check_numbers({"--workers": workers})
     places = _asked(counts, first, public=public)
@@ -110,6 +112,7 @@ def build(
     part = parse_shard(shard)
     table = newest(read_setup(setup) if setup else UR5_TABLE, lighting, looks, renderer)
     require_light(table.lighting, things.assets)
+    rules = rules or rules_for(things)
     salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table, rules=rules)
     tell_other_pool(things, "evaluation", "The suite and its records will say so.")
     lacking = [place for place in places if not parts.task_path(place).exists()]

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
 
-from probe.assets.library import Library
+from probe.assets.library import Library, Pool
 from probe.errors import BadData, Unsatisfiable
 from probe.generation.attempt import Attempt
 from probe.generation.build_folder import (
@@ -39,6 +39,9 @@ from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVe
 
 _REASONS = 3
 
+_MANY: tuple[Pool, ...] = "procedural", "procedural-2", "train", "evaluation"
+"""Pools large enough for the newest rules."""
+
 
 @dataclass(frozen=True)
 class BuildResources:
@@ -59,6 +62,15 @@ class BuildResources:
     salt: Salt | None = None
     setup: Setup = UR5_TABLE
     rules: RulesVersion = NEWEST_RULES
+
+
+def rules_for(library: Library) -> RulesVersion:
+    """Version of the rules by which new tasks of a library are made.
+
+    Of scans, and where somebody's own things are to play the parts, the last that don't ask for
+    candidates alike in height: too few have four others alike in length, width and height.
+    """
+    return NEWEST_RULES if library.pool in _MANY and not library.leading else 2
 
 
 def begin(
