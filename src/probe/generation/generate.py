@@ -7,12 +7,11 @@ from dataclasses import replace
 
 from probe.assets.library import Library
 from probe.generation.attempt import Attempt
-from probe.generation.necessary import NECESSARY, with_necessary
+from probe.generation.necessary import NECESSARY, view_of, with_necessary
 from probe.generation.result import Rejected, Rejection, TaskCandidate
-from probe.generation.scene_view import SceneView
 from probe.generation.task_generator import generator_of
 from probe.render.renderer import Renderer
-from probe.tasks.task import STEP_RULES, QuestionType, Task
+from probe.tasks.task import STEP_RULES, QuestionType
 
 
 def generate(
@@ -49,13 +48,8 @@ def make(
     try:
         made = generator.generate(attempt.seed, attempt.plan, library, renderer, tables)
         if attempt.rules >= STEP_RULES and NECESSARY not in made.task.certificate.measures:
-            made = replace(made, task=_with_necessary(made.task, library, renderer))
+            view = view_of(made.task, library, renderer)
+            made = replace(made, task=with_necessary(made.task, view, library))
     except Rejected as failure:
         return failure.rejection
     return attempt.named(made)
-
-
-def _with_necessary(task: Task, library: Library, renderer: Renderer) -> Task:
-    ids = [placed.object_id for placed in task.scene.objects]
-    view = SceneView(renderer, library, ids, task.setup, task.camera)
-    return with_necessary(task, view, library)

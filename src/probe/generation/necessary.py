@@ -31,6 +31,12 @@ MOST = 6
 """Removals that are tried at once, at most."""
 
 
+def view_of(task: Task, library: Library, renderer: Renderer) -> SceneView:
+    """A task's table as its camera sees it; what was loaded in the renderer is replaced."""
+    ids = [placed.object_id for placed in task.scene.objects]
+    return SceneView(renderer, library, ids, task.setup, task.camera)
+
+
 @dataclass(frozen=True, eq=False)
 class RemovalSearch:
     """A table, and what looks at it and lets it come to rest again.
@@ -48,8 +54,7 @@ class RemovalSearch:
     @staticmethod
     def of(task: Task, library: Library, renderer: Renderer) -> RemovalSearch:
         """Of a task's first picture; what was loaded in the renderer is replaced."""
-        ids = [placed.object_id for placed in task.scene.objects]
-        view = SceneView(renderer, library, ids, task.setup, task.camera)
+        view = view_of(task, library, renderer)
         return RemovalSearch(task.scene, view, RestoredStage.of(task.scene, library))
 
     def necessary(self, task: Task) -> tuple[int, ...] | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from probe.generation.removal import GhostRemoval
 from probe.generation.result import TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.side_by_side import draw_posts
-from probe.generation.stage import Poses, Stage
+from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -53,10 +54,7 @@ def generate_budgeted(
     nests = EdgewiseNests(cast, stage, posts, places, [cast.secrets] * len(cast.candidates))
     judge = BudgetedJudge(NestsJudge(nests, GhostRemoval(stage, view, frame)), cast)
 
-    def nest(target: int) -> Poses:
-        return nests.nest(target, rng)
-
-    twins = draw_twins(cast, stage, nest, judge.check, frame, rng)
+    twins = draw_twins(cast, stage, partial(nests.nest, rng=rng), judge.check, frame, rng)
     true = cast.draw_true(rng)
     covers = [frame.number_of[number] for number in cast.covering]
     draft = _draft(cast, twins[true].scene, covers, view, judge.base.measures[true])

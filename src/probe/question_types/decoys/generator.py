@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -25,7 +26,7 @@ from probe.generation.side_by_side import (
     liftable,
     select,
 )
-from probe.generation.stage import Poses, Stage
+from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -57,10 +58,7 @@ def generate_decoys(
     nests = Nests.built(cast, stage, posts, int(rng.integers(COVERS)), rng)
     judge = NestsJudge(nests, GhostRemoval(stage, view, frame))
 
-    def nest(target: int) -> Poses:
-        return nests.nest(target, rng)
-
-    twins = draw_twins(cast, stage, nest, judge.check, frame, rng)
+    twins = draw_twins(cast, stage, partial(nests.nest, rng=rng), judge.check, frame, rng)
     true = cast.draw_true(rng)
     scene = twins[true].scene
     ids = [spec.id for spec in cast.candidates]

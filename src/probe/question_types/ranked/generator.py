@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from probe.assets.library import Library
 from probe.generation.alike import longest
@@ -16,7 +17,7 @@ from probe.generation.removal import GhostRemoval
 from probe.generation.result import TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.side_by_side import COVERS, draw_posts
-from probe.generation.stage import Poses, Stage
+from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -56,10 +57,9 @@ def generate_ranked(
     base = NestsJudge(nests, GhostRemoval(stage, view, frame))
     lengths = {number: longest(spec) for number, spec in enumerate(cast.specs, start=1)}
 
-    def nest(target: int) -> Poses:
-        return nests.nest(target, rng)
-
-    twins = draw_twins(cast, stage, nest, RankedJudge(base, lengths).check, frame, rng)
+    twins = draw_twins(
+        cast, stage, partial(nests.nest, rng=rng), RankedJudge(base, lengths).check, frame, rng
+    )
     true = cast.draw_true(rng)
     covers = [frame.number_of[number] for number in cast.covering]
     draft = _draft(cast, plan.form, twins[true].scene, covers, view, base.measures[true])

@@ -134,11 +134,10 @@ def select_size(library: Library, plan: TaskPlan, rng: np.random.Generator) -> M
         first, second = (main_colour(library, spec.id) for spec in pair)
         if not _is_lighter_as_planned(plan, first, second):
             continue
-        if not suits_depth(
-            [low_footprint_of(library, spec.id).height for spec in pair], plan, place=1
-        ):
+        heights = [low_footprint_of(library, spec.id).height for spec in pair]
+        if not suits_depth(heights, plan, place=1):
             continue
-        if cast := _cast(library, pair, plan, rng):
+        if cast := _cast(library, pair, heights, plan, rng):
             return cast
         uncovered = True
     if uncovered:
@@ -147,10 +146,13 @@ def select_size(library: Library, plan: TaskPlan, rng: np.random.Generator) -> M
 
 
 def _cast(
-    library: Library, pair: tuple[ObjectSpec, ObjectSpec], plan: TaskPlan, rng: np.random.Generator
+    library: Library,
+    pair: tuple[ObjectSpec, ObjectSpec],
+    heights: Sequence[float],
+    plan: TaskPlan,
+    rng: np.random.Generator,
 ) -> MarkedSelection | None:
-    """A pair with covers that go with the plan; None if none that were drawn do."""
-    heights = [low_footprint_of(library, spec.id).height for spec in pair]
+    """A pair, of these heights, with covers that go with the plan; None if none drawn do."""
     for _ in range(_CASTS if has_depth(plan) else 1):
         if not (drawn := cast_marked(library, pair, (), rng)):
             return None
