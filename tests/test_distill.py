@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[1]
 SMALL = {
     "ARMS": "direct",
     "COUNTS": "--counts.count 1 --counts.find 0 --counts.size 0 --counts.reduce 0 "
-    "--counts.compare 0",
+    "--counts.compare 0 --batch 2",
     "SELECT": "--slack 9 --no-near",
     "TINY": "--width 48 --layers 2 --words 600 --vision-width 32 --vision-layers 2 --side-px 64",
     "TRAIN": "--learning-rate 1e-3 --global-batch 1 --epochs 1",

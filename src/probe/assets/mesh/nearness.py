@@ -70,7 +70,7 @@ class NearPair:
 def fingerprint(mesh: TexturedMesh) -> Fingerprint:
     """The fingerprint of a mesh; deterministic."""
     points = places(mesh.vertices, mesh.faces, *spots(mesh.vertices, mesh.faces, _SHAPE_SPOTS))
-    distances = np.quantile(pdist(points), (np.arange(_STEPS) + 0.5) / _STEPS)
+    distances = np.quantile(np.sort(pdist(points)), (np.arange(_STEPS) + 0.5) / _STEPS)
     pixels = colours_at(mesh, *spots(mesh.vertices, mesh.faces, _COLOUR_SPOTS))
     low, high = np.array(_LAB_RANGE, dtype=float).T
     counts = np.histogramdd(np.clip(lab(pixels), low, high), bins=COLOUR_BINS, range=_LAB_RANGE)[0]
