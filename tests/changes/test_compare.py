@@ -127,6 +127,12 @@ def test_a_thing_that_turns_about_its_middle_has_turned():
     assert fates(compare(look(bar), look(moved(bar, 5)))) == {"blue book": "stayed"}
 
 
+def test_a_narrow_thing_that_slides_by_less_than_counts_has_stayed():
+    rod = Block(2, (300, 490, 699, 509), height=0.02, colour=(30, 60, 150))
+    (change,) = compare(look(rod), look(moved(rod, 0, CM))).things
+    assert (change.fate, change.turned) == ("stayed", False)
+
+
 BAR = Block(2, (300, 480, 699, 519), height=0.02, colour=(30, 60, 150))
 ACROSS = Block(2, (480, 300, 519, 699), height=0.02, colour=(30, 60, 150))
 UPRIGHT = Block(2, (400, 400, 499, 499), height=0.15, colour=(30, 60, 150))

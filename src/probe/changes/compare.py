@@ -96,11 +96,9 @@ def _gone(
         return Change(one, other.where, other.sighting, np.zeros(3))
     shift = _shift(before, after, one, other.sighting)
     moved = float(np.linalg.norm(shift)) >= MOVED
-    differs = lies_otherwise if moved else has_turned
+    shown = (before.table, after.table, one.thing.mask, other.sighting.thing.mask)
     # Of what showed only in part, nothing tells whether it has turned or come to light.
-    turned = one.thing.nameable and differs(
-        before.table, after.table, one.thing.mask, other.sighting.thing.mask
-    )
+    turned = one.thing.nameable and (moved or has_turned(*shown)) and lies_otherwise(*shown)
     fate = "moved" if moved else "turned" if turned else "stayed"
     return Change(one, fate, other.sighting, shift, turned=turned)
 

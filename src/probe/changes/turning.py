@@ -1,4 +1,4 @@
-"""Whether a thing that moved lies otherwise than before, by outline and depth. Knows no names."""
+"""Whether a thing lies otherwise than it did: judged by outline and depth. Knows no names."""
 
 from __future__ import annotations
 
