@@ -120,6 +120,27 @@ def test_what_shows_beside_the_basket_is_not_in_it():
     assert fates(compare(look(MUG, BOOK, BALL), after))["white ball"] == "beside"
 
 
+def over(left: int, right: int) -> Block:
+    return Block(3, (left, 280, right, 720), height=0.08, colour=(240, 240, 240))
+
+
+def test_a_thing_that_shows_another_part_of_itself_has_stayed():
+    # The middle of what shows goes from 690 to 610; the book has come up a little.
+    risen = Block(2, (497, 300, 796, 699), height=0.028, colour=(30, 60, 150))
+    before, after = look(BOOK, over(480, 580)), look(risen, over(720, 820))
+    assert fates(compare(before, after))["blue book"] == "stayed"
+
+
+@pytest.mark.parametrize(("du", "at_least"), [(150, False), (400, True)])
+def test_a_thing_that_is_cut_off_may_have_gone_further(du: int, at_least: bool):
+    ball = moved(BALL, du)
+    (change,) = compare(look(BALL), look(ball)).things
+    assert change.at_least is at_least and change.fate == "moved"
+    went = float(np.linalg.norm(change.shift[:2]))
+    true = du / CM / 100
+    assert went < 0.95 * true if at_least else went == pytest.approx(true, rel=0.1)
+
+
 def test_a_thing_that_turns_about_its_middle_has_turned():
     bar = Block(2, (300, 480, 699, 519), height=0.02, colour=(30, 60, 150))
     across = Block(2, (480, 300, 519, 699), height=0.02, colour=(30, 60, 150))

@@ -14,15 +14,19 @@ from probe.tasks.grading import whereabouts
 from probe.types import Array
 
 _NOW = re.compile(r"(?<!turned or tipped, )now at \[(\d+), (\d+)\]")
-_WAY = r"about \d+ cm(?: (?:down|up) in height)?"
+_WAY = r"(?:about|at least) \d+ cm(?: (?:down|up) in height)?"
 _MOVED = re.compile(rf"(?:by {_WAY}(?: and {_WAY})?, to|turned or tipped, now at) \[(\d+), (\d+)\]")
 _TURNED = re.compile(
     r"turned or tipped, (?:now )?at \[(\d+), (\d+)\]|\[(\d+), (\d+)\], turned or tipped"
 )
+_WENT = re.compile(
+    r"by (about|at least) (\d+) cm(?: and about \d+ cm (?:down|up) in height)?, to \[(\d+), (\d+)\]"
+)
 _LEFT = re.compile(r"that was at \[(\d+), (\d+)\]")
 _BASKET = re.compile(r"Also in the basket now: (.*?)\.(?: [A-Z]|$)")
 _FAR = 0.03
-_TURN = np.radians(10)
+_TURN, _ROLLS = np.radians(10), np.radians(30)
+_SLACK, _SLACK_SHARE = 0.02, 0.25
 _UNFOUND = re.compile(r"(?:Beside the basket[^:]*|Not found again): .*?(?=\. [A-Z]|$)")
 """What is told without a claim that the camera shows it no longer."""
 _UNSEEN = ("shows neither", "shows no longer")
@@ -77,6 +81,8 @@ class Verdict:
     mixed_up: list[str] = field(default_factory=list[str])
     turned: int = 0
     wrongly_turned: list[str] = field(default_factory=list[str])
+    ways: int = 0
+    misjudged: list[str] = field(default_factory=list[str])
 
     def line(self) -> dict[str, object]:
         return asdict(self)
@@ -112,8 +118,27 @@ def judge(
     return Verdict(
         seed, pool, dense, tool, text, old.names[target], done, done and not inside,
         len(fell_in) + inside, unsaid, len(changed), silent, len(unseen), wrong,
-        len(places) + len(now), mixed, len(turned), still,
+        len(places) + len(now), mixed, len(turned), still, *_ways(old, new, text),
     )  # fmt: skip
+
+
+def _ways(old: Table, new: Table, text: str) -> tuple[int, list[str]]:
+    """How many distances along the table are told, and those that are wrong.
+
+    Of what rolled or fell over, the middle of what shows goes another way than the thing: left out.
+    """
+    told, wrong = 0, list[str]()
+    for bound, cm, *place in _WENT.findall(text):
+        instance, said = new.at(*place), float(cm) / 100
+        if not instance or _turn(old, new, instance) > _ROLLS:
+            continue
+        one, other = (it.scene[instance].pose.position[:2] for it in (old, new))
+        true = float(np.linalg.norm(np.subtract(other, one)))
+        slack = _SLACK + _SLACK_SHARE * true
+        told += 1
+        if said - true > slack or (bound == "about" and true - said > slack):
+            wrong.append(f"{old.names[instance]}: {bound} {cm} cm, and went {100 * true:.1f}")
+    return told, wrong
 
 
 def _unnamed(said: list[str]) -> bool:
@@ -127,7 +152,10 @@ def _far(old: Table, new: Table, instance: int) -> bool:
 
 def _has_turned(old: Table, new: Table, instance: int) -> bool:
     """About any axis; of what is round, a turn doesn't show."""
-    if not instance:
-        return False
+    return instance != 0 and _turn(old, new, instance) > _TURN
+
+
+def _turn(old: Table, new: Table, instance: int) -> float:
+    """By how much a thing has turned, radians."""
     one, other = (np.array(it.scene[instance].pose.wxyz) for it in (old, new))
-    return float(2 * np.arccos(min(1.0, abs(one @ other)))) > _TURN
+    return float(2 * np.arccos(min(1.0, abs(one @ other))))

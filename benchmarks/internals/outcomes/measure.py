@@ -38,6 +38,15 @@ from probe.world.scenes import make_scene
 from probe.world.world import World
 
 DENSE = PileSettings(reach=0.12, buried=4)
+ERRORS = (
+    ("basket_unsaid", "in_basket", "in the basket and not said so"),
+    ("unmentioned", "moved", "others moved or gone, unmentioned"),
+    ("wrongly_unseen", "called_unseen", "wrongly called not to be seen"),
+    ("mixed_up", "placed", "given the place of another"),
+    ("wrongly_turned", "turned", "called turned or tipped, and not"),
+    ("misjudged", "ways", "said to have gone further or less far than it did"),
+)
+"""Kinds of errors: what lists them, what counts the claims, and in words."""
 out = Console()
 
 
@@ -107,18 +116,11 @@ def summary(lines: list[dict[str, Any]]) -> None:
     done = sum(line["done"] for line in lines)
     out.print(f"{len(lines)} manipulations, {sum(line['dense'] for line in lines)} in dense piles")
     out.print(f"false Done: {share(sum(line['false_done'] for line in lines), done)}")
-    for errors, of, words in (
-        ("basket_unsaid", "in_basket", "in the basket and not said so"),
-        ("unmentioned", "moved", "others moved or gone, unmentioned"),
-        ("wrongly_unseen", "called_unseen", "wrongly called not to be seen"),
-        ("mixed_up", "placed", "given the place of another"),
-        ("wrongly_turned", "turned", "called turned or tipped, and not"),
-    ):
+    for errors, of, words in ERRORS:
         bad = sum(len(line[errors]) for line in lines)
         out.print(f"{words}: {share(bad, sum(line[of] for line in lines))}")
     for line in lines:
-        found = {key: line[key] for key in ("basket_unsaid", "unmentioned", "wrongly_unseen",
-                                            "mixed_up", "wrongly_turned") if line[key]}  # fmt: skip
+        found = {key: line[key] for key, *_ in ERRORS if line[key]}
         if found or line["false_done"]:
             out.print(
                 f"seed {line['seed']} {line['tool']} {line['target']}: {found} {line['text']}"

@@ -30,6 +30,7 @@ class Change:
         fate: See Fate.
         after: As it is seen now; None if it isn't.
         shift: How its middle moved on the table, metres, shape (3,); zeros elsewhere.
+        at_least: Whether it may have moved further, as it shows less of itself.
         doubtful: Of what is covered or lost: whether something that shows now may yet be it.
         turned: Of what moved or turned: whether it is seen to lie otherwise than before.
     """
@@ -40,6 +41,7 @@ class Change:
     shift: Array
     doubtful: bool = False
     turned: bool = False
+    at_least: bool = False
 
     @property
     def gone(self) -> bool:

@@ -9,7 +9,13 @@ import numpy as np
 from probe.changes.basket import with_earlier, with_held
 from probe.changes.change import Change, Changes, Fate
 from probe.changes.matching import Located, again, may_be, uncovered
-from probe.changes.places import covered, has_turned, least_shift
+from probe.changes.places import (
+    covered,
+    has_turned,
+    hidden_otherwise,
+    is_cut_off,
+    least_shift,
+)
 from probe.changes.rest import AtRest, at_rest
 from probe.changes.sighting import Look, Sighting
 from probe.changes.turning import lies_otherwise
@@ -94,23 +100,30 @@ def _gone(
         return Change(one, fate, None, np.zeros(3), any(may_be(one, s.sighting) for s in new))
     if other.where != "table":
         return Change(one, other.where, other.sighting, np.zeros(3))
-    shift = _shift(before, after, one, other.sighting)
+    shift, at_least = _shift(before, after, one, other.sighting)
     moved = float(np.linalg.norm(shift)) >= MOVED
     shown = (before.table, after.table, one.thing.mask, other.sighting.thing.mask)
     # Of what showed only in part, nothing tells whether it has turned or come to light.
     turned = one.thing.nameable and (moved or has_turned(*shown)) and lies_otherwise(*shown)
     fate = "moved" if moved else "turned" if turned else "stayed"
-    return Change(one, fate, other.sighting, shift, turned=turned)
+    return Change(one, fate, other.sighting, shift, turned=turned, at_least=at_least)
 
 
-def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> Array:
-    """How far a thing has gone; its middle won't do if it shows more or less of itself now."""
-    middle = other.middle - one.middle
+def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> tuple[Array, bool]:
+    """How far a thing has gone, and whether that is the least that it may have.
+
+    Its middle won't do if it shows more, less or another part of itself now.
+    """
+    middle, (was, now) = other.middle - one.middle, (one.thing.mask, other.thing.mask)
+    if np.linalg.norm(middle) < MOVED:
+        return middle, False
+    if hidden_otherwise(before.table, after.table, was, now):
+        return np.zeros(3), False
     low, high = _SAME_AREA
-    if np.linalg.norm(middle) < MOVED or low < other.area / one.area < high:
-        return middle
-    least = least_shift(before.table, one.thing.mask, other.thing.mask)
-    found = tracked(before.table, after.table, one.thing.mask, middle, other.thing.mask)
+    if low < other.area / one.area < high:
+        return middle, is_cut_off(now)
+    least = least_shift(before.table, was, now)
+    found = tracked(before.table, after.table, was, middle, now)
     if found is None or np.linalg.norm(least) < np.linalg.norm(found.shift):
-        return least
-    return found.shift
+        return least, True
+    return found.shift, is_cut_off(now)

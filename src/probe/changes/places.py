@@ -18,6 +18,7 @@ _COVERED = 0.6
 _OVERLAPS, _LIES = 0.5, 0.3
 _BESIDE = 0.02
 _SAME_AREA = 0.8
+_EXPLAINED, _COMMON = 0.8, 0.5
 
 
 def unmoved(
@@ -67,6 +68,29 @@ def has_turned(before: Frame, after: Frame, was: Array, now: Array) -> bool:
         return bool(both < _OVERLAPS * min(sizes))
     share = both / np.count_nonzero(was | now)
     return bool(share < _OVERLAPS) or still_there(before, after, was) < _LIES
+
+
+def hidden_otherwise(before: Frame, after: Frame, was: Array, now: Array) -> bool:
+    """Whether a thing only shows another part of itself: what hides it has gone, or has come.
+
+    Nearly all that shows no longer is behind something nearer now, nearly all that has come to
+    light was, and the rest is where it was.
+
+    Args:
+        before: The first frame.
+        after: The second frame.
+        was: What the first one shows of the thing.
+        now: What the second one shows of it.
+    """
+    nearer, hiding = -depth_change(before, after), same_within(_NEARER, before, after)
+    explained = np.where(was, nearer > hiding, nearer < -hiding)[was ^ now]
+    both, least = np.count_nonzero(was & now), min(np.count_nonzero(was), np.count_nonzero(now))
+    return bool(explained.size and both >= _COMMON * least and explained.mean() >= _EXPLAINED)
+
+
+def is_cut_off(mask: Array) -> bool:
+    """Whether a mask reaches the picture's edge."""
+    return bool(mask[[0, -1]].any() or mask[:, [0, -1]].any())
 
 
 def about_there(before: Frame, was: Array, now: Array) -> bool:

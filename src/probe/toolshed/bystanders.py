@@ -8,7 +8,6 @@ from collections.abc import Iterable, Sequence
 from probe.changes.change import Change, Changes
 from probe.changes.sighting import Sighting
 from probe.toolshed.outcomes import lying
-from probe.types import Array
 
 _HIGHER_CM = 2
 
@@ -64,13 +63,16 @@ def _moved(change: Change) -> str:
     place = list(change.after.thing.point_px)
     if change.fate == "turned":
         return f"{_named(change)} turned or tipped, now at {place}"
-    return f"{_named(change)} by {_way(change.shift)}, to {place}{lying(change)}"
+    return f"{_named(change)} by {_way(change)}, to {place}{lying(change)}"
 
 
-def _way(shift: Array) -> str:
+def _way(change: Change) -> str:
     """How far along the table, and how far up or down if that is much."""
-    along, down = round(100 * math.hypot(*shift[:2])), round(-100 * float(shift[2]))
-    told = [f"about {along} cm"] if along or abs(down) < _HIGHER_CM else []
+    shift = change.shift
+    way, down = 100 * math.hypot(*shift[:2]), round(-100 * float(shift[2]))
+    along = math.floor(way) if change.at_least else round(way)
+    about = "at least" if change.at_least and along else "about"
+    told = [f"{about} {along} cm"] if along or abs(down) < _HIGHER_CM else []
     if abs(down) >= _HIGHER_CM:
         told.append(f"about {abs(down)} cm {'down' if down > 0 else 'up'} in height")
     return " and ".join(told)
