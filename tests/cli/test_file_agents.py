@@ -15,7 +15,7 @@ from probe.cli.file_agents import FileAgents, who_acts
 from probe.cli.run import AgentChoice, ModelChoice, run
 from probe.episodes.files import read_records
 from probe.errors import BadData, UnknownName
-from probe.tasks.suite_file import demo_suite, write_suite
+from probe.tasks.suite_file import demo_suite, read_suite, write_suite
 
 STOPS = "class {name}:\n    def act(self, question, history):\n        return None\n"
 
@@ -137,7 +137,7 @@ def test_one_that_breaks_has_stopped_and_is_not_missing(tmp_path, file):
         assert record.participation is not None
         assert record.participation.faults == ("ended its process with status 3",)
         assert [step.call.name for step in record.steps] == ["perceive_scene"]
-    rows = rows_of(out, "two", graded(out))
+    rows = rows_of(out, read_suite(out / "suite.json"), graded(out))
     assert [(row.correct, row.missing, row.answer) for row in rows] == [(False, False, None)] * 2
     told = (out / "agent.log").read_text()
     for task in demo.tasks[:2]:

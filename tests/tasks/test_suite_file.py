@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from probe.errors import BadData
-from probe.tasks.suite import Suite
+from probe.perception.dials import Dials
+from probe.tasks.headline import Headline
+from probe.tasks.suite import Suite, part
 from probe.tasks.suite_file import content_hash, read_suite, write_suite
 from probe.tasks.task import LETTERS
 from task_examples import FIND, SCENE, with_answer
@@ -60,6 +62,16 @@ def test_how_many_manipulations_a_task_allows_is_kept_and_left_out_where_that_is
         read_suite(path)
 
 
+def test_the_headline_setting_is_kept_and_left_out_where_there_is_none(path: Path):
+    assert "headline" not in path.read_text()
+    headline = Headline(0.018, 0.0, Dials(over=0.1, under=0.05, missed=0.02, hallucinated=0.01))
+    write_suite(path, replace(SUITE, headline=headline))
+    again = read_suite(path)
+    assert again.headline == headline
+    assert part(again, again.tasks[0]).headline == headline
+    assert content_hash(again) != content_hash(SUITE)
+
+
 def test_it_carries_a_canary(path: Path):
     assert "canary" in json.loads(path.read_text())["canary"]
 
@@ -82,8 +94,8 @@ def edit(path: Path, place: list, value: object) -> None:
     content = json.loads(path.read_text())
     del content["sum"]
     inner = content
-    for part in place[:-1]:
-        inner = inner[part]
+    for key in place[:-1]:
+        inner = inner[key]
     inner[place[-1]] = value
     path.write_text(json.dumps(content))
 

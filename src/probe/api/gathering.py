@@ -128,7 +128,7 @@ def _entries(
     track: Track,
 ) -> list[_Entry]:
     found = grade_folder(run, suite, scene_renderer, track)
-    rows = rows_of(run, identity_of(suite).title, found, setting)
+    rows = rows_of(run, suite, found, setting, identity_of(suite).title)
     return [
         _Entry(task, record, row, stills_of(task, record, run, renderer))
         for (task, record, _), row in zip(found, rows, strict=True)

@@ -61,7 +61,7 @@ def rescore(folder: str | Path, *, setting: str | None = None, track: Track = si
     out = Path(folder)
     suite = read_suite(out / SUITE)
     identity = identity_of(suite)
-    rows = rows_of(out, identity.title, graded(out, track), setting)
+    rows = rows_of(out, suite, graded(out, track), setting, identity.title)
     roster = roster_of_tasks(suite.tasks)
     scores = summarise(identity.title, rows, roster, whole=identity.whole)
     write_beside(out, rows, scores)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from probe.api.agents import SETTINGS
@@ -13,6 +14,7 @@ from probe.scores.marking import row_of
 from probe.scores.row import Row
 from probe.scores.row_files import write_csv, write_json_lines
 from probe.scores.summary import AGENTIC, Scores, write_scores
+from probe.tasks.suite import Suite
 
 ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
 
@@ -23,18 +25,24 @@ def setting_of(agent: str) -> str:
 
 
 def rows_of(
-    out: Path, suite: str, records: Iterable[Graded], setting: str | None = None
+    out: Path,
+    suite: Suite,
+    records: Iterable[Graded],
+    setting: str | None = None,
+    title: str | None = None,
 ) -> list[Row]:
     """The rows of a folder's graded records.
 
     Args:
         out: The folder: it knows how many runs there were to be, and whether people answered.
-        suite: Its suite's name.
+        suite: Its suite.
         records: Its records.
         setting: How the agents were allowed to answer; by default as the folder or the record
             says, or as is usual for the agent.
+        title: What the suite is called in the rows; by default its name.
     """
     setting, ordered = setting or setting_of_folder(out), read_ordered(out)
+    suite = replace(suite, name=title or suite.name)
     return [_row(suite, each, setting, ordered) for each in records]
 
 
@@ -49,8 +57,16 @@ def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
     write_scores(folder / SCORES, scores)
 
 
-def _row(suite: str, graded: Graded, setting: str | None, ordered: Ordered) -> Row:
+def _row(suite: Suite, graded: Graded, setting: str | None, ordered: Ordered) -> Row:
     task, record, score = graded
     setting = setting or record.setting or setting_of(record.agent)
     runs = ordered.get((record.agent, record.setting))
-    return row_of(task, record, score, suite=suite, setting=setting, ordered=runs)
+    return row_of(
+        task,
+        record,
+        score,
+        suite=suite.name,
+        setting=setting,
+        ordered=runs,
+        headline=suite.headline,
+    )

@@ -5,14 +5,16 @@ from __future__ import annotations
 from contextlib import closing
 from pathlib import Path
 
-from probe.api.agents import AgentName, make_agent
+from probe.api.agents import SETTINGS, AgentName, make_agent
 from probe.api.progress import Track, silent
 from probe.api.resources import everything
 from probe.engines.local import LocalEngine
+from probe.episodes.conditions import AS_FROZEN
 from probe.episodes.files import read_records as _read_records
 from probe.episodes.folder import RECORDS
-from probe.episodes.noise import Noise, NoiseName, noise_of
+from probe.episodes.noise import Noise
 from probe.episodes.record import EpisodeRecord
+from probe.episodes.tool_errors import WITHOUT_TOOLS, NoiseChoice, tool_errors
 from probe.runs.plan import RunOrder
 from probe.runs.run import begun, work
 from probe.runs.work import WorkerSetup
@@ -25,7 +27,7 @@ def run(
     *,
     agent: AgentName = "scripted",
     runs: int = 1,
-    noise: Noise | NoiseName = "none",
+    noise: Noise | NoiseChoice = "own",
     workers: int = 1,
     track: Track = silent,
 ) -> list[EpisodeRecord]:
@@ -36,7 +38,8 @@ def run(
         out: Folder for the records; episodes that it holds already are not run again.
         agent: "scripted", "random", or one of the baselines.
         runs: Episodes of each task.
-        noise: How far the hand misses where it is sent: "none", "paper", or a Noise.
+        noise: How far the hand misses where it is sent: "none", "paper", or a Noise. "own": hand
+            and detector err as in the suite's headline setting, or not at all if it has none.
         workers: Processes.
         track: Watches the work.
 
@@ -50,7 +53,11 @@ def run(
     """
     folder, things = Path(out), everything()
     check_objects(suite, things)
-    order = RunOrder(agent, runs, noise_of(noise))
+    headline = None if SETTINGS[agent] in WITHOUT_TOOLS else suite.headline
+    if isinstance(noise, Noise):
+        order = RunOrder(agent, runs, noise)
+    else:
+        order = RunOrder(agent, runs, *tool_errors(headline, noise, AS_FROZEN))
     setup = WorkerSetup(order, everything, make_agent)
     with (
         begun(folder, suite, order) as start,

@@ -12,6 +12,7 @@ from probe.api.grading import Graded, graded
 from probe.api.progress import Track, silent
 from probe.api.rows import rows_of
 from probe.episodes.folder import SUITE
+from probe.episodes.tool_errors import label_of
 from probe.errors import BadData
 from probe.files import write_text
 from probe.reading import is_there
@@ -104,8 +105,9 @@ def _read(folder: Path, *, is_real: bool, track: Track) -> _Folder:
         if bool(record.frames) != is_real and record.end != "fault":
             kind = "simulation" if is_real else "a robot"
             raise BadData(folder, f"has records of {kind}", "Name the simulation's folder first")
-    label = found[0][1].label
-    rows = rows_of(folder, identity_of(suite).title, found)
+    first = found[0][1]
+    label = label_of(first, suite.headline, first.setting)
+    rows = rows_of(folder, suite, found, title=identity_of(suite).title)
     plain = tuple(_plain(row, it) for row, it in zip(rows, found, strict=True))
     return _Folder({task.id: task for task in suite.tasks}, plain, label or "perception oracle")
 

@@ -50,7 +50,7 @@ def held_out(
         if asked.tasks != suite.tasks:
             reason = f"is about other tasks than {runs[0]}"
             raise BadData(folder, reason, "Compare runs of one suite")
-        rows += rows_of(folder, suite.name, graded(folder, track))
+        rows += rows_of(folder, asked, graded(folder, track))
         tell_unsummed(folder)
     rows += floors(suite, types, _learnt(learnt))
     table = markdown(standings(rows, roster_of_tasks(suite.tasks), types))

@@ -23,11 +23,11 @@ from probe.episodes.conditions import Conditions, RendererKind
 from probe.episodes.episode import Episode
 from probe.episodes.files import read_records, set_aside_cut
 from probe.episodes.folder import RECORDS, check_suite, claim_setting, occupied
-from probe.episodes.noise import NOISES, NoiseName
-from probe.episodes.perceptions import used_by
+from probe.episodes.perceptions import ORACLE_USED, used_by
 from probe.episodes.play import open_episode
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.remarks import REMARKS
+from probe.episodes.tool_errors import NoiseChoice, tool_errors
 from probe.errors import MissingExtra
 from probe.interfaces.human.feedback import Feedback, explain
 from probe.interfaces.human.practice import practice_for
@@ -49,7 +49,7 @@ def human(
     suite: SuiteName,
     out: Path = Path("outputs/human"),
     port: int = 8137,
-    noise: NoiseName = "none",
+    noise: NoiseChoice = "own",
     seats: int = 4,
     renderer: RendererKind = "own",
     seeing: Annotated[PerceptionChoice, tyro.conf.arg(name="")] = PerceptionChoice(),  # noqa: B008
@@ -83,8 +83,11 @@ def human(
         check(each, things)
     # A polite end in any case: whoever is in the middle of a question can go on with it.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    conditions, used = Conditions(renderer=renderer), used_by(perceiver)
-    order = RunOrder("", noise=NOISES[noise], conditions=conditions, perception=used)
+    used = used_by(perceiver)
+    hand, conditions = tool_errors(
+        tasks.headline, noise, Conditions(renderer=renderer), oracle=used == ORACLE_USED
+    )
+    order = RunOrder("", noise=hand, conditions=conditions, perception=used)
     resources = HumanResources(things, order, perceiver)
     resources.require()
     with (

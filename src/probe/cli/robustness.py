@@ -13,6 +13,7 @@ from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.metavars import RunFolder, RunFolders
 from probe.cli.screen import ScreenTable, say, track
 from probe.episodes.folder import SUITE
+from probe.episodes.tool_errors import label_of
 from probe.errors import BadData
 from probe.files import write_text
 from probe.runs.variation import read_variation
@@ -64,13 +65,13 @@ def robustness(
 
 def _graded(folder: Path) -> tuple[str, list[Row]]:
     """The conditions of a folder's records, in words, and its rows."""
-    name = read_suite(folder / SUITE).name
+    suite = read_suite(folder / SUITE)
     found = graded(folder, track)
     tell_unsummed(folder)
-    labels = {record.label for _, record, _ in found}
+    labels = {label_of(record, suite.headline, record.setting) for _, record, _ in found}
     if len(labels) != 1:
         raise BadData(folder, f"holds runs under {len(labels)} conditions", "Name another folder")
-    return labels.pop(), rows_of(folder, name, found)
+    return labels.pop(), rows_of(folder, suite, found)
 
 
 def _table(made: Iterable[ConditionEffect]) -> ScreenTable:

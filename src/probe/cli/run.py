@@ -9,6 +9,7 @@ from typing import Annotated
 import tyro
 
 from probe.agents.external.sandbox import Sandbox
+from probe.api.agents import SETTINGS
 from probe.api.resources import opener
 from probe.cli.dry_run import would_ask
 from probe.cli.engines import EngineChoice
@@ -26,15 +27,16 @@ from probe.cli.task_choice import TaskChoice
 from probe.engines.plan import Engine
 from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
-from probe.episodes.noise import NOISES, NoiseName
 from probe.episodes.participation import Points
-from probe.episodes.perceptions import used_by
+from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed, used_by
+from probe.episodes.tool_errors import WITHOUT_TOOLS, NoiseChoice, tool_errors
 from probe.errors import BadData
 from probe.perception.choice import Perceiver
 from probe.runs.plan import RunOrder
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.prompts import Setting
+from probe.types import Shard
 
 _TABLES = 4
 """Samples of a model at a time, if nobody says otherwise: models take their time."""
@@ -96,7 +98,7 @@ def run(
     asked: Annotated[ModelChoice, tyro.conf.arg(name="")] = ModelChoice(),  # noqa: B008
     chosen: Annotated[TaskChoice, tyro.conf.arg(name="")] = TaskChoice(),  # noqa: B008
     out: Annotated[Path, tyro.conf.arg(metavar="FOLDER")] = Path("outputs/run"),
-    noise: NoiseName = "none",
+    noise: NoiseChoice = "own",
     workers: Annotated[int | None, tyro.conf.arg(metavar="N")] = None,
     shard: Annotated[str, tyro.conf.arg(metavar="I/N")] = "0/1",
     watch: bool = False,
@@ -113,7 +115,8 @@ def run(
         asked: The model that acts instead.
         chosen: Which tasks; by default all.
         out: Folder for the records.
-        noise: How far the hand errs; "paper" fails as often as the paper's.
+        noise: How far the hand errs; "paper" fails as often as the paper's. "own": hand and
+            detector err as in the suite's headline setting, or not at all if it has none.
         workers: Processes that run episodes; by default 1, for a model 4, and on a cluster one on
             each core.
         where: On which machines.
@@ -133,10 +136,9 @@ def run(
         raise BadData("--watch", reason, "Leave it out, or run without --on")
     seeing.check(conditions)
     tasks, perceiver = chosen.of(find_suite(suite)), seeing.perceiver()
-    order = RunOrder("", acting.runs or 1, NOISES[noise], conditions, part)
+    order = _order(tasks, acting, asked, noise, conditions, used_by(perceiver), part)
     with only_json(json):
         if asked.model is None:
-            order = replace(order, perception=used_by(perceiver))
             engine = where.engine(out, workers)
             missing, total = _run_agent(
                 tasks, suite, acting, asked, order, out, engine, perceiver, watch=watch
@@ -152,6 +154,24 @@ def run(
     records = str(out / RECORDS)
     tell(RunSummary(tasks.name, len(tasks.tasks), total, missing, records), out, as_json=json)
     check_whole(missing, total)
+
+
+def _order(
+    tasks: Suite,
+    acting: AgentChoice,
+    asked: ModelChoice,
+    noise: NoiseChoice,
+    conditions: Conditions,
+    perception: PerceptionUsed,
+    part: Shard,
+) -> RunOrder:
+    """How a suite is run; who acts is added."""
+    oracle = perception == ORACLE_USED and asked.pointer in (None, "oracle")
+    setting = asked.setting or SETTINGS.get(acting.agent or "", "agentic")
+    headline = None if setting in WITHOUT_TOOLS else tasks.headline
+    hand, conditions = tool_errors(headline, noise, conditions, oracle=oracle)
+    order = RunOrder("", acting.runs or 1, hand, conditions, part)
+    return order if asked.model else replace(order, perception=perception)
 
 
 def _run_agent(

@@ -18,8 +18,9 @@ from probe.episodes.episode import Episode
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, check_suite, start_folder
 from probe.episodes.grading import question_of
-from probe.episodes.perceptions import used_by
+from probe.episodes.perceptions import ORACLE_USED, used_by
 from probe.episodes.play import open_episode
+from probe.episodes.tool_errors import tool_errors
 from probe.errors import MissingExtra, UnknownName
 from probe.interfaces.session import Session
 from probe.interfaces.words import question_text
@@ -64,9 +65,11 @@ def serve(
         raise MissingExtra("Serving the tools", "serve") from error
     check_numbers({"--seed": seed})
     perceiver = seeing.perceiver()
-    conditions = Conditions(renderer=renderer)
-    order = RunOrder(agent, conditions=conditions, perception=used_by(perceiver))
-    tasks = find_suite(suite)
+    tasks, used = find_suite(suite), used_by(perceiver)
+    hand, conditions = tool_errors(
+        tasks.headline, "own", Conditions(renderer=renderer), oracle=used == ORACLE_USED
+    )
+    order = RunOrder(agent, noise=hand, conditions=conditions, perception=used)
     chosen = _chosen(tasks, task, seed)
     _check_earlier(out, tasks, order)
     things = all_objects()

@@ -7,12 +7,14 @@ from dataclasses import asdict, dataclass
 
 from probe.episodes.grading import budget_of
 from probe.episodes.record import EpisodeRecord
+from probe.episodes.tool_errors import label_of
 from probe.generation.necessary import NECESSARY
 from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.scores.fidelity import fidelity
 from probe.scores.roster import Listed
 from probe.scores.row import Row
 from probe.tasks.grading import Score
+from probe.tasks.headline import Headline
 from probe.tasks.task import LETTERS, Task
 from probe.tasks.type_rules import rules_of
 
@@ -41,6 +43,7 @@ def row_of(
     setting: str,
     usage: Usage | None = None,
     ordered: int | None = None,
+    headline: Headline | None = None,
 ) -> Row:
     """The row of an episode.
 
@@ -53,6 +56,7 @@ def row_of(
             conditions.
         usage: Of the model; by default what the record says of it.
         ordered: Runs of each task that there are to be; None if unknown.
+        headline: The errors of tools in the suite's headline setting, if it has one.
     """
     done = [step.call.name for step in record.steps if step.status in ("done", "failed")]
     return Row.model_validate(
@@ -63,7 +67,7 @@ def row_of(
             "stratum": stratum_of(task),
             "options": len(task.options),
             "agent": record.agent,
-            "arm": under(setting, record),
+            "arm": under(setting, record, headline),
             "run": record.run,
             "ordered": ordered,
             "answer": _letter(record),
@@ -94,9 +98,10 @@ def _usage(record: EpisodeRecord) -> Usage:
     return Usage(seat.tokens_in, seat.tokens_out, seat.cost) if seat else Usage()
 
 
-def under(setting: str, record: EpisodeRecord) -> str:
+def under(setting: str, record: EpisodeRecord, headline: Headline | None = None) -> str:
     """A setting's name with a record's conditions: under other conditions it is another setting."""
-    return f"{setting}, {record.label}" if record.label else setting
+    label = label_of(record, headline, setting)
+    return f"{setting}, {label}" if label else setting
 
 
 def _execution(task: Task, record: EpisodeRecord, score: Score) -> dict[str, object]:

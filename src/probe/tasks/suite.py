@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from probe.assets.library import Library, Pool
 from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, same
 from probe.errors import BadData, UnknownName
+from probe.tasks.headline import Headline
 from probe.tasks.task import Task
 
 _Item = TypeVar("_Item")
@@ -25,6 +26,8 @@ class Suite:
         objects: Fingerprint of each object that appears, by id.
         commitment: To the salt that a private suite was made with; None of a public one.
         pool: Which objects it was made of; None of suites from before this was written down.
+        headline: The errors of tools that its scores are compared under; None of suites whose
+            files say nothing of it, which are run without errors unless somebody asks for them.
     """
 
     name: str
@@ -32,6 +35,7 @@ class Suite:
     objects: Mapping[str, Fingerprint]
     commitment: str | None = None
     pool: Pool | None = None
+    headline: Headline | None = None
 
     def __getitem__(self, task: str) -> Task:
         """A task by its id.
@@ -45,11 +49,13 @@ class Suite:
         return found[task]
 
 
-def freeze(name: str, tasks: tuple[Task, ...], library: Library) -> Suite:
+def freeze(
+    name: str, tasks: tuple[Task, ...], library: Library, headline: Headline | None = None
+) -> Suite:
     """A suite of these tasks, with the fingerprints of their objects as they are now."""
     looks = _looks_of(tasks)
     marks = {id: library.fingerprint(id, looks[id]) for id in sorted(looks)}
-    return Suite(name, tasks, marks, pool=library.pool)
+    return Suite(name, tasks, marks, pool=library.pool, headline=headline)
 
 
 def _looks_of(tasks: Sequence[Task]) -> dict[str, Looks]:
@@ -69,7 +75,7 @@ def part(suite: Suite, task: Task) -> Suite:
 def selection(suite: Suite, tasks: tuple[Task, ...], name: str) -> Suite:
     """Some tasks of a suite under another name, with the fingerprints of their objects."""
     ids = sorted({placed.object_id for task in tasks for placed in task.scene.objects})
-    return Suite(name, tasks, {id: suite.objects[id] for id in ids}, suite.commitment, suite.pool)
+    return replace(suite, name=name, tasks=tasks, objects={id: suite.objects[id] for id in ids})
 
 
 def spaced(tasks: Sequence[_Item], count: int) -> tuple[_Item, ...]:

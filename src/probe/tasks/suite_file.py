@@ -16,10 +16,12 @@ from probe.assets.library import Pool
 from probe.checksum import with_sum
 from probe.errors import BadData, UnknownName
 from probe.files import read_document, write_bytes
+from probe.perception.dials import Dials, ErrorRate
 from probe.scene.cameras import View
 from probe.scene.document import SceneDocument
 from probe.scene.setup_file import MOST_PX, sees_basket
 from probe.scene.visibility import Visibility
+from probe.tasks.headline import Headline
 from probe.tasks.look_alike import look_alike
 from probe.tasks.reserved import Difference, difference, unlike
 from probe.tasks.suite import Suite
@@ -180,6 +182,30 @@ class TaskDocument(
         return hashlib.sha256(self.model_dump_json().encode()).hexdigest()[:16]
 
 
+_Metres = Annotated[float, pydantic.Field(ge=0, le=0.1)]
+
+
+class HeadlineDocument(pydantic.BaseModel, extra="forbid"):
+    """Errors of tools."""
+
+    grasp: _Metres
+    push: _Metres
+    over: ErrorRate
+    under: ErrorRate
+    missed: ErrorRate
+    hallucinated: ErrorRate
+
+    @staticmethod
+    def of(headline: Headline) -> HeadlineDocument:
+        """The document of these errors."""
+        return HeadlineDocument(grasp=headline.grasp, push=headline.push, **vars(headline.dials))
+
+    def headline(self) -> Headline:
+        """The errors that it describes."""
+        dials = Dials(self.over, self.under, self.missed, self.hallucinated)
+        return Headline(self.grasp, self.push, dials)
+
+
 class SuiteDocument(pydantic.BaseModel, extra="forbid"):
     """A whole suite, with a hash of every task and a fingerprint of every object."""
 
@@ -190,6 +216,10 @@ class SuiteDocument(pydantic.BaseModel, extra="forbid"):
     commitment: str | None = pydantic.Field(default=None, pattern=r"^[0-9a-f]{64}$")
     # Of suites since there is a pool for training: which objects they were made of.
     pool: Pool | None = pydantic.Field(default=None, exclude_if=lambda it: it is None)
+    # Of suites whose scores are taken with tools that err.
+    headline: HeadlineDocument | None = pydantic.Field(
+        default=None, exclude_if=lambda it: it is None
+    )
     objects: dict[str, tuple[float, ...]]
     manifest: dict[str, str]
     tasks: Annotated[list[TaskDocument], pydantic.FailFast()]
@@ -253,6 +283,7 @@ def _document(suite: Suite) -> SuiteDocument:
         name=suite.name,
         commitment=suite.commitment,
         pool=suite.pool,
+        headline=HeadlineDocument.of(suite.headline) if suite.headline else None,
         objects=dict(suite.objects),
         manifest={task.id: task.digest() for task in tasks},
         tasks=tasks,
@@ -267,7 +298,9 @@ def read_suite(path: Path) -> Suite:
     """
     document = read_document(path, SuiteDocument, _REMEDY, most=reading.SUITE)
     tasks = tuple(task.task() for task in document.tasks)
-    return Suite(document.name, tasks, document.objects, document.commitment, document.pool)
+    headline = document.headline.headline() if document.headline else None
+    named = (document.name, tasks, document.objects, document.commitment, document.pool)
+    return Suite(*named, headline=headline)
 
 
 def packaged_suites() -> list[str]:

@@ -1,0 +1,65 @@
+"""How far tools err in a run: as its suite says, or as somebody asks."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Literal
+
+from probe.episodes.conditions import NO_DIALS, Conditions
+from probe.episodes.noise import NO_NOISE, NOISES, Noise, NoiseName
+from probe.episodes.record import EpisodeRecord
+from probe.tasks.headline import Headline
+
+NoiseChoice = Literal["own", NoiseName]
+"""A hand's errors by name; "own": tools err as the suite says, or not at all if it says nothing."""
+
+WITHOUT_TOOLS = frozenset({"blind", "rule", "direct", "oracle-view"})
+"""Settings in which no tool is called."""
+
+
+def tool_errors(
+    headline: Headline | None, noise: NoiseChoice, conditions: Conditions, *, oracle: bool = True
+) -> tuple[Noise, Conditions]:
+    """How far the hand errs in a run, and its conditions with how often the detector does.
+
+    Args:
+        headline: The errors of the suite's headline setting; None if it has none.
+        noise: What was asked for.
+        conditions: Likewise; rates of a detector's errors that were asked for stay.
+        oracle: Whether perception is the ideal detector, whose errors are added.
+    """
+    if noise != "own":
+        return NOISES[noise], conditions
+    if headline is None:
+        return NO_NOISE, conditions
+    asked = conditions.dials != NO_DIALS or conditions.ideal == "perception"
+    if oracle and not asked:
+        conditions = replace(conditions, dials=headline.dials)
+    return Noise(headline.grasp, headline.push), conditions
+
+
+def label_of(record: EpisodeRecord, headline: Headline | None, setting: str) -> str:
+    """In what an episode differs from the headline setting of its suite, in a few words.
+
+    Of a suite without one: from its task and the usual perception.
+
+    Args:
+        record: The episode.
+        headline: Of its suite.
+        setting: How the agent was allowed to answer.
+    """
+    if headline is None or setting in WITHOUT_TOOLS:
+        return record.label
+    dials, noise = record.conditions.dials, Noise(headline.grasp, headline.push)
+    if dials == headline.dials:
+        record = replace(record, conditions=replace(record.conditions, dials=NO_DIALS))
+    hand = "" if record.noise == noise else _hand(record.noise)
+    eye = "" if dials != NO_DIALS or headline.dials == NO_DIALS else "ideal detector"
+    perceives = "" if record.perception.label else eye
+    return ", ".join(filter(None, (record.label, hand, perceives)))
+
+
+def _hand(noise: Noise) -> str:
+    if noise == NO_NOISE:
+        return "ideal hand"
+    return f"hand off by {1000 * noise.grasp:g} mm, pushing by {1000 * noise.push:g} mm"
