@@ -9,6 +9,7 @@ from pathlib import Path
 from time import monotonic
 
 from probe.assets.library import Library, Pool
+from probe.episodes.tool_errors import HEADLINE
 from probe.errors import BadData, Unsatisfiable
 from probe.generation.attempt import Attempt
 from probe.generation.build_folder import (
@@ -35,7 +36,14 @@ from probe.scene.setup import UR5_TABLE, Setup
 from probe.scene.setup_file import SetupDocument
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import read_suite, write_suite
-from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVersion, Task
+from probe.tasks.task import (
+    ERROR_RULES,
+    NEWEST_RULES,
+    QUESTION_TYPES,
+    QuestionType,
+    RulesVersion,
+    Task,
+)
 
 _REASONS = 3
 
@@ -207,10 +215,12 @@ def in_order(tasks: Iterable[Task]) -> list[Task]:
 
 
 def _write(path: Path, tasks: Sequence[Task], library: Library, salt: Salt | None) -> None:
+    states = any(task.version >= ERROR_RULES for task in tasks)
+    headline = HEADLINE if states else None
     if salt is None:
-        write_suite(path, freeze(path.stem, tuple(tasks), library))
+        write_suite(path, freeze(path.stem, tuple(tasks), library, headline))
         return
-    suite = freeze(path.stem, tuple(in_order(tasks)), library)
+    suite = freeze(path.stem, tuple(in_order(tasks)), library, headline)
     write_suite(path, replace(suite, commitment=salt.commitment))
 
 

@@ -47,6 +47,9 @@ STEP_RULES: RulesVersion = 3
 OPEN_RULES: RulesVersion = 3
 """Since these, some tasks can be answered from the first picture."""
 
+ERROR_RULES: RulesVersion = 3
+"""Since these, a suite says how far tools err where its scores are taken."""
+
 NEWEST_RULES: RulesVersion = 3
 
 
