@@ -125,15 +125,16 @@ def test_a_series_shows_each_moment_and_always_in_the_same_bytes(blender):
     shown = blender.series(moments, CAMERA, lamp(), 20.0)
     with Renderer(engine="blender") as another:
         load(another)
-        again = another.series(moments, CAMERA, lamp(), 20.0)
-    assert [one.tobytes() for one in again] == [one.tobytes() for one in shown]
+        again = another.series(moments[:2], CAMERA, lamp(), 20.0)
+    assert [one.tobytes() for one in again] == [one.tobytes() for one in shown[:2]]
     alone = [
-        blender.draw(moment, CAMERA, rgb=True, light=lamp()).rgb.astype(int) for moment in moments
+        blender.draw(moment, CAMERA, rgb=True, light=lamp()).rgb.astype(int)
+        for moment in moments[:3]
     ]
     # Series are drawn with fewer samples.
     off = [[np.abs(one - other).mean() for other in alone] for one in shown]
     assert [int(np.argmin(row)) for row in off[:3]] == [0, 1, 2]
-    assert max(off[n][n] for n in range(4)) < 2
+    assert max(off[n][n] for n in range(3)) < 2
     assert np.abs(shown[0].astype(int) - shown[3]).mean() < 0.5
 
 

@@ -18,7 +18,7 @@ _COVERED = 0.6
 _OVERLAPS, _LIES = 0.5, 0.3
 _BESIDE = 0.02
 _SAME_AREA = 0.8
-_EXPLAINED, _COMMON = 0.8, 0.5
+_EXPLAINED = 0.8
 
 
 def unmoved(
@@ -73,8 +73,8 @@ def has_turned(before: Frame, after: Frame, was: Array, now: Array) -> bool:
 def hidden_otherwise(before: Frame, after: Frame, was: Array, now: Array) -> bool:
     """Whether a thing only shows another part of itself: what hides it has gone, or has come.
 
-    Nearly all that shows no longer is behind something nearer now, nearly all that has come to
-    light was, and the rest is where it was.
+    Nearly all that shows no longer is behind something nearer now, and nearly all that has come to
+    light was.
 
     Args:
         before: The first frame.
@@ -84,8 +84,7 @@ def hidden_otherwise(before: Frame, after: Frame, was: Array, now: Array) -> boo
     """
     nearer, hiding = -depth_change(before, after), same_within(_NEARER, before, after)
     explained = np.where(was, nearer > hiding, nearer < -hiding)[was ^ now]
-    both, least = np.count_nonzero(was & now), min(np.count_nonzero(was), np.count_nonzero(now))
-    return bool(explained.size and both >= _COMMON * least and explained.mean() >= _EXPLAINED)
+    return bool(explained.size and explained.mean() >= _EXPLAINED)
 
 
 def is_cut_off(mask: Array) -> bool:
