@@ -39,7 +39,7 @@ def typed(monkeypatch, capsys):
         (("run", "v1", "--xyzzy"), "There is no option --xyzzy. See `probe run --help`."),
         (("run", "v1", "--agent"), "Missing value for argument '--agent'."),
         (("run", "v1", "--workers", "two"), "--workers: 'two' is no whole number."),
-        (("run", "v1", "--noise", "pper"), "there is no 'pper'. Did you mean paper? Known: none"),
+        (("run", "v1", "--noise", "pper"), "there is no 'pper'. Did you mean paper? Known: own"),
         (("run", "v1", "v1.1"), "'v1.1' is one word too many."),
         (("scene", "x"), "SEED: 'x' is no whole number. See `probe scene --help`."),
         (("tools",), "A command is missing; known: bench."),
