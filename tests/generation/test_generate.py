@@ -182,7 +182,7 @@ def check_marks(task: Task, measured: dict[int, tuple[float, int]], renderer: Re
         assert f"{mark.letter} at ({u}, {v})" in task.question
 
 
-@pytest.mark.parametrize("episode", [2, 5])  # a larger and a smaller, each kept at once
+@pytest.mark.parametrize("episode", [5, 7])
 def test_size(library: Library, renderer: Renderer, episode):
     wanted = plan("size", episode * ATTEMPTS)
     task = first_kept("size", episode, library, renderer).task
