@@ -9,11 +9,12 @@ from probe.transcripts.result_texts import ResultTexts
 from probe.transcripts.short_results import ShortResults
 from tabletops import Block, Obedient, PaintedStation, spec
 
-SPECS = {1: spec("red mug"), 2: spec("red mug"), 3: spec("blue book", "blue")}
+SPECS = {1: spec("red mug"), 2: spec("red mug"), 3: spec("blue book", "blue"), 4: spec("red coin")}
 BLOCKS = (
     Block(1, (100, 100, 219, 219)),
     Block(2, (350, 550, 399, 599), height=0.15),
     Block(3, (300, 500, 499, 699), colour=(40, 85, 170)),
+    Block(4, (360, 560, 389, 589), height=0.1),
 )
 # The book's point: as far from the corner of the mug on it as from its own edges.
 FIRST = (
@@ -44,8 +45,8 @@ def test_the_first_list_tells_all_and_later_ones_what_changed():
     assert done.startswith("Done: object_2 was lifted and dropped into the basket.")
     assert told(tools, texts, "perceive_scene").split("\n") == [
         LATER,
-        "- object_4 blue book [399, 599]",
-        "out of date: object_2, object_3",
+        "- object_4 red coin [374, 574] on object_3",
+        "out of date: object_2",
     ]
 
 
@@ -93,8 +94,7 @@ def test_the_last_turn_is_told_after_a_short_list():
         told(tools, texts, "perceive_scene")
     last = told(tools, texts, "perceive_scene")
     assert last == (
-        "# Nothing has changed since the last list.\n"
-        "This was the last turn; the episode has ended."
+        "# Nothing has changed since the last list.\nThis was the last turn; the episode has ended."
     )
 
 

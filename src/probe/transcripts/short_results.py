@@ -60,7 +60,7 @@ class ShortResults:
 def _found(text: str) -> str:
     """What find_object found as a line, with its box and description, then others that may fit."""
     content = cast("dict[str, Any]", yaml.safe_load(text))
-    if not _NEEDED <= content.keys():  # which only tools of an earlier version leave out
+    if not content.keys() >= _NEEDED:  # which only tools of an earlier version leave out
         return text
     name, description = content.get("name"), str(content["description"])
     first = f"{_line(content, name or description)}, box {content['box']}"
