@@ -38,8 +38,7 @@ def test_a_list_holds_the_ids_and_a_failed_search_no_single_one():
     "text",
     [
         "# All that shows: object_id, what it is.\n- object_1 red mug [159, 159]",
-        "# New or changed since the last list; other objects are as they were.\n"
-        "out of date: object_1",
+        "# Changed since the last list:\nout of date: object_1",
         "# Nothing has changed since the last list.",
         "# Nothing shows.",
     ],

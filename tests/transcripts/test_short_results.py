@@ -21,7 +21,7 @@ FIRST = (
     "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, what it "
     "lies on or covers."
 )
-LATER = "# New or changed since the last list; other objects are as they were."
+LATER = "# Changed since the last list:"
 
 
 def table() -> Toolshed:

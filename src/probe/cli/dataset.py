@@ -59,10 +59,7 @@ def dataset(
     """
     check_new(out)
     check_numbers({"--workers": workers})
-    if not _SMALLEST_PX <= side <= UR5_TABLE.picture_px:
-        raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {UR5_TABLE.picture_px}")
-    if graphs is not None and setting is None:
-        raise BadData("--graphs", "does nothing without --setting", "Say --setting text-only, too")
+    _check(side, setting, graphs)
     chosen = read_selection(selected)
     if setting is not None:
         chosen = as_text_only(chosen, graphs or "full")
@@ -86,6 +83,17 @@ def dataset(
         f"{manifest.total} examples with {manifest.pictures} pictures are in {out}; "
         f"its README.md says what they are."
     )
+
+
+def _check(side: int, setting: str | None, graphs: Graphs | None) -> None:
+    """See that each option is in range and does something."""
+    whole = UR5_TABLE.picture_px
+    if not _SMALLEST_PX <= side <= whole:
+        raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {whole}")
+    if setting is not None and side != whole:
+        raise BadData("--side", f"does nothing with --setting {setting}", "Leave it out")
+    if setting is None and graphs is not None:
+        raise BadData("--graphs", "does nothing without --setting", "Say --setting text-only, too")
 
 
 def _examples(

@@ -14,7 +14,7 @@ _FIRST = (
     "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, what it "
     "lies on or covers."
 )
-_LATER = "# New or changed since the last list; other objects are as they were."
+_LATER = "# Changed since the last list:"
 _SAME = "# Nothing has changed since the last list."
 _EMPTY = "# Nothing shows."
 
