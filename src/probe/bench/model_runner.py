@@ -160,7 +160,7 @@ class ModelRunner:
         """Of the one that points; the harness leaves a role aside that nobody asks for."""
         pointer, given = self._plan.pointer, ROLE in model_roles()
         if given and self._plan.setting != "agentic":
-            reason = "only in the setting agentic does a model point"
+            reason = "nothing is pointed at without tools and pictures"
             raise BadData(_GIVEN, reason, "Leave it out")
         if given and pointer != "role":
             raise BadData(_GIVEN, f"the pointer is {pointer}", "Say -T pointer=role, too")
