@@ -1,4 +1,6 @@
-from probe.agents.reading import read_graph, read_handle, read_handles
+import pytest
+
+from probe.agents.reading import ShortList, read_graph, read_handle, read_handles
 from probe.perception.oracle import Oracle
 from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import Toolshed
@@ -30,3 +32,17 @@ def test_a_list_holds_the_ids_and_a_failed_search_no_single_one():
     graph = read_graph(reply("perceive_scene"))
     assert [seen.object_id for seen in graph.objects] == ["object_1", "object_2", "object_3"]
     assert read_handle(reply("find_object", description="green mug")) is None
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "# All that shows: object_id, what it is.\n- object_1 red mug [159, 159]",
+        "# Changed since the last list:\nout of date: object_1",
+        "# Nothing has changed since the last list.",
+        "# Nothing shows.",
+    ],
+)
+def test_a_list_in_short_is_no_list_without_things(text):
+    with pytest.raises(ShortList, match="Read the whole list instead"):
+        read_graph(text)

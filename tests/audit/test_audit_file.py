@@ -24,6 +24,7 @@ from probe.audit.audit_file import (
 )
 from probe.audit.audit_key import key_of, ready_key
 from probe.audit.auditing import begin, missing_of
+from probe.audit.replaying import unable
 from probe.checksum import with_sum, without_sum
 from probe.episodes.files import append_record
 from probe.episodes.folder import RECORDS, SUITE
@@ -127,6 +128,12 @@ def test_what_needs_a_model_again_cannot_be_replayed_and_is_counted(tmp_path):
         "perception asked a model (pointer self)",
         "a model answered in words (setting direct)",
     ]
+
+
+@pytest.mark.parametrize("setting", ["text-only", "text-only, short graphs"])
+def test_calls_of_a_model_that_saw_no_picture_can_be_replayed(setting):
+    seat = Participation(setting, replies=(ModelReply(4),))
+    assert unable(replace(RECORD, participation=seat)) is None
 
 
 def test_a_sample_is_drawn_by_its_seed(tmp_path):

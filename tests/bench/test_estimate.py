@@ -48,6 +48,13 @@ def test_a_reply_in_words_costs_its_pictures_once():
     assert both.tokens_in - blind.tokens_in > 36 * PICTURE_TOKENS
 
 
+def test_without_pictures_none_is_counted():
+    some = estimate("text-only", "pixels", SUITE.tasks[:1], 1, turns=4)
+    seeing = estimate("agentic", "pixels", SUITE.tasks[:1], 1, turns=4)
+    assert (some.replies, some.pictures) == (4, 0)
+    assert seeing.tokens_in - some.tokens_in > 10 * PICTURE_TOKENS
+
+
 def test_pictures_are_sent_again_with_each_reply():
     some = estimate("agentic", "pixels", SUITE.tasks[:1], 1, turns=4)
     # One with the first request, and one more with each later one.

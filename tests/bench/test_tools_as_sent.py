@@ -15,7 +15,9 @@ from probe.transcripts.tools import as_sent
 
 @pytest.mark.filterwarnings("default")  # the client is never closed
 @pytest.mark.parametrize("points", get_args(Points))
-def test_tools_are_told_as_they_are_sent(points):
+@pytest.mark.parametrize("setting", ["agentic", "text-only"])
+def test_tools_are_told_as_they_are_sent(points, setting):
     model = get_model("openai-api/local/x", base_url="http://localhost", api_key="none")
     api: Any = model.api
-    assert json.dumps(as_sent(points)) == json.dumps(api.tools_to_openai(tool_infos(points)))
+    sent = api.tools_to_openai(tool_infos(points, setting=setting))
+    assert json.dumps(as_sent(points, setting=setting)) == json.dumps(sent)

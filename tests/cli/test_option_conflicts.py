@@ -45,6 +45,12 @@ def carry_out(said: Mapping[str, Any], out: Path) -> None:
             {"model": "m", "pointer": "self", "setting": "direct"},
             "does nothing with --setting direct",
         ),
+        ({"graphs": "short"}, "--graphs: does nothing without --model"),
+        ({"model": "m", "graphs": "short"}, "--graphs: does nothing with --setting agentic"),
+        (
+            {"model": "m", "pointer": "self", "setting": "text-only"},
+            "--pointer: does nothing with --setting text-only",
+        ),
         (
             {"model": "m", "pointer": "self", "conditions": Conditions(ideal="perception")},
             "--pointer: does nothing with --dials or --ideal",

@@ -113,6 +113,33 @@ def test_other_settings_show_what_they_should(tmp_path, setting, pictures):
     assert f"1 can't be replayed: a model answered in words (setting {setting})" in said
 
 
+def looks_then_says_a(number: int, body: dict[str, Any]) -> Reply:
+    """Looks twice, then answers A."""
+    turn = sum(message["role"] == "assistant" for message in body["messages"])
+    return Reply(calls=(("perceive_scene", "{}") if turn < 2 else CALL,))
+
+
+def test_a_model_that_sees_no_picture_acts_by_words(tmp_path):
+    suite, out = suite_file(tmp_path, (COUNT,)), tmp_path / "out"
+    with serving(looks_then_says_a) as server:
+        probe(
+            *("run", suite, "--model", "mine", "--endpoint", server.url, "--epochs", "1"),
+            *("--setting", "text-only", "--graphs", "short", "--workers", "1", "--out", out),
+        )
+    bodies = asked(server)
+    assert [pictures_in(body) for body in bodies] == [0, 0, 0]
+    results = [it["content"] for it in bodies[-1]["messages"] if it["role"] == "tool"]
+    assert "- object_1 " in str(results[0]) and "boxes are in pixels" not in str(results[0])
+    assert "# Nothing has changed since the last list." in str(results[1])
+    (record,) = read_records(out / RECORDS)
+    assert record.setting == "text-only, short graphs"
+    # The record keeps lists whole, and calls can be done again.
+    assert "boxes are in pixels" in record.steps[0].text
+    assert record.steps[0].text == record.steps[1].text
+    assert "can't be replayed" not in probe("audit", out, "--replay", "all")
+    assert "text-only, short graphs" in probe("report", out)
+
+
 def test_a_model_sits_at_a_changed_table(tmp_path):
     suite = suite_file(tmp_path, (COUNT,))
     with serving(says_a) as server:

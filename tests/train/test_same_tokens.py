@@ -19,6 +19,7 @@ from probe.train.dataset.examples import example_of
 from probe.train.dataset.rows import trl_row
 from probe.train.dataset.showing import EpisodePictures
 from probe.train.dataset.table import write_table
+from probe.train.dataset.text_only import no_pictures
 from probe.train.serve.replying import read_reply
 from probe.train.serve.serving import application
 from probe.train.serve.speaking import GeneratedReply, ServedModel
@@ -44,6 +45,13 @@ EPISODES = {
         calling("Now I know.", "answer_question", '{"choice": "B", "point": [12, 700]}'),
     ],
     "direct": ["It must be this one.\nANSWER: C (250, 750)"],
+    "text-only": [
+        calling("I look first.", "perceive_scene", "{}"),
+        calling("", "find_object", '{"description": "white ball"}'),
+        calling("", "grasp_and_remove", '{"object_id": "object_1"}'),
+        calling("What has changed?", "perceive_scene", "{}"),
+        calling("Now I know.", "answer_question", '{"choice": "B", "point": [12, 700]}'),
+    ],
 }
 
 
@@ -110,21 +118,36 @@ def trained_on(record, body, points, speaker, folder):
 
     # All pictures but those of the last result: no reply follows that.
     pictures = iter(pictures_in(body))
-    first = (next(pictures),)
-    later = tuple(
-        next(pictures, None) if step.call.name != "answer_question" else None
-        for step in record.steps
-    )
-    example = example_of(SUITE.tasks[0], record, EpisodePictures(first, later), points)
+    if record.setting.startswith("text-only"):
+        assert not list(pictures)
+        shown = no_pictures(record)
+    else:
+        first = (next(pictures),)
+        later = tuple(
+            next(pictures, None) if step.call.name != "answer_question" else None
+            for step in record.steps
+        )
+        shown = EpisodePictures(first, later)
+    example = example_of(SUITE.tasks[0], record, shown, points)
     write_table(folder / "rows.parquet", [trl_row(example)])
     rows = Dataset.from_parquet(str(folder / "rows.parquet"), cache_dir=str(folder / "cache"))
     return collator_for(speaker._processor)([rows[0]])
 
 
-@pytest.mark.parametrize(("setting", "points"), [("agentic", "0-1000"), ("direct", "pixels")])
-def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, setting, points):
+@pytest.mark.parametrize(
+    ("setting", "points", "graphs"),
+    [
+        ("agentic", "0-1000", "full"),
+        ("direct", "pixels", "full"),
+        ("text-only", "0-1000", "full"),
+        ("text-only", "0-1000", "short"),
+    ],
+)
+def test_requests_are_what_training_shows_up_to_each_reply(
+    tmp_path, speaker, setting, points, graphs
+):
     speaker.begin(EPISODES[setting])
-    order = plan(tmp_path / "out", setting, SUITE, points=points)
+    order = plan(tmp_path / "out", setting, SUITE, points=points, graphs=graphs)
     with listening(speaker) as url:
         run_in(order, url)
     record = kept(tmp_path / "out")[SUITE.tasks[0].id]
@@ -139,13 +162,17 @@ def test_requests_are_what_training_shows_up_to_each_reply(tmp_path, speaker, se
     for asked, reply in zip(speaker.heard, EPISODES[setting], strict=True):
         sent = asked["input_ids"][0].tolist()
         assert ids[: len(sent)] == sent
-        patches = asked["pixel_values"]
-        assert (batch["pixel_values"][: len(patches)] == patches).all()
+        if setting != "text-only":
+            patches = asked["pixel_values"]
+            assert (batch["pixel_values"][: len(patches)] == patches).all()
         said = tokenizer.encode(f"{reply}<|im_end|>\n", add_special_tokens=False)
         assert ids[len(sent) : len(sent) + len(said)] == said
         end = len(sent) + len(said)
         expected[len(sent) : end] = said
-    assert len(batch["pixel_values"]) == len(speaker.heard[-1]["pixel_values"])
+    if setting != "text-only":
+        assert len(batch["pixel_values"]) == len(speaker.heard[-1]["pixel_values"])
+    else:
+        assert "pixel_values" not in batch
     assert labels == expected
     # Nothing follows the last reply.
     assert len(ids) == end

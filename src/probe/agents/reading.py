@@ -9,6 +9,7 @@ from typing import Any, Literal, cast
 
 import yaml
 
+from probe.errors import ProbeError
 from probe.perception.tokens import tokens
 
 Box = tuple[int, int, int, int]
@@ -34,6 +35,8 @@ _AWAY = re.compile(
     r"(object_\d+) (?:was lifted and dropped into|ended up in|lies in|lies beside) the basket"
 )
 _RENAMED = re.compile(r"\b[Ii]t is (object_\d+) now\b")
+
+_SHORT_LIST = re.compile(r"^- object_\d+ |^# (?:Nothing shows|.* since the last list)\b", re.M)
 
 _LISTS = ("objects", "others_that_fit_as_well", "others_that_may_be_meant")
 _NEAREST = re.compile(r"(object_\d+), (.*?), at \[")
@@ -113,8 +116,24 @@ class Graph:
         return {other for one, other in ends if one == seen.number}
 
 
+class ShortList(ProbeError):
+    """A list as models read it that are told graphs in short."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "This list is in short (--graphs short): it has no boxes, and may tell only what has "
+            "changed. Read the whole list instead; records keep it, and agents are told it."
+        )
+
+
 def read_graph(text: str) -> Graph:
-    """Read a reply of perceive_scene; an empty graph if the text is something else."""
+    """Read a reply of perceive_scene; an empty graph if the text is something else.
+
+    Raises:
+        ShortList: It is a list in short, as some models are told it.
+    """
+    if _SHORT_LIST.search(text):
+        raise ShortList
     told: object = yaml.safe_load(text)
     if not isinstance(told, dict) or "objects" not in told:
         return Graph()

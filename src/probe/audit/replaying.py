@@ -18,6 +18,7 @@ from probe.runs.vary import vary
 from probe.tasks.suite import Suite, check_objects, part
 from probe.tasks.task import Task
 from probe.toolshed.version import TOOLS_VERSION
+from probe.transcripts.prompts import has_tools
 
 _SHOWN = 4
 """Differences that a verdict names."""
@@ -85,9 +86,9 @@ def unable(record: EpisodeRecord) -> str | None:
     if record.participation is None:
         return None
     setting, _, more = record.participation.setting.partition(", ")
-    if more:
+    if more and setting == "agentic":
         return f"perception asked a model ({more})"
-    return None if setting == "agentic" else f"a model answered in words (setting {setting})"
+    return None if has_tools(setting) else f"a model answered in words (setting {setting})"
 
 
 def _difference(claim: Claim, things: Library, renderers: Renderers) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from inspect_ai.model import ChatMessageAssistant
+from inspect_ai.model import ChatMessageAssistant, ChatMessageTool
 
 from probe.bench.model_conversation import ModelConversation
 from probe.bench.process_pool import Assignment
@@ -15,24 +15,34 @@ from probe.toolshed.result import Answer
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import meant
 from probe.transcripts.messages import pictureless_first
-from probe.transcripts.prompts import Setting, reminder
+from probe.transcripts.prompts import Graphs, Setting, reminder
+from probe.transcripts.result_texts import ResultTexts
 
 
 async def with_tools(
-    conversation: ModelConversation, assignment: Assignment, points: Points
+    conversation: ModelConversation,
+    assignment: Assignment,
+    points: Points,
+    graphs: Graphs = "full",
 ) -> None:
     """Let a model call tools until the episode ends; it is reminded once in a row to call one.
+
+    Args:
+        conversation: With the model.
+        assignment: The table.
+        points: How the model counts places.
+        graphs: How lists are told to it.
 
     Raises:
         ModelFailed: No reply came.
         TableLost: The table failed too often.
     """
-    reminded = False
+    reminded, texts = False, ResultTexts(points, graphs)
     while True:
         said = await conversation.reply()
         if said.tool_calls:
             reminded = False
-            if await _carried_out(said, conversation, assignment, points):
+            if await _carried_out(said, conversation, assignment, points, texts):
                 return
             continue
         conversation.replies.append(ModelReply(0, said.text))
@@ -67,17 +77,21 @@ async def _carried_out(
     conversation: ModelConversation,
     assignment: Assignment,
     points: Points,
+    texts: ResultTexts,
 ) -> bool:
     """Do the calls of a reply, one after another; whether the episode has ended."""
     came: list[CallResult] = []
+    results: list[ChatMessageTool] = []
     calls = said.tool_calls or []
     for call in calls:
         words = "" if came else said.text
-        came.append(await assignment.call(meant(call_of(call, words), points)))
+        asked = meant(call_of(call, words), points)
+        came.append(await assignment.call(asked))
+        read = texts.told(asked.name, came[-1].text)
+        results.append(result_message(call, read, came[-1].picture))
         if came[-1].ended:
             break
     conversation.replies.append(ModelReply(len(came)))
-    results = [result_message(call, told, points) for call, told in zip(calls, came, strict=False)]
     order = pictureless_first([told.picture for told in came])
     conversation.messages += [results[index] for index in order]
     return came[-1].ended

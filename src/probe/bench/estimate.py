@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from probe.episodes.participation import Points
 from probe.tasks.task import Task
 from probe.toolshed.toolshed import TURNS
-from probe.transcripts.prompts import Setting, system_prompt
+from probe.transcripts.prompts import Setting, has_tools, system_prompt
 from probe.transcripts.tools import tools_for
 
 USUAL_TURNS = 12
@@ -20,7 +20,13 @@ PICTURE_TOKENS = 1300
 
 RESULT_TOKENS, REPLY_TOKENS = 300, 80
 _CHARACTERS_A_TOKEN = 4
-_FIRST_PICTURES: dict[Setting, int] = {"agentic": 1, "direct": 1, "blind": 0, "oracle-view": 2}
+_FIRST_PICTURES: dict[Setting, int] = {
+    "agentic": 1,
+    "text-only": 0,
+    "direct": 1,
+    "blind": 0,
+    "oracle-view": 2,
+}
 
 
 @dataclass(frozen=True)
@@ -53,13 +59,15 @@ def estimate(
         epochs: Runs of each task.
         turns: Calls in an episode with tools.
     """
-    asked = min(turns, TURNS) if setting == "agentic" else 1
+    asked = min(turns, TURNS) if has_tools(setting) else 1
     episodes = len(tasks) * epochs
     fixed = _tokens(system_prompt(setting, points))
-    if setting == "agentic":
-        fixed += _tokens(json.dumps([vars(tool) for tool in tools_for(points)]))
+    if has_tools(setting):
+        tools = tools_for(points, setting=setting)
+        fixed += _tokens(json.dumps([vars(tool) for tool in tools]))
     questions = sum(_tokens(task.question + str(task.options)) for task in tasks) * epochs
-    pictures = sum(_FIRST_PICTURES[setting] + turn for turn in range(asked)) * episodes
+    more = 0 if setting == "text-only" else 1
+    pictures = sum(_FIRST_PICTURES[setting] + more * turn for turn in range(asked)) * episodes
     grown = sum(turn * (RESULT_TOKENS + REPLY_TOKENS) for turn in range(asked)) * episodes
     inward = episodes * asked * fixed + asked * questions + pictures * PICTURE_TOKENS + grown
     return Estimate(episodes, episodes * asked, pictures, inward, episodes * asked * REPLY_TOKENS)

@@ -58,7 +58,7 @@ def harness_task(plan: ModelRunPlan, runner: ModelRunner | None = None) -> Harne
 def _sample(plan: ModelRunPlan, id: str) -> Sample:
     task = next(task for task in plan.tasks if task.id == id)
     lines = [task.question, *(f"{option.letter}: {option.text}" for option in task.options)]
-    metadata: dict[str, Any] = {"kind": task.question_type, "arm": plan.setting}
+    metadata: dict[str, Any] = {"kind": task.question_type, "arm": plan.named_setting}
     return Sample(input="\n".join(lines), target=task.answer, id=task.id, metadata=metadata)
 
 

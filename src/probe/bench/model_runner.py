@@ -8,6 +8,7 @@ from dataclasses import replace
 from anyio import Lock
 from anyio.to_thread import run_sync
 from inspect_ai.model import CachePolicy, Model, get_model, model_roles
+from inspect_ai.tool import ToolInfo
 from inspect_ai.util import LimitExceededError
 
 from probe.bench.conversation import in_words, with_tools
@@ -37,6 +38,7 @@ from probe.runs.worker_messages import (
 )
 from probe.toolshed.result import Answer
 from probe.transcripts.messages import opening
+from probe.transcripts.prompts import has_tools
 
 ROLE = "pointer"
 _GIVEN = f"--model-role {ROLE}"
@@ -158,7 +160,8 @@ class ModelRunner:
         """Of the one that points; the harness leaves a role aside that nobody asks for."""
         pointer, given = self._plan.pointer, ROLE in model_roles()
         if given and self._plan.setting != "agentic":
-            raise BadData(_GIVEN, "nothing is pointed at without tools", "Leave it out")
+            reason = "nothing is pointed at without tools and pictures"
+            raise BadData(_GIVEN, reason, "Leave it out")
         if given and pointer != "role":
             raise BadData(_GIVEN, f"the pointer is {pointer}", "Say -T pointer=role, too")
         if pointer == "role" and not given:
@@ -168,7 +171,9 @@ class ModelRunner:
     def _listener(self, job: Job, model: Model, episode_usage: EpisodeUsage) -> ModelConversation:
         plan = self._plan
         scopes = {"folder": self._replies, "episode": f"{job.task.id} {job.run}"}
-        tools = tool_infos(plan.points, job.task.scale) if plan.setting == "agentic" else []
+        scale, tools = job.task.scale, list[ToolInfo]()
+        if has_tools(plan.setting):
+            tools = tool_infos(plan.points, scale, plan.setting)
         cache = CachePolicy(expiry=None, scopes=scopes)
         return ModelConversation(model, tools, [], cache, self._price(model), episode_usage)
 
@@ -215,8 +220,8 @@ class ModelRunner:
         self, job: Job, conversation: ModelConversation, assignment: Assignment
     ) -> Answer | None:
         plan = self._plan
-        if plan.setting == "agentic":
-            await with_tools(conversation, assignment, plan.points)
+        if has_tools(plan.setting):
+            await with_tools(conversation, assignment, plan.points, plan.graphs)
             return None
         return await in_words(conversation, plan.setting, job.task, plan.points)
 

@@ -34,7 +34,7 @@ from probe.runs.plan import RunOrder
 from probe.runs.run import check_settings
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
-from probe.transcripts.prompts import Setting
+from probe.transcripts.prompts import Graphs, Setting, told_with
 
 Pointer = Literal["oracle", "self", "role"]
 """Who points for perception: nobody, the model itself, or the one in the role "pointer"."""
@@ -56,6 +56,7 @@ class ModelRunPlan:
         cache: Folder for prepared light.
         epochs: Runs of each task.
         points: How the model counts places in pictures.
+        graphs: How lists are told in the setting "text-only".
         noise: How far the hand errs.
         conditions: In what episodes differ from their tasks.
         pointer: Who points for perception.
@@ -84,6 +85,12 @@ class ModelRunPlan:
     called: str | None = None
     perceiver: Perceiver = ideal
     tables: Path | None = None
+    graphs: Graphs = "full"
+
+    @property
+    def named_setting(self) -> str:
+        """The setting as records name it, where nobody points."""
+        return told_with(self.setting, self.graphs)
 
     def order(self, model: str, pointer: str) -> RunOrder:
         """Who acts, and under which conditions.
@@ -92,7 +99,7 @@ class ModelRunPlan:
             model: Name of the model.
             pointer: Name of the one that points; empty for nobody.
         """
-        setting = f"{self.setting}, pointer {pointer}" if pointer else self.setting
+        setting = f"{self.named_setting}, pointer {pointer}" if pointer else self.named_setting
         agent = self.called or model
         return RunOrder(
             agent,

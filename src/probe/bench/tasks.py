@@ -21,7 +21,7 @@ from probe.perception.points import Convention
 from probe.scene.setup import RendererName
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import find_suite
-from probe.transcripts.prompts import Setting
+from probe.transcripts.prompts import Graphs, Setting
 
 # The harness puts a package's name before its tasks' names, but doesn't recognise one that is
 # installed from a checkout.
@@ -52,6 +52,25 @@ def agentic(
         convention=pointing,
     )
     return _fit(plan)
+
+
+@task(name=f"{_SPACE}text_only")
+def text_only(
+    suite: str = "v1",
+    out: str = "outputs/inspect/text_only",
+    epochs: int = 3,
+    points: Points = "pixels",
+    graphs: Graphs = "full",
+    noise: NoiseName = "none",
+    lighting: LightKind = "own",
+    renderer: RendererName = "filament",
+    workers: int = 4,
+    prices: str | None = None,
+) -> HarnessTask:
+    """The same questions, with the five tools and no picture: what shows is told in words."""
+    plan = _plan("text-only", suite, out, epochs, points, workers, prices)
+    conditions = Conditions(lighting=lighting, renderer=renderer)
+    return _fit(replace(plan, graphs=graphs, noise=NOISES[noise], conditions=conditions))
 
 
 @task(name=f"{_SPACE}direct")

@@ -19,17 +19,18 @@ from inspect_ai.tool import ToolCall, ToolInfo, ToolParams
 from probe.bench.raw_arguments import is_object, unreadable_part
 from probe.episodes.participation import Points
 from probe.episodes.turns import Call
-from probe.runs.worker_messages import CallResult
 from probe.toolshed.tools import ToolSchema
-from probe.transcripts.coordinates import told
 from probe.transcripts.messages import Message
+from probe.transcripts.prompts import Setting
 from probe.transcripts.tools import expressible, tools_for
 from probe.types import USUAL_SCALE, PictureScale
 
 
-def tool_infos(points: Points, scale: PictureScale = USUAL_SCALE) -> list[ToolInfo]:
-    """The five tools; names and texts are the toolshed's, byte for byte."""
-    return [_info(tool) for tool in tools_for(points, scale)]
+def tool_infos(
+    points: Points, scale: PictureScale = USUAL_SCALE, setting: Setting = "agentic"
+) -> list[ToolInfo]:
+    """The five tools; names and texts are those of tools_for(), byte for byte."""
+    return [_info(tool) for tool in tools_for(points, scale, setting)]
 
 
 def first_messages(told_first: tuple[Message, Message]) -> list[ChatMessage]:
@@ -41,10 +42,10 @@ def first_messages(told_first: tuple[Message, Message]) -> list[ChatMessage]:
     return [*first, ChatMessageUser(content=content)]
 
 
-def result_message(call: ToolCall, came: CallResult, points: Points) -> ChatMessageTool:
+def result_message(call: ToolCall, words: str, picture: bytes | None) -> ChatMessageTool:
     """What came of a call; a picture stands after its words."""
-    text = ContentText(text=told(came.text, points))
-    content: list[Content] = [text] if came.picture is None else [text, _image(came.picture)]
+    text = ContentText(text=words)
+    content: list[Content] = [text] if picture is None else [text, _image(picture)]
     return ChatMessageTool(content=content, tool_call_id=call.id, function=call.function)
 
 

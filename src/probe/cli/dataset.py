@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from typing import Literal
 
 from probe.api.resources import Pool, opener
 from probe.assets.cache import Cache
@@ -20,6 +21,8 @@ from probe.train.choose.chosen import LoadedSelection, read_selection
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
 from probe.train.dataset.folder import Form, write_dataset
+from probe.train.dataset.text_only import as_text_only, no_pictures
+from probe.transcripts.prompts import Graphs
 
 _SMALLEST_PX = 32
 
@@ -31,6 +34,8 @@ def dataset(
     side: int = UR5_TABLE.picture_px,
     name: str = "PROBE, a teacher's episodes",
     others: bool = True,
+    setting: Literal["text-only"] | None = None,
+    graphs: Graphs | None = None,
     pool: Pool = "procedural-2",
     workers: int = 2,
 ) -> None:
@@ -46,26 +51,33 @@ def dataset(
         side: Width and height of the pictures; what models are sent has 1024.
         name: For the card.
         others: Write LLaMA-Factory's and VILA's forms too.
+        setting: Tell the episodes as a student sees them in this setting; by default as the
+            teacher did. In text-only there are no pictures.
+        graphs: How lists are told in the setting text-only; by default in full.
         pool: Where the objects are that appear; all built-in ones by default.
         workers: Processes that draw.
     """
     check_new(out)
     check_numbers({"--workers": workers})
-    if not _SMALLEST_PX <= side <= UR5_TABLE.picture_px:
-        raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {UR5_TABLE.picture_px}")
+    _check(side, setting, graphs)
     chosen = read_selection(selected)
+    if setting is not None:
+        chosen = as_text_only(chosen, graphs or "full")
     opened = opener(pool)
     things = opened()
     check(chosen.suite, things)
     kept = out.with_name(f"{out.name}.pictures")
     worker = DrawingWorker(chosen.suite, opened, Cache(kept), side)
-    drawn = draw(worker, chosen.episodes, LocalEngine(workers))
-    for _ in track(drawn, "Drawing", total=len(chosen.episodes)):
-        pass
+    if setting is None:
+        drawn = draw(worker, chosen.episodes, LocalEngine(workers))
+        for _ in track(drawn, "Drawing", total=len(chosen.episodes)):
+            pass
     counting = points or _points_of(chosen)
     specs = {spec.id: spec for spec in things.specs}
     form = Form(name, counting, side, others)
-    manifest = write_dataset(out, _examples(chosen, worker, counting), chosen, form, specs)
+    manifest = write_dataset(
+        out, _examples(chosen, worker if setting is None else None, counting), chosen, form, specs
+    )
     shutil.rmtree(kept, ignore_errors=True)
     say(
         f"{manifest.total} examples with {manifest.pictures} pictures are in {out}; "
@@ -73,11 +85,24 @@ def dataset(
     )
 
 
+def _check(side: int, setting: str | None, graphs: Graphs | None) -> None:
+    """See that each option is in range and does something."""
+    whole = UR5_TABLE.picture_px
+    if not _SMALLEST_PX <= side <= whole:
+        raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {whole}")
+    if setting is not None and side != whole:
+        raise BadData("--side", f"does nothing with --setting {setting}", "Leave it out")
+    if setting is None and graphs is not None:
+        raise BadData("--graphs", "does nothing without --setting", "Say --setting text-only, too")
+
+
 def _examples(
-    chosen: LoadedSelection, worker: DrawingWorker, points: Points
+    chosen: LoadedSelection, worker: DrawingWorker | None, points: Points
 ) -> Iterator[TrainingExample]:
+    """Examples with the pictures that a worker drew; without one there are none."""
     for task, record in track(chosen.episodes, "Writing"):
-        yield example_of(task, record, pictures_of(worker, record), points)
+        shown = no_pictures(record) if worker is None else pictures_of(worker, record)
+        yield example_of(task, record, shown, points)
 
 
 def _points_of(chosen: LoadedSelection) -> Points:

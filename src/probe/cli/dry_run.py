@@ -13,6 +13,7 @@ from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.tasks.suite import Suite
 from probe.toolshed.toolshed import TURNS
+from probe.transcripts.prompts import has_tools
 
 
 def would_ask(suite: Suite, options: ModelRunOptions, out: Path) -> None:
@@ -37,7 +38,7 @@ def _tell(suite: Suite, options: ModelRunOptions, out: Path, price: Price | None
         say(f"{whole - len(left)} of them are in {out} already; what follows is of the others.")
     usual = estimate(options.setting, options.counting, left, 1)
     say(_line("If they are of usual length", usual, price))
-    if options.setting == "agentic":
+    if has_tools(options.setting):
         longest = estimate(options.setting, options.counting, left, 1, TURNS)
         say(_line(f"If each takes all {TURNS} calls", longest, price))
     say(

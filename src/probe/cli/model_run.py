@@ -29,7 +29,7 @@ from probe.perception.choice import Perceiver, ideal
 from probe.runs.vary import changes_scenes
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
-from probe.transcripts.prompts import Setting
+from probe.transcripts.prompts import Graphs, Setting
 from probe.types import Shard
 
 
@@ -54,6 +54,7 @@ class ModelRunOptions:
     conditions: Conditions
     shard: Shard
     workers: int
+    graphs: Graphs = "full"
     perceiver: Perceiver = ideal
     watch: bool = False
 
@@ -109,7 +110,8 @@ def run_model(suite: Suite, options: ModelRunOptions, out: Path, *, plain: bool 
     its_price = price_of(options.prices, options.pointer) if pointer else None
     chosen = Participants(settings_of(options.model).id, options.endpoint, key, pointer, its_price)
     total = len(plan.tasks) * plan.epochs
-    with watching(out, suite, options.model, options.setting, total, on=options.watch) as tables:
+    setting = plan.named_setting
+    with watching(out, suite, options.model, setting, total, on=options.watch) as tables:
         plan = replace(plan, tables=tables)
         return evaluate(plan, chosen, "rich" if sys.stdout.isatty() and not plain else "plain")
 
@@ -178,4 +180,5 @@ def plan_of(suite: Suite, options: ModelRunOptions, out: Path, price: Price | No
         prices={options.model: price} if price else {},
         called=options.model,
         perceiver=options.perceiver,
+        graphs=options.graphs,
     )

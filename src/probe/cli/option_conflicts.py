@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from probe.episodes.conditions import NO_DIALS, Conditions
 from probe.errors import BadData
-from probe.transcripts.prompts import Setting
+from probe.transcripts.prompts import Graphs, Setting
 
 
 def refuse_stray(command: str, when: str, given: Mapping[str, object]) -> None:
@@ -29,7 +29,8 @@ def check_pointer(pointer: str, setting: Setting, conditions: Conditions) -> Non
     """See that a model that is to point would be asked.
 
     Raises:
-        BadData: It wouldn't: there are no tools, or perception is the oracle's all the same.
+        BadData: It wouldn't: nobody points in this setting, or perception is the oracle's all the
+            same.
     """
     if pointer == "oracle":
         return
@@ -38,3 +39,14 @@ def check_pointer(pointer: str, setting: Setting, conditions: Conditions) -> Non
     if conditions.dials != NO_DIALS or conditions.ideal == "perception":
         reason = "does nothing with --dials or --ideal perception, which are about the oracle"
         raise BadData("--pointer", reason, "Leave one of the two out")
+
+
+def check_graphs(graphs: Graphs | None, setting: Setting) -> None:
+    """See that the form of lists is said only where lists have forms.
+
+    Raises:
+        BadData: It is said of another setting.
+    """
+    if graphs is not None and setting != "text-only":
+        reason = f"does nothing with --setting {setting}"
+        raise BadData("--graphs", reason, "Say --setting text-only, or leave it out")

@@ -9,6 +9,7 @@ from probe.episodes.conditions import NO_DIALS, Conditions
 from probe.episodes.perceptions import PerceptionKind
 from probe.errors import BadData
 from probe.perception.choice import Perceiver, enrolled, ideal, segmented
+from probe.transcripts.prompts import has_tools
 
 
 @dataclass(frozen=True)
@@ -65,5 +66,5 @@ class PerceptionChoice:
         name = f"--perception {self.perception}"
         if pointer != "oracle":
             raise BadData(name, "does nothing with --pointer", "Leave one of the two out")
-        if setting != "agentic":
+        if not has_tools(setting):
             raise BadData(name, f"does nothing with --setting {setting}", "Leave it out")

@@ -15,6 +15,7 @@ from probe.cli.metavars import RunFolders
 from probe.cli.rescore import headline_line
 from probe.cli.screen import say, track
 from probe.episodes.conditions import RendererKind
+from probe.scores.sight import sight_words
 from probe.toolshed.version import tools_words
 
 
@@ -70,6 +71,8 @@ def write_run_report(
     for card in written.scores.cards:
         say(headline_line(card))
     if words := tools_words(card.tools for card in written.scores.cards):
+        say(f"{words}.")
+    if words := sight_words(card.entrant.setting for card in written.scores.cards):
         say(f"{words}.")
     if written.remark:
         say(f"{written.remark}.")

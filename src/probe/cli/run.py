@@ -18,7 +18,7 @@ from probe.cli.metavars import SuiteName
 from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.numbers import check_numbers
 from probe.cli.objects import all_objects
-from probe.cli.option_conflicts import check_pointer, refuse_stray
+from probe.cli.option_conflicts import check_graphs, check_pointer, refuse_stray
 from probe.cli.perception import PerceptionChoice
 from probe.cli.run_summary import RunSummary, only_json, tell
 from probe.cli.running import check_whole, run_order
@@ -35,7 +35,7 @@ from probe.perception.choice import Perceiver
 from probe.runs.plan import RunOrder
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import find_suite
-from probe.transcripts.prompts import Setting
+from probe.transcripts.prompts import Graphs, Setting
 from probe.types import Shard
 
 _TABLES = 4
@@ -49,8 +49,10 @@ class ModelChoice:
     Attributes:
         model: Model that acts instead of an agent: a name of docs/how-to/models.md or the
             harness's own.
-        setting: How the model may answer: with tools (the default), or at once from what it is
-            shown.
+        setting: How the model may answer: with tools (the default), with tools and without
+            pictures (text-only), or at once from what it is shown.
+        graphs: How perceive_scene's lists are told in the setting text-only: "full" (the default)
+            as in agentic; "short" for a model whose window is small.
         epochs: Episodes of each task, for a model; by default 3.
         points: How the model writes coordinates: pixels, or thousandths of the picture's sides. By
             default what suits a model with a short name, and pixels for any other.
@@ -64,6 +66,7 @@ class ModelChoice:
 
     model: Annotated[str | None, tyro.conf.arg(metavar="MODEL")] = None
     setting: Annotated[Setting | None, tyro.conf.arg(aliases=["--arm"])] = None
+    graphs: Graphs | None = None
     epochs: Annotated[int | None, tyro.conf.arg(metavar="N")] = None
     points: Points | None = None
     pointer: Annotated[str | None, tyro.conf.arg(metavar="MODEL")] = None
@@ -200,7 +203,8 @@ def _run_agent(
         watch: Whether a page shows it as it happens.
     """
     refuse_stray("run", "without --model", {
-        "--setting": asked.setting, "--epochs": asked.epochs, "--points": asked.points,
+        "--setting": asked.setting, "--graphs": asked.graphs,
+        "--epochs": asked.epochs, "--points": asked.points,
         "--pointer": asked.pointer, "--endpoint": asked.endpoint, "--prices": asked.prices,
         "--dry-run": asked.dry_run or None,
     })  # fmt: skip
@@ -231,6 +235,7 @@ def _options_of(
         library=opener(),
         model=asked.model or "",
         setting=asked.setting or "agentic",
+        graphs=asked.graphs or "full",
         epochs=asked.epochs or 3,
         points=asked.points,
         pointer="oracle" if asked.pointer is None else asked.pointer,
@@ -241,6 +246,7 @@ def _options_of(
         shard=order.shard,
         workers=workers or _TABLES,
     )
+    check_graphs(asked.graphs, options.setting)
     check_pointer(options.pointer, options.setting, options.conditions)
     seeing.check_model(options.pointer, options.setting)
     return options

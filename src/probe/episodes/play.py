@@ -139,10 +139,12 @@ def open_episode(
     renderer: Renderer,
     circumstances: Circumstances = PLAIN_TRY,
     perceiver: Perceiver = ideal,
+    *,
+    pictures: bool = True,
 ) -> Episode:
-    """A fresh episode with pictures, for somebody who acts from outside; see play()."""
+    """A fresh episode for somebody who acts from outside, by default with pictures; see play()."""
     tools, station = set_table(
-        task, library, renderer, circumstances, pictures=True, perceiver=perceiver
+        task, library, renderer, circumstances, pictures=pictures, perceiver=perceiver
     )
     return Episode(
         task.id,

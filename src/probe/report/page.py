@@ -20,6 +20,7 @@ from probe.report.rendering import digest, joined, script_json, write_page
 from probe.report.result_words import TOO_FEW, result_words
 from probe.report.suite_facts import suite_facts
 from probe.report.summary_tables import effort_table, missing_table, type_table, unknown_measures
+from probe.scores.sight import sight_words
 from probe.scores.summary import Scores
 from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
@@ -144,6 +145,7 @@ def _values(report: Report) -> dict[str, object]:
         "identity": identity_of(report.suite),
         "scores": report.scores,
         "tools": tools_words(card.tools for card in cards),
+        "sight": sight_words(card.entrant.setting for card in cards),
         "cards": cards,
         "types": type_table(cards),
         "effort": effort_table(cards),

@@ -47,7 +47,7 @@ from probe.runs.worker_messages import (
 from probe.tasks.grading import Score
 from probe.tasks.task import Task
 from probe.transcripts.pictures import jpeg
-from probe.transcripts.prompts import Setting, setting_named
+from probe.transcripts.prompts import Setting, has_tools, setting_named
 from probe.types import Array
 
 
@@ -91,6 +91,7 @@ class EpisodeWorker:
         self._things = things
         self._renderers = renderers
         self._setting: Setting = setting_named(place.order.setting)
+        self._sees = self._setting != "text-only"
         self._job: Job | None = None
         self._episode: Episode | None = None
         self._live = LiveTable(place.tables) if place.tables else None
@@ -113,15 +114,16 @@ class EpisodeWorker:
 
     def _sit(self, job: Job) -> EpisodeStarted:
         self._job, self._episode = job, None
-        if self._setting != "agentic":
+        if not has_tools(self._setting):
             return EpisodeStarted(tuple(map(jpeg, self._stills(job))))
         self._episode = self._open(job)
         question = self._episode.record.question
-        picture = question.picture
-        assert picture is not None
         if self._live:
             self._live.begin(job.task.id, job.run, question)
-        return EpisodeStarted((jpeg(picture),))
+        if not self._sees:
+            return EpisodeStarted(())
+        assert question.picture is not None
+        return EpisodeStarted((jpeg(question.picture),))
 
     def _open(self, job: Job) -> Episode:
         order, task = self._order, job.task
@@ -132,6 +134,8 @@ class EpisodeWorker:
             self._renderer(task),
             circumstances_of(order, job, self._things.assets),
             self._perceiver(),
+            # Whoever looks on sees pictures all the same.
+            pictures=self._sees or self._live is not None,
         )
 
     def _stills(self, job: Job) -> Sequence[Array]:
@@ -150,7 +154,8 @@ class EpisodeWorker:
         record = self._episode.record
         if record.end == "fault":
             return EpisodeFailed(record.fault or "unknown")
-        picture = None if result.picture is None else jpeg(result.picture)
+        shown = result.picture if self._sees else None
+        picture = None if shown is None else jpeg(shown)
         return CallResult(result.text, picture, result.ended)
 
     def _leave(self, leave: FinishEpisode) -> EpisodeFinished:

@@ -20,7 +20,7 @@ def stills(
     """Pictures that come with the question; replaces what the renderer had loaded.
 
     Args:
-        setting: None in "blind", two in "oracle-view", else one.
+        setting: Without tools: None in "blind", two in "oracle-view", else one.
         task: Whose table.
         viewpoint: From where and in which light it is seen.
         things: Has the task's objects.

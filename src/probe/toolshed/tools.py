@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
 import pydantic
@@ -165,9 +167,19 @@ class ToolSchema:
     parameters: dict[str, Any]
 
 
-def tool_schemas(scale: PictureScale = USUAL_SCALE) -> tuple[ToolSchema, ...]:
-    """All five tools, in a fixed order, as they are told where pictures have this scale."""
-    return tuple(_schema(name, model, scale) for name, model in TOOLS.items())
+_AS_WRITTEN: Mapping[str, str] = MappingProxyType({})
+
+
+def tool_schemas(
+    scale: PictureScale = USUAL_SCALE, words: Mapping[str, str] = _AS_WRITTEN
+) -> tuple[ToolSchema, ...]:
+    """All five tools, in a fixed order, as they are told where pictures have this scale.
+
+    Args:
+        scale: Of the pictures.
+        words: What is said of a tool ("push") or of an argument ("push.direction") instead.
+    """
+    return tuple(_schema(name, model, scale, words) for name, model in TOOLS.items())
 
 
 class _Untitled(GenerateJsonSchema):
@@ -177,11 +189,15 @@ class _Untitled(GenerateJsonSchema):
         return False
 
 
-def _schema(name: str, model: type[Request], scale: PictureScale) -> ToolSchema:
+def _schema(
+    name: str, model: type[Request], scale: PictureScale, words: Mapping[str, str]
+) -> ToolSchema:
     parameters: JsonSchemaValue = model.model_json_schema(schema_generator=_Untitled)
-    description = str(parameters.pop("description"))
+    usual = str(parameters.pop("description"))
+    description = words.get(name, usual)
     parameters.pop("title")
-    parameters.setdefault("properties", {})
+    for field, told in parameters.setdefault("properties", {}).items():
+        told["description"] = words.get(f"{name}.{field}", told["description"])
     if name == "grasp_and_remove" and scale.opening != USUAL_SCALE.opening:
         description += f" The gripper opens {100 * scale.opening:.1f} cm wide."
     return ToolSchema(name, description, _scaled(parameters, scale))

@@ -16,7 +16,8 @@ from probe.episodes.turns import Call, Question
 from probe.errors import ProbeError
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import as_said, told
-from probe.transcripts.prompts import Setting, reminder, setting_named, system_prompt
+from probe.transcripts.prompts import Setting, graphs_of, reminder, setting_named, system_prompt
+from probe.transcripts.result_texts import ResultTexts
 from probe.types import USUAL_SCALE, Array, PictureScale
 
 Picture = Array | bytes
@@ -82,8 +83,8 @@ def messages(
 
     Args:
         record: What happened.
-        first: Pictures that came with the question: one; none in the setting "blind"; two in
-            "oracle-view".
+        first: Pictures that came with the question: one; none in the settings "blind" and
+            "text-only"; two in "oracle-view".
         later: Of each step, the picture that its result came with; None where there was none.
 
     Raises:
@@ -104,7 +105,7 @@ def _plain(record: EpisodeRecord) -> Participation:
 def _conversation(
     record: EpisodeRecord, seat: Participation, setting: Setting, later: Sequence[Picture | None]
 ) -> Iterator[Message]:
-    at = 0
+    at, texts = 0, ResultTexts(seat.points, graphs_of(seat.setting))
     for number, reply in enumerate(seat.replies, start=1):
         if reply.calls == 0:
             yield Message("assistant", reply.words)
@@ -114,7 +115,7 @@ def _conversation(
         steps = list(enumerate(record.steps[at : at + reply.calls], start=at + 1))
         calls = tuple((f"call_{n}", _as_sent(step.call, seat.points)) for n, step in steps)
         yield Message("assistant", steps[0][1].call.words, calls=calls)
-        yield from _results(steps, [later[n - 1] for n, _ in steps], seat.points)
+        yield from _results(steps, [later[n - 1] for n, _ in steps], texts)
         at += reply.calls
 
 
@@ -125,13 +126,13 @@ def _answered(reply: ModelReply, record: EpisodeRecord, seat: Participation) -> 
 
 
 def _results(
-    steps: Sequence[tuple[int, Step]], pictures: Sequence[Picture | None], points: Points
+    steps: Sequence[tuple[int, Step]], pictures: Sequence[Picture | None], texts: ResultTexts
 ) -> Iterator[Message]:
     """What came of a reply's calls; results without a picture come first."""
     shown: list[Picture] = []
+    read = [texts.told(step.call.name, step.text) for _, step in steps]
     for index in pictureless_first(pictures):
-        (number, step), picture = steps[index], pictures[index]
-        text = told(step.text, points)
+        (number, _), picture, text = steps[index], pictures[index], read[index]
         if picture is not None:
             shown.append(picture)
             text = f"{text}\n{PICTURE_FOLLOWS}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import lru_cache
 from importlib.resources import files
 from typing import Literal, get_args
@@ -17,15 +18,22 @@ from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 from probe.transcripts.coordinates import in_words
 from probe.types import USUAL_SCALE, PictureScale
 
-Setting = Literal["agentic", "direct", "blind", "oracle-view"]
-"""How a model may answer: with tools, from one picture, none, or pictures of the evidence."""
+Setting = Literal["agentic", "text-only", "direct", "blind", "oracle-view"]
+"""How a model may answer: with tools and pictures, with tools and no picture, from one picture,
+none, or pictures of the evidence."""
 
+Graphs = Literal["full", "short"]
+"""How perceive_scene's lists are told in the setting "text-only"."""
+
+_SHORT = "text-only, short graphs"
 
 _POINTING = re.compile(r"pointer [!-~]+( [!-~]+)*")
 
 
 class _Prompts(pydantic.BaseModel, extra="forbid", frozen=True):
     agentic: str
+    text_only: str = pydantic.Field(alias="text-only")
+    text_only_tools: dict[str, str] = pydantic.Field(alias="text-only tools")
     direct: str
     blind: str
     oracle_view: str = pydantic.Field(alias="oracle-view")
@@ -47,16 +55,39 @@ def setting_named(name: str) -> Setting:
 
 
 def check_setting(name: str) -> None:
-    """Refuse what no run calls a setting: after its name only who points for perception may stand.
+    """Refuse what no run calls a setting.
+
+    After its name only who points for perception may stand, or that graphs are short.
 
     Raises:
         UnknownName: There is no such setting, or another text follows.
     """
     setting, comma, more = name.partition(", ")
-    if setting_named(name) != setting or (
-        comma and not (setting == "agentic" and _POINTING.fullmatch(more))
+    if name != _SHORT and (
+        setting_named(name) != setting
+        or (comma and not (setting == "agentic" and _POINTING.fullmatch(more)))
     ):
-        raise UnknownName("setting", name, [*get_args(Setting), "agentic, pointer NAME"])
+        raise UnknownName("setting", name, [*get_args(Setting), "agentic, pointer NAME", _SHORT])
+
+
+def has_tools(setting: str) -> bool:
+    """Whether an episode of the setting consists of calls."""
+    return setting in ("agentic", "text-only")
+
+
+def told_with(setting: Setting, graphs: Graphs) -> str:
+    """The setting as records and tables name it, with how its graphs are told."""
+    return _SHORT if (setting, graphs) == ("text-only", "short") else setting
+
+
+def graphs_of(name: str) -> Graphs:
+    """How graphs are told in the setting of that name."""
+    return "short" if name == _SHORT else "full"
+
+
+def tool_words(setting: Setting) -> Mapping[str, str]:
+    """What is said of tools ("push") and of arguments ("push.direction") instead of the usual."""
+    return _prompts().text_only_tools if setting == "text-only" else {}
 
 
 def system_prompt(setting: Setting, points: Points, scale: PictureScale = USUAL_SCALE) -> str:
@@ -74,7 +105,7 @@ def system_prompt(setting: Setting, points: Points, scale: PictureScale = USUAL_
 
 def reminder(setting: Setting, *, answered: bool = False) -> str:
     """What a model is told that neither called a tool nor answered, or only left out the point."""
-    if setting == "agentic":
+    if has_tools(setting):
         return _prompts().remind_call
     return _prompts().remind_point if answered else _prompts().remind_answer
 

@@ -8,12 +8,18 @@ from typing import Any, cast
 from probe.episodes.participation import Points
 from probe.toolshed.tools import ToolSchema, tool_schemas
 from probe.transcripts.coordinates import check_countable, told
+from probe.transcripts.prompts import Setting, tool_words
 from probe.types import USUAL_SCALE, PictureScale
 
 
-def tools_for(points: Points, scale: PictureScale = USUAL_SCALE) -> tuple[ToolSchema, ...]:
-    """All five tools; in pixels they are the toolshed's, byte for byte; see check_countable()."""
-    tools = tool_schemas(scale)
+def tools_for(
+    points: Points, scale: PictureScale = USUAL_SCALE, setting: Setting = "agentic"
+) -> tuple[ToolSchema, ...]:
+    """All five tools; in pixels they are the toolshed's, byte for byte; see check_countable().
+
+    Where no pictures come with their results, less is said of them.
+    """
+    tools = tool_schemas(scale, tool_words(setting))
     check_countable(points, scale)
     return tools if points == "pixels" else tuple(map(_counted, tools))
 
@@ -53,7 +59,9 @@ def expressible(schema: Mapping[str, Any], limits: bool = True) -> dict[str, Any
     return parts
 
 
-def as_sent(points: Points, scale: PictureScale = USUAL_SCALE) -> list[dict[str, Any]]:
+def as_sent(
+    points: Points, scale: PictureScale = USUAL_SCALE, setting: Setting = "agentic"
+) -> list[dict[str, Any]]:
     """The five tools as servers that speak OpenAI's protocol get them, the order of keys included.
 
     A template writes them out as they come: training has to see the same. The harness tells such
@@ -69,7 +77,7 @@ def as_sent(points: Points, scale: PictureScale = USUAL_SCALE) -> list[dict[str,
                 "strict": True,
             },
         }
-        for tool in tools_for(points, scale)
+        for tool in tools_for(points, scale, setting)
     ]
 
 

@@ -13,7 +13,7 @@ from probe.toolshed.result import Answer
 from probe.toolshed.tools import AnswerQuestion
 from probe.toolshed.toolshed import TURNS
 from probe.transcripts.answers import read_answer
-from probe.transcripts.prompts import setting_named
+from probe.transcripts.prompts import has_tools, setting_named
 
 _REPLIES = 2
 """Of a model without tools: its answer, and one after it was reminded."""
@@ -42,7 +42,7 @@ def _of_end(record: EpisodeRecord) -> Iterator[str]:
 
 def _has_tools(seat: Participation) -> bool:
     try:
-        return setting_named(seat.setting) == "agentic"
+        return has_tools(setting_named(seat.setting))
     except UnknownName:  # which is told apart from this; its calls are still to be looked at
         return True
 

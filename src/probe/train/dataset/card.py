@@ -26,20 +26,15 @@ def card(
         specs: What the catalogue says of the objects that are shown, by id.
     """
     words = (files("probe.train") / "data/card.md").read_text("utf-8")
-    if not any(file.startswith("images/") for file in manifest.files):
-        words = _without(words, ("| `llamafactory/`", "| `vila/`", "| `images/`"))
+    for folder in ("llamafactory/", "vila/", "images/"):
+        if not any(file.startswith(folder) for file in manifest.files):
+            words = _without(words, f"| `{folder}`")
     document = chosen.document
-    side, whole = manifest.side_px, UR5_TABLE.picture_px
     return words.format(
         name=name,
         total=manifest.total,
         counts=_counts(manifest.examples),
-        pictures=f"{manifest.pictures:,}",
-        side=side,
-        shrunk="" if side == whole else f", made smaller from {whole} x {whole}",
-        renderers=" and ".join(
-            sorted({record.viewpoint.renderer for _, record in chosen.episodes})
-        ),
+        pictures=_pictures(manifest, chosen),
         points=_PLACES[manifest.points],
         teachers=", ".join(sorted({record.agent for _, record in chosen.episodes})),
         sources=", ".join(document.sources),
@@ -53,14 +48,27 @@ def card(
     )
 
 
-def _without(words: str, starts: tuple[str, ...]) -> str:
+def _pictures(manifest: Manifest, chosen: LoadedSelection) -> str:
+    """How many are shown, how large, and what drew them; or in which setting there are none."""
+    if not manifest.pictures:
+        settings = {setting for some in manifest.examples.values() for setting in some}
+        return f"none are shown; the setting is {' and '.join(sorted(settings))}"
+    side, whole = manifest.side_px, UR5_TABLE.picture_px
+    shrunk = "" if side == whole else f", made smaller from {whole} x {whole}"
+    drawn_by = sorted({record.viewpoint.renderer for _, record in chosen.episodes})
+    size = f"JPEG, {side} x {side}{shrunk}, drawn by {' and '.join(drawn_by)}"
+    return f"{manifest.pictures:,} are shown, {size}"
+
+
+def _without(words: str, start: str) -> str:
     lines = words.splitlines(keepends=True)
-    return "".join(line for line in lines if not line.startswith(starts))
+    return "".join(line for line in lines if not line.startswith(start))
 
 
 def _counts(examples: Mapping[str, Mapping[str, int]]) -> str:
     rows = [
-        f"| {question_type} | {settings.get('agentic', 0)} | {settings.get('direct', 0)} |"
+        f"| {question_type} | {sum(settings.values()) - settings.get('direct', 0)} "
+        f"| {settings.get('direct', 0)} |"
         for question_type, settings in sorted(examples.items())
     ]
     return "\n".join(rows)

@@ -18,7 +18,7 @@ from probe.tasks.task import Task
 from probe.train.dataset.showing import EpisodePictures
 from probe.transcripts.coordinates import told
 from probe.transcripts.messages import PLAIN, Message, messages
-from probe.transcripts.prompts import setting_named
+from probe.transcripts.prompts import graphs_of, has_tools, setting_named, told_with
 from probe.transcripts.tools import as_sent
 
 
@@ -73,17 +73,19 @@ def example_of(
     """
     record = _retold(record, points)
     assert record.participation is not None
-    setting = setting_named(record.participation.setting)
+    named = record.participation.setting
+    setting = setting_named(named)
+    told_so = told_with(setting, graphs_of(named))
     conversation = _until_last_reply(messages(record, shown.first, shown.later))
     tools = (
-        json.dumps(as_sent(record.participation.points, record.scale))
-        if setting == "agentic"
+        json.dumps(as_sent(record.participation.points, record.scale, setting))
+        if has_tools(setting)
         else ""
     )
     made = TrainingExample(
         id=f"{task.id}-{record.agent}-{setting}-{record.run}".replace("/", "-"),
         question_type=task.question_type,
-        setting=setting,
+        setting=told_so,
         letter=task.answer,
         messages=tuple(conversation),
         tools=tools,

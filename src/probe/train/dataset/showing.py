@@ -83,14 +83,14 @@ def shown(
 
 
 def _check(record: EpisodeRecord) -> None:
+    if record.setting and setting_named(record.setting) not in ("agentic", "direct"):
+        raise OtherPerception(record, f"its setting is {record.setting}")
     if "," in record.setting:
         raise OtherPerception(record, "a model pointed for perception")
     if record.conditions.dials != NO_DIALS:
         raise OtherPerception(record, "perception made errors")
     if record.perception.label:
         raise OtherPerception(record, f"it was played with {record.perception.label}")
-    if record.setting and setting_named(record.setting) not in ("agentic", "direct"):
-        raise OtherPerception(record, f"its setting is {record.setting}")
 
 
 def _result(

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from probe.files import check_new, whole_folder
 from probe.train.dataset.manifest import check_dataset
 from probe.train.tune import libraries
 from probe.train.tune.tiny_parts import Shape, processor_for, untrained
-from probe.transcripts.prompts import reminder, system_prompt
+from probe.transcripts.prompts import Setting, reminder, system_prompt
 
 
 def make_tiny(dataset: Path, out: Path, shape: Shape) -> int:
@@ -52,7 +52,7 @@ def _texts(dataset: Path) -> Iterator[str]:
             for message in row["messages"]:
                 yield from ((part["text"] or "") + "\n" for part in message["content"])
                 yield from map(_called, message["tool_calls"] or ())
-    for setting in ("agentic", "direct", "blind", "oracle-view"):
+    for setting in get_args(Setting):
         yield system_prompt(setting, "0-1000")
         yield reminder(setting)
 

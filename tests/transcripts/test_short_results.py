@@ -1,0 +1,110 @@
+"""What tools reply in few words holds what is needed to act."""
+
+from __future__ import annotations
+
+from probe.perception.oracle import Oracle
+from probe.scene.setup import UR5_TABLE
+from probe.toolshed.toolshed import TURNS, Toolshed
+from probe.transcripts.result_texts import ResultTexts
+from probe.transcripts.short_results import ShortResults
+from tabletops import Block, Obedient, PaintedStation, spec
+
+SPECS = {1: spec("red mug"), 2: spec("red mug"), 3: spec("blue book", "blue"), 4: spec("red coin")}
+BLOCKS = (
+    Block(1, (100, 100, 219, 219)),
+    Block(2, (350, 550, 399, 599), height=0.15),
+    Block(3, (300, 500, 499, 699), colour=(40, 85, 170)),
+    Block(4, (360, 560, 389, 589), height=0.1),
+)
+# The book's point: as far from the corner of the mug on it as from its own edges.
+FIRST = (
+    "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, what it "
+    "lies on or covers."
+)
+LATER = "# Changed since the last list:"
+
+
+def table() -> Toolshed:
+    return Toolshed(PaintedStation(BLOCKS), Oracle(SPECS), Obedient(), UR5_TABLE, pictures=False)
+
+
+def told(tools: Toolshed, texts: ShortResults, name: str, **arguments: object) -> str:
+    return texts.shortened(name, tools.call(name, arguments).text)
+
+
+def test_the_first_list_tells_all_and_later_ones_what_changed():
+    tools, texts = table(), ShortResults()
+    assert told(tools, texts, "perceive_scene").split("\n") == [
+        FIRST,
+        "- object_1 red mug [159, 159]",
+        "- object_2 red mug [374, 574] on object_3",
+        "- object_3 blue book [441, 641]",
+    ]
+    assert told(tools, texts, "perceive_scene") == "# Nothing has changed since the last list."
+    done = told(tools, texts, "grasp_and_remove", object_id="object_2")
+    assert done.startswith("Done: object_2 was lifted and dropped into the basket.")
+    assert told(tools, texts, "perceive_scene").split("\n") == [
+        LATER,
+        "- object_4 red coin [374, 574] on object_3",
+        "out of date: object_2",
+    ]
+
+
+def test_a_thing_that_is_found_is_a_line_with_its_box_and_description():
+    tools, texts = table(), ShortResults()
+    found = told(tools, texts, "find_object", description="the thing at (400, 680)")
+    assert found == "- object_1 blue book [441, 641], box [300, 500, 499, 699]: A blue book."
+    mugs = told(tools, texts, "find_object", description="red mug").split("\n")
+    assert mugs == [
+        "- object_2 red mug [159, 159], box [100, 100, 219, 219]: A red mug.",
+        "others_that_fit_as_well:",
+        "- object_3 red mug [374, 574]",
+    ]
+
+
+def test_what_else_has_moved_is_mentioned_and_stands_in_the_next_list():
+    texts = ShortResults()
+    whole = (
+        "Done: object_1 was lifted and dropped into the basket. Also moved: red mug by about 5 cm, "
+        "to [20, 30]; part of something (red, what shows is flat) turned or tipped, now at "
+        "[9, 9]. Covered now: blue book that was at [4, 5]. Manipulations left: 9."
+    )
+    assert texts.shortened("grasp_and_remove", whole) == (
+        "Done: object_1 was lifted and dropped into the basket. Others moved, too. Covered now: "
+        "blue book that was at [4, 5]. Manipulations left: 9."
+    )
+    plain = "Failed: the gripper did not get hold of object_1. Manipulations left: 8."
+    assert texts.shortened("push", plain) == plain
+
+
+def test_what_is_no_list_stays_as_it_is():
+    texts, tools = ShortResults(), table()
+    refused = tools.call("perceive_scene", {"where": "here"}).text
+    assert texts.shortened("perceive_scene", refused) == refused
+    without_ids = '# x\nobjects:\n- number: 1\n  description: "a mug"\n  point: [1, 2]\n'
+    without_ids += "  box: [0, 0, 3, 3]\nrelations: []\ncluttered: []\nclear: []"
+    assert texts.shortened("perceive_scene", without_ids) == without_ids
+    earlier = "object_id: object_1\nname: mug\ndescription: A mug."
+    assert texts.shortened("find_object", earlier) == earlier
+
+
+def test_the_last_turn_is_told_after_a_short_list():
+    tools, texts = table(), ShortResults()
+    for _ in range(TURNS - 1):
+        told(tools, texts, "perceive_scene")
+    last = told(tools, texts, "perceive_scene")
+    assert last == (
+        "# Nothing has changed since the last list.\nThis was the last turn; the episode has ended."
+    )
+
+
+def test_an_empty_table_is_told_as_one():
+    empty = Toolshed(PaintedStation(()), Oracle(SPECS), Obedient(), UR5_TABLE, pictures=False)
+    assert told(empty, ShortResults(), "perceive_scene") == "# Nothing shows."
+
+
+def test_places_are_counted_after_lists_are_shortened():
+    tools, texts = table(), ResultTexts("0-1000", "short")
+    listed = texts.told("perceive_scene", tools.call("perceive_scene", {}).text)
+    # (159, 159) of 1024 pixels in thousandths.
+    assert "- object_1 red mug [155, 155]" in listed
