@@ -124,12 +124,19 @@ def over(left: int, right: int) -> Block:
     return Block(3, (left, 280, right, 720), height=0.08, colour=(240, 240, 240))
 
 
-@pytest.mark.parametrize(("until", "since"), [(580, 720), (650, 630)])
-def test_a_thing_that_shows_another_part_of_itself_has_stayed(until: int, since: int):
+@pytest.mark.parametrize(
+    ("until", "since", "share", "fate"),
+    [(580, 720, 1.0, "stayed"), (650, 630, 0.1, "stayed"), (650, 630, 1.0, "moved")],
+)
+def test_a_thing_that_shows_another_part_of_itself_has_stayed(
+    until: int, since: int, share: float, fate: Fate
+):
     # The middle of what shows goes by 80 pixels or 160; the book has come up a little.
-    risen = Block(2, (497, 300, 796, 699), height=0.028, colour=(30, 60, 150))
-    before, after = look(BOOK, over(480, until)), look(risen, over(since, 820))
-    assert fates(compare(before, after))["blue book"] == "stayed"
+    book = Block(2, BOOK.box, BOOK.height, BOOK.colour, share)
+    risen = Block(2, (497, 300, 796, 699), 0.028, BOOK.colour, share)
+    changes = compare(look(book, over(480, until)), look(risen, over(since, 820))).things
+    (mine,) = [it for it in changes if it.before.thing.words.name != "white ball"]
+    assert mine.fate == fate
 
 
 @pytest.mark.parametrize(("du", "at_least"), [(150, False), (400, True)])

@@ -26,7 +26,7 @@ MOVED = 0.015
 """Metres from which on a thing counts as moved. Less than 3 cm, from where on it matters: when a
 thing rolls or tips, the middle of what shows goes less far than the thing."""
 
-_STILL = 0.5
+_STILL, _COMMON = 0.5, 0.5
 _SAME_AREA = (0.8, 1.25)
 
 
@@ -117,7 +117,9 @@ def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> tuple[A
     middle, (was, now) = other.middle - one.middle, (one.thing.mask, other.thing.mask)
     if np.linalg.norm(middle) < MOVED:
         return middle, False
-    if hidden_otherwise(before.table, after.table, was, now):
+    # A heap that is pushed takes along what hides a thing; of a part, its place alone tells little.
+    common = _COMMON if one.thing.nameable else 0.0
+    if hidden_otherwise(before.table, after.table, was, now, common):
         return np.zeros(3), False
     low, high = _SAME_AREA
     if low < other.area / one.area < high:

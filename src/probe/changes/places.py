@@ -70,7 +70,7 @@ def has_turned(before: Frame, after: Frame, was: Array, now: Array) -> bool:
     return bool(share < _OVERLAPS) or still_there(before, after, was) < _LIES
 
 
-def hidden_otherwise(before: Frame, after: Frame, was: Array, now: Array) -> bool:
+def hidden_otherwise(before: Frame, after: Frame, was: Array, now: Array, common: float) -> bool:
     """Whether a thing only shows another part of itself: what hides it has gone, or has come.
 
     Nearly all that shows no longer is behind something nearer now, and nearly all that has come to
@@ -81,10 +81,12 @@ def hidden_otherwise(before: Frame, after: Frame, was: Array, now: Array) -> boo
         after: The second frame.
         was: What the first one shows of the thing.
         now: What the second one shows of it.
+        common: Share of the smaller of these that both must show.
     """
     nearer, hiding = -depth_change(before, after), same_within(_NEARER, before, after)
     explained = np.where(was, nearer > hiding, nearer < -hiding)[was ^ now]
-    return bool(explained.size and explained.mean() >= _EXPLAINED)
+    both, least = np.count_nonzero(was & now), min(np.count_nonzero(was), np.count_nonzero(now))
+    return bool(explained.size and explained.mean() >= _EXPLAINED and both >= common * least)
 
 
 def is_cut_off(mask: Array) -> bool:
