@@ -26,7 +26,7 @@ MOVED = 0.015
 """Metres from which on a thing counts as moved. Less than 3 cm, from where on it matters: when a
 thing rolls or tips, the middle of what shows goes less far than the thing."""
 
-_STILL, _COMMON = 0.5, 0.5
+_STILL, _COMMON = 0.5, 0.2
 _SAME_AREA = (0.8, 1.25)
 
 
