@@ -47,6 +47,9 @@ STEP_RULES: RulesVersion = 3
 OPEN_RULES: RulesVersion = 3
 """Since these, some tasks can be answered from the first picture."""
 
+SIX_RULES: RulesVersion = 3
+"""Since these, Count goes up to six, and numbers are offered on one side of those that could be."""
+
 NEWEST_RULES: RulesVersion = 3
 
 
