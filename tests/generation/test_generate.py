@@ -18,7 +18,7 @@ from probe.generation.generate import generate
 from probe.generation.plan import ATTEMPTS, plan
 from probe.generation.result import TaskCandidate
 from probe.generation.task_plan import CROSSED, MORE_CUES
-from probe.question_types.count.generator import INSTANCES
+from probe.question_types.count.generator import instances
 from probe.question_types.find.generator import PARTLY_SEEN
 from probe.question_types.reduce.generator import REMOVALS
 from probe.question_types.size.cues import DEPTH
@@ -105,7 +105,7 @@ def test_beneath(library: Library, renderer: Renderer):
 @pytest.mark.parametrize("episode", [0, 1])
 def test_count(library: Library, renderer: Renderer, episode):
     task = first_kept("count", episode, library, renderer).task
-    visible, hidden = INSTANCES.of(plan("count", episode * ATTEMPTS))
+    visible, hidden = instances(plan("count", episode * ATTEMPTS))
     assert 12 <= len(task.scene.objects) <= 15
     names = names_on_table(task, library)
     number = names.count(task.subject)

@@ -7,9 +7,10 @@ from itertools import product
 
 import pytest
 
-from probe.generation.plan import ATTEMPTS, PAIRED, block_of, plan
+from probe.generation.in_view import is_open
+from probe.generation.plan import ATTEMPTS, PAIRED, block_of, plan, plan_of
 from probe.generation.task_plan import CROSSED, MORE_CUES, TaskPlan
-from probe.question_types.count.generator import INSTANCES
+from probe.question_types.count.generator import INSTANCES, TO_SIX, instances
 from probe.question_types.find.generator import PARTLY_SEEN
 from probe.question_types.reduce.generator import REMOVALS
 from probe.question_types.size.generator import LIGHTER
@@ -63,11 +64,20 @@ def test_a_block_is_even_in_all_that_its_type_is_planned_by(question_type, numbe
         return
     assert even(lambda p: p.letter, dict.fromkeys(LETTERS, 1 / 5))
     if question_type == "count":
+        assert even(TO_SIX.of, dict.fromkeys(product(range(5), range(3)), 1 / 15))
         assert even(INSTANCES.of, dict.fromkeys(product(range(4), range(3)), 1 / 12))
     if question_type == "find":
         assert even(PARTLY_SEEN.of, {False: 2 / 3, True: 1 / 3})
     if question_type == "reduce":
         assert even(REMOVALS.of, {1: 1 / 4, 2: 1 / 4, 3: 1 / 4, 4: 1 / 6, 5: 1 / 12})
+
+
+def test_counts_go_to_six_by_the_new_rules_alone():
+    newer, older = ([plan_of("count", e, rules=rules) for e in range(180)] for rules in (3, 2))
+    hidden = Counter(instances(p) for p in newer if not is_open(p))
+    assert max(map(sum, hidden)) == 6 and set(hidden) == set(product(range(5), range(3)))
+    assert all(instances(p)[1] == 0 for p in newer if is_open(p))
+    assert Counter(map(instances, older)) == dict.fromkeys(product(range(4), range(3)), 15)
 
 
 def test_all_attempts_of_an_episode_share_a_plan():

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from itertools import product
 
 import numpy as np
 import pytest
@@ -9,10 +10,12 @@ from hypothesis import strategies as st
 from scipy.stats import chisquare
 
 from probe.tasks.options import count_candidates, drop_one
-from probe.tasks.task import LETTERS
+from probe.tasks.task import LETTERS, RulesVersion
 
 FIVE = ("ant", "bee", "cat", "dog", "eel")
 P_LIMIT = 0.001
+OLDER = ["0 1 2 4 5", "0 1 2 3 4", "0 1 2 3 4", "0 1 3 4 5"]
+RANKS = {"smallest": 0, "second": 1, "third": 2, "largest": 3}
 
 
 def drawn(seed: int):
@@ -71,7 +74,42 @@ def test_five_different_candidates_are_needed(candidates):
 
 @given(st.integers(0, 3), st.integers(0, 10**6))
 def test_counts_offer_what_is_visible_and_up_to_two_more(visible, seed):
-    numbers = [int(text) for text in count_candidates(visible, np.random.default_rng(seed))]
+    numbers = counted(visible, seed, rules=2)
     assert {visible, visible + 1, visible + 2} < set(numbers)
     assert numbers == sorted(set(numbers)) and len(numbers) == 5
     assert numbers[0] >= 0 and numbers[-1] <= 5
+
+
+@given(st.integers(0, 4), st.integers(0, 10**6))
+def test_counts_to_six_have_both_other_numbers_on_one_side(visible, seed):
+    numbers = counted(visible, seed, rules=3)
+    near = [visible, visible + 1, visible + 2]
+    assert near in (numbers[:3], numbers[2:])
+    assert numbers == sorted(set(numbers)) and len(numbers) == 5
+    assert numbers[0] >= 0 and numbers[-1] <= 6
+
+
+def test_what_counts_offered_by_older_rules_is_still_drawn_alike():
+    # What the generator of v1 drew, written down when these rules were the only ones.
+    found = [" ".join(count_candidates(v, np.random.default_rng(v), 2)) for v in range(4)]
+    assert found == OLDER
+
+
+def counted(visible: int, seed: int, rules: RulesVersion) -> list[int]:
+    return [int(text) for text in count_candidates(visible, np.random.default_rng(seed), rules)]
+
+
+def test_the_rank_of_a_count_among_the_numbers_offered_is_nearly_even():
+    """No rule that goes by ranks is right much oftener than one in five."""
+    rng, right = np.random.default_rng(5), Counter[str]()
+    plans = list(product(range(5), range(3), LETTERS)) * 60
+    for visible, hidden, letter in plans:
+        candidates = count_candidates(visible, rng, 3)
+        true = str(visible + hidden)
+        *options, _ = drop_one(candidates, candidates.index(true), letter, rng)
+        places = [option.text for option in sorted(options, key=lambda it: int(it.text))]
+        right.update(name for name, place in RANKS.items() if places[place] == true)
+    shares = {name: right[name] / len(plans) for name in RANKS}
+    # 1/6, 1/6, 1/3, 1/6 and 1/6 of five; one of those that aren't true is left out, then a fifth.
+    expected = {"smallest": 1 / 6, "second": 7 / 30, "third": 7 / 30, "largest": 1 / 6}
+    assert shares == pytest.approx(expected, abs=0.02)

@@ -24,6 +24,8 @@ def test_count_crosses_clear_and_hidden():
     task = next(task for task in demo_suite().tasks if task.question_type == "count")
     _, crossed = balances([task])
     assert len(crossed.counts) == 12 and sum(crossed.counts.values()) == 1
+    _, to_six = balances([replace(task, version=3)])
+    assert len(to_six.counts) == 15 and to_six.counts["4 clear, 2 hidden"] == 0
 
 
 def test_size_crosses_what_shows_of_the_larger_thing():

@@ -6,10 +6,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, Letter, Option
+from probe.tasks.task import (
+    LETTERS,
+    NONE_OF_THE_ABOVE,
+    SIX_RULES,
+    Letter,
+    Option,
+    RulesVersion,
+)
 
-MOST_COUNTED = 5
-"""Highest number that is ever offered in Count."""
+MOST_HIDDEN = 2
+"""Instances that lie beneath something in Count, at most."""
 
 CANDIDATES = 5
 """Alike answers that the options are drawn from."""
@@ -40,14 +47,29 @@ def drop_one(
     return tuple(Option(name, text) for name, text in zip(LETTERS, texts, strict=True))
 
 
-def count_candidates(visible: int, rng: np.random.Generator) -> tuple[str, ...]:
+def most_counted(rules: RulesVersion) -> int:
+    """Highest number that is ever offered in Count."""
+    return 6 if rules >= SIX_RULES else 5
+
+
+def count_candidates(
+    visible: int, rng: np.random.Generator, rules: RulesVersion
+) -> tuple[str, ...]:
     """Five numbers in ascending order: the visible count, one and two more, and two others.
 
+    What hides more doesn't matter to them. Since SIX_RULES both others are smaller or both larger:
+    of five with one on either side the middle one would be right too often.
+
     Args:
-        visible: How many instances are in plain view, 0 to 3.
-        rng: Chooses the two others in 0 to 5.
+        visible: How many instances are in plain view, so that two more is offered at most.
+        rng: Chooses the two others.
+        rules: By which the task is made.
     """
-    near = [visible, visible + 1, visible + 2]
-    others = [number for number in range(MOST_COUNTED + 1) if number not in near]
-    drawn: list[int] = rng.choice(others, size=2, replace=False).tolist()
+    near = [visible + hidden for hidden in range(MOST_HIDDEN + 1)]
+    others = [number for number in range(most_counted(rules) + 1) if number not in near]
+    if rules >= SIX_RULES:
+        sides = [n for n in others if n < visible], [n for n in others if n > visible]
+        enough = [side for side in sides if len(side) >= CANDIDATES - len(near)]
+        others = enough[int(rng.integers(len(enough)))]
+    drawn: list[int] = rng.choice(others, size=CANDIDATES - len(near), replace=False).tolist()
     return tuple(str(number) for number in sorted(near + drawn))

@@ -50,6 +50,9 @@ OPEN_RULES: RulesVersion = 3
 ERROR_RULES: RulesVersion = 3
 """Since these, a suite says how far tools err where its scores are taken."""
 
+SIX_RULES: RulesVersion = 3
+"""Since these, Count goes up to six, and numbers are offered on one side of those that could be."""
+
 NEWEST_RULES: RulesVersion = 3
 
 

@@ -41,7 +41,7 @@ def balances(tasks: Sequence[Task]) -> Iterator[Balance]:
         yield _balance(question_type, "letter", letters, [task.answer for task in mine])
         oldest = min(task.version for task in mine)
         for crossing in verifier_of(question_type).crossed:
-            if crossing.since > oldest:
+            if not crossing.since <= oldest <= crossing.until:
                 continue
             # What lies open tells the answer, and isn't crossed with anything.
             hidden = [it for it in mine if not is_answerable_at_sight(it)]

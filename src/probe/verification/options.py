@@ -13,8 +13,8 @@ from probe.generation.alike import (
     sides_alike,
     told_apart,
 )
-from probe.tasks.options import MOST_COUNTED
-from probe.tasks.task import DEPTH_RULES, LETTERS, NONE_OF_THE_ABOVE, PAIR, Task
+from probe.tasks.options import MOST_HIDDEN, most_counted
+from probe.tasks.task import DEPTH_RULES, LETTERS, NONE_OF_THE_ABOVE, PAIR, SIX_RULES, Task
 from probe.tasks.type_rules import rules_of
 
 _ROUNDING = 1e-9
@@ -58,13 +58,16 @@ def _offered(task: Task, texts: Sequence[str], drawn: Sequence[str], truth: str)
 
 
 def _numbers(task: Task) -> Iterator[str]:
-    drawn = task.certificate.candidates
-    every = [str(number) for number in range(MOST_COUNTED + 1)]
+    drawn, most = task.certificate.candidates, most_counted(task.version)
+    every = [str(number) for number in range(most + 1)]
     if list(drawn) != [number for number in every if number in drawn]:
-        yield f"its candidates are {_shown(drawn)}: not numbers to {MOST_COUNTED}, in order"
+        yield f"its candidates are {_shown(drawn)}: not numbers to {most}, in order"
     clear = int(task.certificate.measures["clear"])
-    if not {str(clear + more) for more in range(3)} <= set(drawn):
-        yield f"{clear} are clear, but {clear} to {clear + 2} aren't all among its candidates"
+    near = [str(clear + hidden) for hidden in range(MOST_HIDDEN + 1)]
+    if not {*near} <= {*drawn}:
+        yield f"{clear} are clear, but {near[0]} to {near[-1]} aren't all among its candidates"
+    elif task.version >= SIX_RULES and near not in (list(drawn[:3]), list(drawn[-3:])):
+        yield f"of its candidates, some are below {near[0]} and some above {near[-1]}"
 
 
 def _candidates(task: Task, library: Library) -> Iterator[str]:

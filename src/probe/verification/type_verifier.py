@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from probe.assets.library import Library
 from probe.tasks.options import CANDIDATES
 from probe.tasks.registry import part_of
-from probe.tasks.task import RulesVersion, Task
+from probe.tasks.task import NEWEST_RULES, RulesVersion, Task
 from probe.verification.remeasure import Remeasurement
 
 TextCheck = Callable[[Task, Library], Iterator[str]]
@@ -46,12 +46,14 @@ class Crossing:
         values: That should occur as often as each other.
         value_of: The value of a task.
         since: The first version of the rules by which it is balanced.
+        until: The last one.
     """
 
     of: str
     values: Sequence[str]
     value_of: Callable[[Task], str]
     since: RulesVersion = 2
+    until: RulesVersion = NEWEST_RULES
 
 
 def nothing_wrong(task: Task, anew: Remeasurement | Library) -> Iterator[str]:

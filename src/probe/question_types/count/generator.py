@@ -35,17 +35,21 @@ from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
 from probe.tasks.english import plural
-from probe.tasks.options import count_candidates
+from probe.tasks.options import MOST_HIDDEN, count_candidates
+from probe.tasks.task import SIX_RULES
 from probe.tasks.truth import how_many
 from probe.types import Array
 from probe.world.model import Post
 
-NESTS = 2
+NESTS = MOST_HIDDEN
 """Things hidden beneath others in every scene; those that aren't counted are there as decoys, so
 that a suspicious cover tells nothing."""
 
-INSTANCES = PlannedProperty("count", tuple(product(range(4), range(3))))
-"""How many instances are clear, and how many hidden."""
+INSTANCES = PlannedProperty("count", tuple(product(range(4), range(NESTS + 1))))
+"""How many instances are clear, and how many hidden, by rules before SIX_RULES."""
+
+TO_SIX = PlannedProperty("count to six", tuple(product(range(5), range(NESTS + 1))))
+"""The same since then."""
 
 _FEWEST, _MOST = 12, 15
 _FROM_MIDDLE = 0.11
@@ -91,7 +95,7 @@ def generate_count(
     if is_open(plan):
         check_all_seen(scene, view)
     truth = how_many(scene, cast.counted.id)
-    candidates = count_candidates(visible, rng)
+    candidates = count_candidates(visible, rng, plan.rules)
     draft = Draft(
         question_type="count",
         scene=scene,
@@ -108,7 +112,7 @@ def generate_count(
 
 def instances(plan: TaskPlan) -> tuple[int, int]:
     """How many instances are clear, and how many hidden."""
-    visible, hidden = INSTANCES.of(plan)
+    visible, hidden = (TO_SIX if plan.rules >= SIX_RULES else INSTANCES).of(plan)
     return visible, 0 if is_open(plan) else hidden
 
 
@@ -213,5 +217,5 @@ GENERATOR = TaskGenerator(
     select=select_count,
     needs=f"{needs_alike(LARGEST, LOOSE_TOLERANCE, 1 + NESTS)}; "
     f"over any of them, {NESTS} times, {NEEDS_COVER}",
-    turns=(INSTANCES, OPEN),
+    turns=(INSTANCES, TO_SIX, OPEN),
 )

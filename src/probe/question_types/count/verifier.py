@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 
 from probe.assets.library import Library
@@ -10,7 +10,8 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.alike import told_apart
 from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.tasks.english import plural
-from probe.tasks.task import Task
+from probe.tasks.options import MOST_HIDDEN
+from probe.tasks.task import SIX_RULES, Task
 from probe.tasks.truth import how_many
 from probe.verification.remeasure import Remeasurement
 from probe.verification.subjects import instances_called
@@ -62,6 +63,11 @@ def _instances(task: Task) -> str:
     return f"{measures['clear']:.0f} clear, {measures['hidden']:.0f} hidden"
 
 
+def _numbers(most_clear: int) -> Sequence[str]:
+    pairs = product(range(most_clear + 1), range(MOST_HIDDEN + 1))
+    return [f"{clear} clear, {hidden} hidden" for clear, hidden in pairs]
+
+
 VERIFIER = Verifier(
     makeup=Makeup(None, measures=("clear", "hidden")),
     slots=_slots,
@@ -71,8 +77,15 @@ VERIFIER = Verifier(
     crossed=(
         Crossing(
             "clear x hidden",
-            [f"{a} clear, {b} hidden" for a, b in product(range(4), range(3))],
+            _numbers(most_clear=3),
             _instances,
+            until=2,
+        ),
+        Crossing(
+            "clear x hidden",
+            _numbers(most_clear=4),
+            _instances,
+            since=SIX_RULES,
         ),
     ),
 )
