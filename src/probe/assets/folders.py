@@ -10,9 +10,17 @@ from pathlib import Path
 
 
 def assets_folder() -> Path | None:
-    """The folder of extra assets, from PROBE_ASSETS; None if it isn't set."""
-    folder = os.environ.get("PROBE_ASSETS")
-    return Path(folder) if folder else None
+    """The folder of extra assets: PROBE_ASSETS, or what was fetched; None if there is neither."""
+    named = os.environ.get("PROBE_ASSETS")
+    if named:
+        return Path(named)
+    fetched = fetched_folder()
+    return fetched if fetched.is_dir() else None
+
+
+def fetched_folder() -> Path:
+    """Where scans are fetched to unless PROBE_ASSETS is set: XDG_DATA_HOME/probe/assets."""
+    return _data_folder() / "assets"
 
 
 def cache_folder() -> Path:
