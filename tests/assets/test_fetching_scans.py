@@ -19,8 +19,9 @@ from PIL import Image
 from probe.assets.cache import Cache
 from probe.assets.fetching.scan_manifest import ScanFile, ScanSource, scan_collections, scan_files
 from probe.assets.fetching.suite_scans import ScanFetching, fetch_all, write_index
+from probe.assets.folders import assets_folder
 from probe.assets.gltf.glb import read_gltf
-from probe.assets.library import open_library
+from probe.assets.library import Library, open_library
 from probe.assets.mesh.fingerprint import Fingerprint
 from probe.assets.pools.scan_catalogue import scan_rows, scan_sources
 from probe.errors import BadData, ProbeError
@@ -212,6 +213,25 @@ def test_a_source_that_fails_is_named_and_the_others_go_on(site, tmp_path, asset
     assert "gso_lion" in told[0] and "404" in told[0]
     assert "1 of 2 scans are missing: gso_lion." in told[1]
     assert (tmp_path / "scans" / "ph_teapot_lid.glb").is_file()
+
+
+def test_a_suite_without_its_scans_says_what_gets_them(tmp_path):
+    with pytest.raises(BadData, match=r"there is no \w+ here. `probe assets fetch v1-scans` gets"):
+        check_objects(SUITE, Library((), None, tmp_path))
+    with pytest.raises(BadData, match="`probe assets fetch v1-scans` gets"):
+        open_library("scans", None, tmp_path)
+    with pytest.raises(BadData, match="`probe assets fetch v1-scans` gets"):
+        open_library("scans", tmp_path, tmp_path)
+
+
+def test_what_was_fetched_is_found_unless_a_folder_is_named(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    monkeypatch.delenv("PROBE_ASSETS", raising=False)
+    assert assets_folder() is None
+    (tmp_path / "probe" / "assets").mkdir(parents=True)
+    assert assets_folder() == tmp_path / "probe" / "assets"
+    monkeypatch.setenv("PROBE_ASSETS", "elsewhere")
+    assert assets_folder() == Path("elsewhere")
 
 
 @pytest.mark.slow

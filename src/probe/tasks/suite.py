@@ -108,5 +108,5 @@ def check_objects(
 def _remedy(object_id: str) -> str:
     """Where the object that a suite was made with comes from."""
     if is_scan(object_id):
-        return f"It is a scan: {FETCH_THEM}"
+        return FETCH_THEM
     return "Use the assets and the release that the suite was made with, or build it again"

@@ -15,7 +15,7 @@ from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, UnknownName
 from probe.reading import MESH, contents
 
-FETCH_THEM = "`probe assets fetch v1-scans` gets them."
+FETCH_THEM = "`probe assets fetch v1-scans` gets the scans."
 """What to do where scans are missing."""
 
 VERSION = f"{LAYOUT} {GLB_VERSION} {PIECES_VERSION}"
