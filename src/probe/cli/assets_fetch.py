@@ -25,17 +25,13 @@ def fetch(
 ) -> None:
     """Download a public object, set, material or light; continues where it was interrupted.
 
-    "v1-scans" fetches all scans of that suite, each from its public source, and keeps only those
-    that the suite was made with.
+    v1-scans: all scans of that suite, each from its source; only the right ones are kept.
 
     Args:
         name: v1-scans, or place and item, as bop/ycbv; without one, the places are listed.
-        out: Folder for it; by default outputs/fetched. That of v1-scans gets a folder scans/; by
-            default it is the one that PROBE_ASSETS names, else probe/assets in XDG_DATA_HOME
-            (~/.local/share), where scans are found without PROBE_ASSETS.
+        out: Folder for it: outputs/fetched, or where commands look for scans.
         sha256: What the file has to hash to, if you know it.
-        mirror: Only for v1-scans: address of a folder with the scans as <id>.glb, instead of their
-            public sources. They are checked by SHA-256.
+        mirror: Address of a folder with <id>.glb of v1-scans, instead of their sources.
     """
     if name == SCANS:
         if sha256 is not None:
