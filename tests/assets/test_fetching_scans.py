@@ -104,14 +104,14 @@ def _picture(mesh: trimesh.Trimesh, kind: str) -> bytes:
 def _gltf(mesh: trimesh.Trimesh, item: str) -> dict[str, bytes]:
     """A set of things as Poly Haven lays it out: nodes with names, textures in a folder."""
     other = trimesh.creation.box()
-    other.visual = mesh.visual.copy()
+    other.visual = cast(Any, mesh.visual).copy()
     cast(Any, other.visual).uv = np.zeros((len(other.vertices), 2))
     scene = trimesh.Scene()
     scene.add_geometry(other, node_name="another_thing", geom_name="mesh_a")
     place = trimesh.transformations.translation_matrix((0.4, 0, -0.2))
     scene.add_geometry(mesh, node_name=item, geom_name="mesh_b", transform=place)
-    files = scene.export(file_type="gltf", merge_buffers=True)
-    text = next(cast(bytes, it) for name, it in files.items() if name.endswith(".gltf"))
+    files = cast(dict[str, bytes], scene.export(file_type="gltf", merge_buffers=True))
+    text = next(it for name, it in files.items() if name.endswith(".gltf"))
     (buffer,) = [name for name in files if name.endswith(".bin")]
     pictures = [name for name in files if name.endswith((".png", ".jpg", ".jpeg"))]
     text = text.replace(buffer.encode(), b"tea_set_01.bin")
@@ -120,7 +120,7 @@ def _gltf(mesh: trimesh.Trimesh, item: str) -> dict[str, bytes]:
     look = _picture(mesh, "JPEG")
     return {
         "tea_set_01_1k.gltf": text,
-        "tea_set_01.bin": cast(bytes, files[buffer]),
+        "tea_set_01.bin": files[buffer],
         **{f"textures/tea_set_01_{kind}_1k.jpg": look for kind in ("diff", "nor_gl", "arm")},
     }
 
