@@ -105,7 +105,7 @@ def _gltf(mesh: trimesh.Trimesh, item: str) -> dict[str, bytes]:
     """A set of things as Poly Haven lays it out: nodes with names, textures in a folder."""
     other = trimesh.creation.box()
     other.visual = cast(Any, mesh.visual).copy()
-    cast(Any, other.visual).uv = np.zeros((len(other.vertices), 2))
+    other.visual.uv = np.zeros((len(other.vertices), 2))
     scene = trimesh.Scene()
     scene.add_geometry(other, node_name="another_thing", geom_name="mesh_a")
     place = trimesh.transformations.translation_matrix((0.4, 0, -0.2))
@@ -212,6 +212,7 @@ def test_a_source_that_fails_is_named_and_the_others_go_on(site, tmp_path, asset
     told = _fetch(tmp_path / "scans", [lost, found], _moved(address), {}, tmp_path / "cache")
     assert "gso_lion" in told[0] and "404" in told[0]
     assert "1 of 2 scans are missing: gso_lion." in told[1]
+    assert (tmp_path / "scans" / ".fetching").is_dir()
     assert (tmp_path / "scans" / "ph_teapot_lid.glb").is_file()
 
 
@@ -230,6 +231,8 @@ def test_what_was_fetched_is_found_unless_a_folder_is_named(tmp_path, monkeypatc
     assert assets_folder() is None
     (tmp_path / "probe" / "assets").mkdir(parents=True)
     assert assets_folder() == tmp_path / "probe" / "assets"
+    (tmp_path / "probe" / "assets" / "scans" / ".fetching").mkdir(parents=True)
+    assert assets_folder() is None
     monkeypatch.setenv("PROBE_ASSETS", "elsewhere")
     assert assets_folder() == Path("elsewhere")
 

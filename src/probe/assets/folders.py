@@ -8,6 +8,9 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+UNFINISHED = ".fetching"
+"""Folder within that of fetched scans, until all are there."""
+
 
 def assets_folder() -> Path | None:
     """The folder of extra assets: PROBE_ASSETS, or what was fetched; None if there is neither."""
@@ -15,7 +18,9 @@ def assets_folder() -> Path | None:
     if named:
         return Path(named)
     fetched = fetched_folder()
-    return fetched if fetched.is_dir() else None
+    # Other suites mustn't fail over scans that are still on their way.
+    whole = fetched.is_dir() and not (fetched / "scans" / UNFINISHED).exists()
+    return fetched if whole else None
 
 
 def fetched_folder() -> Path:

@@ -15,6 +15,7 @@ from probe.assets.fetching.download import Progress, download
 from probe.assets.fetching.scan_glb import scan_glb
 from probe.assets.fetching.scan_manifest import ScanFile, ScanSource
 from probe.assets.fetching.unpack import unpack
+from probe.assets.folders import UNFINISHED
 from probe.assets.mesh.fingerprint import Fingerprint, fingerprint, same
 from probe.assets.pools.scan_catalogue import scan_sources
 from probe.assets.pools.scans import scan_body
@@ -23,9 +24,6 @@ from probe.files import write_bytes, write_text
 from probe.reading import words
 
 _INDEX = ("id", "source_dataset", "licence")
-_WORK = ".fetching"
-"""Folder within that of the scans; holds downloads that aren't finished."""
-
 _REMEDY = (
     "Take its file as <id>.glb from someone who has it (--mirror ADDRESS), "
     "or from the folder that PROBE_ASSETS names where the suite is in use."
@@ -73,7 +71,7 @@ class ScanFetching:
             url = f"{self.mirror.rstrip('/')}/{scan.id}.glb"
             download(url, self.path(scan), scan.sha256, progress)
             return
-        work = self.folder / _WORK / scan.id
+        work = self.folder / UNFINISHED / scan.id
         source = self.sources[scan.source]
         files = work / "files"
         for name, url in source.urls_of(scan.item).items():
@@ -121,6 +119,7 @@ def fetch_all(
         BadData: Some failed.
         OutputFailed: The disk is full, or the folder can't be written.
     """
+    (fetching.folder / UNFINISHED).mkdir(parents=True, exist_ok=True)
     write_index(scans, fetching.folder)
     missing: list[str] = []
     for scan in scans:
@@ -135,7 +134,7 @@ def fetch_all(
         reason = f"{len(missing)} of {len(scans)} scans are missing: {', '.join(missing)}"
         remedy = "Run it again to go on; what stays missing says above what would help"
         raise BadData(fetching.folder, reason, f"{remedy}.")
-    shutil.rmtree(fetching.folder / _WORK, ignore_errors=True)
+    shutil.rmtree(fetching.folder / UNFINISHED, ignore_errors=True)
 
 
 def write_index(scans: Sequence[ScanFile], folder: Path) -> None:
