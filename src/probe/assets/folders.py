@@ -8,11 +8,24 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+UNFINISHED = ".fetching"
+"""Folder within that of fetched scans, until all are there."""
+
 
 def assets_folder() -> Path | None:
-    """The folder of extra assets, from PROBE_ASSETS; None if it isn't set."""
-    folder = os.environ.get("PROBE_ASSETS")
-    return Path(folder) if folder else None
+    """The folder of extra assets: PROBE_ASSETS, or what was fetched; None if there is neither."""
+    named = os.environ.get("PROBE_ASSETS")
+    if named:
+        return Path(named)
+    fetched = fetched_folder()
+    # Other suites mustn't fail over scans that are still on their way.
+    whole = fetched.is_dir() and not (fetched / "scans" / UNFINISHED).exists()
+    return fetched if whole else None
+
+
+def fetched_folder() -> Path:
+    """Where scans are fetched to unless PROBE_ASSETS is set: XDG_DATA_HOME/probe/assets."""
+    return _data_folder() / "assets"
 
 
 def cache_folder() -> Path:

@@ -222,7 +222,8 @@ def scans_folder(assets: Path | None) -> Path:
     Raises:
         BadData: There is none.
     """
-    remedy = "Set PROBE_ASSETS to the folder that holds scans/, or use the procedural objects."
+    others = "Or set PROBE_ASSETS to a folder that holds scans/, or use the procedural objects."
+    remedy = f"{scans.FETCH_THEM} {others}"
     if assets is None:
         raise BadData("PROBE_ASSETS", "is not set, so there are no scans", remedy)
     folder = assets / "scans"

@@ -9,6 +9,7 @@ from typing import TypeVar
 from probe.assets.library import Library, Pool
 from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, same
+from probe.assets.pools.scans import FETCH_THEM, is_scan
 from probe.errors import BadData, UnknownName
 from probe.tasks.headline import Headline
 from probe.tasks.task import Task
@@ -98,12 +99,20 @@ def check_objects(
         BadData: An object is missing or differs.
     """
     looks = _looks_of(suite.tasks)
-    remedy = "Use the assets and the release that the suite was made with, or build it again"
     for object_id in watch(suite.objects):
         frozen = suite.objects[object_id]
         try:
             found = library.fingerprint(object_id, looks.get(object_id, 1))
         except UnknownName as error:
-            raise BadData(f"suite {suite.name}", f"there is no {object_id} here", remedy) from error
+            reason, remedy = f"there is no {object_id} here", _remedy(object_id)
+            raise BadData(f"suite {suite.name}", reason, remedy) from error
         if not same(found, frozen):
-            raise BadData(f"suite {suite.name}", f"{object_id} has changed since", remedy)
+            reason = f"{object_id} has changed since"
+            raise BadData(f"suite {suite.name}", reason, _remedy(object_id))
+
+
+def _remedy(object_id: str) -> str:
+    """Where the object that a suite was made with comes from."""
+    if is_scan(object_id):
+        return FETCH_THEM
+    return "Use the assets and the release that the suite was made with, or build it again"

@@ -69,7 +69,7 @@ def parse_scans(text: str, path: object) -> tuple[ScanRow, ...]:
     Raises:
         BadData: As `scan_rows`.
     """
-    rows = _parsed(text, path, ScanRow)
+    rows = parsed_rows(text, path, ScanRow)
     _refuse_twins(path, "id", [row.id for row in rows])
     _refuse_twins(path, "name", [row.name for row in rows if row.confirmed])
     return tuple(rows)
@@ -85,12 +85,18 @@ def scan_sources(folder: Path) -> dict[str, SourceRow]:
     try:
         text = words(path)
     except (OSError, UnicodeDecodeError) as error:
-        remedy = "PROBE_ASSETS has to name a folder with scans/index.csv and scans/*.glb."
+        needed = "PROBE_ASSETS has to name a folder with scans/index.csv and scans/*.glb"
+        remedy = f"{needed}; `probe assets fetch v1-scans` gets them."
         raise BadData(path, f"can't be read ({error})", remedy) from error
-    return {row.id: row for row in _parsed(text, path, SourceRow)}
+    return {row.id: row for row in parsed_rows(text, path, SourceRow)}
 
 
-def _parsed(text: str, path: object, kind: type[Row]) -> list[Row]:
+def parsed_rows(text: str, path: object, kind: type[Row]) -> list[Row]:
+    """Lines of a table; `path` is for messages.
+
+    Raises:
+        BadData: A line breaks the schema.
+    """
     reader = csv.DictReader(io.StringIO(text), strict=True)
     rows: list[Row] = []
     try:

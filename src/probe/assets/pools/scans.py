@@ -15,6 +15,9 @@ from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, UnknownName
 from probe.reading import MESH, contents
 
+FETCH_THEM = "`probe assets fetch v1-scans` gets the scans."
+"""What to do where scans are missing."""
+
 VERSION = f"{LAYOUT} {GLB_VERSION} {PIECES_VERSION}"
 
 
@@ -68,6 +71,11 @@ def scan_body(object_id: str, folder: Path, cache: Cache) -> Body:
     return body
 
 
+def is_scan(object_id: str) -> bool:
+    """Whether an object is one of the confirmed scans."""
+    return object_id in _confirmed()
+
+
 @memo
 def _confirmed() -> dict[str, ScanRow]:
     return {row.id: row for row in scan_rows() if row.confirmed}
@@ -103,5 +111,5 @@ def _bytes(folder: Path, object_id: str) -> bytes:
     try:
         return contents(path, MESH)
     except OSError as error:
-        remedy = "The folder of scans is incomplete: copy it again."
+        remedy = f"The folder of scans is incomplete: {FETCH_THEM}"
         raise BadMesh(path, error.strerror or "can't be read", remedy) from error

@@ -49,7 +49,7 @@ def _folders() -> Iterator[Requirement]:
     scans = assets is not None and (assets / "scans").is_dir()
     words = "not set" if assets is None else f"{assets}{'' if scans else ' has no folder scans'}"
     use = "scans: suite v1-scans, --pool scans"
-    yield Requirement("PROBE_ASSETS", scans, words, use, "export PROBE_ASSETS=FOLDER")
+    yield Requirement("PROBE_ASSETS", scans, words, use, "probe assets fetch v1-scans")
     own = library_folder()
     words = str(own) if own.is_dir() else f"none yet in {own}"
     use = "tasks about your own things: --pool own"
