@@ -75,7 +75,7 @@ def test_light_and_camera_change_the_picture_alone(written, tmp_path):
     ("arguments", "environment", "words"),
     [
         (["--objects", 5000], {}, "--objects: 5000 is out of range. Say 1 to 200"),
-        (["--pool", "scans"], {"PROBE_ASSETS": ""}, "Set PROBE_ASSETS"),
+        (["--pool", "scans"], {"PROBE_ASSETS": ""}, "probe assets fetch v1-scans"),
         ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
         (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),
         (["--lighting", "disco"], {"PROBE_ASSETS": ""}, "morning_kitchen"),

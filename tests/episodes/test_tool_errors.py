@@ -13,11 +13,11 @@ from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.tool_errors import label_of, tool_errors
 from probe.episodes.turns import Question
 from probe.perception.dials import Dials
-from probe.tasks.headline import Headline
+from probe.tasks.headline import HeadlineErrors
 from task_examples import FIND, SCENE
 
 EYE = Dials(over=0.1, under=0.05, missed=0.02)
-HEADLINE = Headline(0.018, 0.004, EYE)
+HEADLINE = HeadlineErrors(0.018, 0.004, EYE)
 HAND = Noise(0.018, 0.004)
 AS_SAID = Conditions(dials=EYE)
 

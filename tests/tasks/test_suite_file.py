@@ -8,7 +8,7 @@ import pytest
 
 from probe.errors import BadData
 from probe.perception.dials import Dials
-from probe.tasks.headline import Headline
+from probe.tasks.headline import HeadlineErrors
 from probe.tasks.suite import Suite, part
 from probe.tasks.suite_file import content_hash, read_suite, write_suite
 from probe.tasks.task import LETTERS
@@ -64,7 +64,9 @@ def test_how_many_manipulations_a_task_allows_is_kept_and_left_out_where_that_is
 
 def test_the_headline_setting_is_kept_and_left_out_where_there_is_none(path: Path):
     assert "headline" not in path.read_text()
-    headline = Headline(0.018, 0.0, Dials(over=0.1, under=0.05, missed=0.02, hallucinated=0.01))
+    headline = HeadlineErrors(
+        0.018, 0.0, Dials(over=0.1, under=0.05, missed=0.02, hallucinated=0.01)
+    )
     write_suite(path, replace(SUITE, headline=headline))
     again = read_suite(path)
     assert again.headline == headline

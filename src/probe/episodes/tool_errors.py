@@ -9,12 +9,12 @@ from probe.episodes.conditions import NO_DIALS, Conditions
 from probe.episodes.noise import NO_NOISE, NOISES, Noise, NoiseName
 from probe.episodes.record import EpisodeRecord
 from probe.perception.dials import Dials
-from probe.tasks.headline import Headline
+from probe.tasks.headline import HeadlineErrors
 
 NoiseChoice = Literal["own", NoiseName]
 """A hand's errors by name; "own": tools err as the suite says, or not at all if it says nothing."""
 
-HEADLINE = Headline(NOISES["paper"].grasp, NOISES["paper"].push, Dials(over=0.14, under=0.08))
+HEADLINE = HeadlineErrors(NOISES["paper"].grasp, NOISES["paper"].push, Dials(over=0.14, under=0.08))
 """Of new suites: the paper's hand, and a detector that errs as often as our RGB-D segmenter.
 
 On 14 tables of evaluation objects in the light of rooms (seeds 980000 on) it cut 28 of 198 objects
@@ -27,7 +27,11 @@ WITHOUT_TOOLS = frozenset({"blind", "rule", "direct", "oracle-view"})
 
 
 def tool_errors(
-    headline: Headline | None, noise: NoiseChoice, conditions: Conditions, *, oracle: bool = True
+    headline: HeadlineErrors | None,
+    noise: NoiseChoice,
+    conditions: Conditions,
+    *,
+    oracle: bool = True,
 ) -> tuple[Noise, Conditions]:
     """How far the hand errs in a run, and its conditions with how often the detector does.
 
@@ -47,7 +51,7 @@ def tool_errors(
     return Noise(headline.grasp, headline.push), conditions
 
 
-def label_of(record: EpisodeRecord, headline: Headline | None, setting: str) -> str:
+def label_of(record: EpisodeRecord, headline: HeadlineErrors | None, setting: str) -> str:
     """In what an episode differs from the headline setting of its suite, in a few words.
 
     Of a suite without one: from its task and the usual perception.

@@ -14,7 +14,7 @@ from probe.scores.fidelity import fidelity
 from probe.scores.roster import Listed
 from probe.scores.row import Row
 from probe.tasks.grading import Score
-from probe.tasks.headline import Headline
+from probe.tasks.headline import HeadlineErrors
 from probe.tasks.task import LETTERS, Task
 from probe.tasks.type_rules import rules_of
 
@@ -43,7 +43,7 @@ def row_of(
     setting: str,
     usage: Usage | None = None,
     ordered: int | None = None,
-    headline: Headline | None = None,
+    headline: HeadlineErrors | None = None,
 ) -> Row:
     """The row of an episode.
 
@@ -98,7 +98,7 @@ def _usage(record: EpisodeRecord) -> Usage:
     return Usage(seat.tokens_in, seat.tokens_out, seat.cost) if seat else Usage()
 
 
-def under(setting: str, record: EpisodeRecord, headline: Headline | None = None) -> str:
+def under(setting: str, record: EpisodeRecord, headline: HeadlineErrors | None = None) -> str:
     """A setting's name with a record's conditions: under other conditions it is another setting."""
     label = label_of(record, headline, setting)
     return f"{setting}, {label}" if label else setting

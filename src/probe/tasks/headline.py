@@ -8,7 +8,7 @@ from probe.perception.dials import Dials
 
 
 @dataclass(frozen=True)
-class Headline:
+class HeadlineErrors:
     """How far tools err in the setting that a suite's scores are compared in.
 
     Attributes:

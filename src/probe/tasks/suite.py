@@ -11,7 +11,7 @@ from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, same
 from probe.assets.pools.scans import FETCH_THEM, is_scan
 from probe.errors import BadData, UnknownName
-from probe.tasks.headline import Headline
+from probe.tasks.headline import HeadlineErrors
 from probe.tasks.task import Task
 
 _Item = TypeVar("_Item")
@@ -36,7 +36,7 @@ class Suite:
     objects: Mapping[str, Fingerprint]
     commitment: str | None = None
     pool: Pool | None = None
-    headline: Headline | None = None
+    headline: HeadlineErrors | None = None
 
     def __getitem__(self, task: str) -> Task:
         """A task by its id.
@@ -51,7 +51,7 @@ class Suite:
 
 
 def freeze(
-    name: str, tasks: tuple[Task, ...], library: Library, headline: Headline | None = None
+    name: str, tasks: tuple[Task, ...], library: Library, headline: HeadlineErrors | None = None
 ) -> Suite:
     """A suite of these tasks, with the fingerprints of their objects as they are now."""
     looks = _looks_of(tasks)

@@ -21,7 +21,7 @@ from probe.scene.cameras import View
 from probe.scene.document import SceneDocument
 from probe.scene.setup_file import MOST_PX, sees_basket
 from probe.scene.visibility import Visibility
-from probe.tasks.headline import Headline
+from probe.tasks.headline import HeadlineErrors
 from probe.tasks.look_alike import look_alike
 from probe.tasks.reserved import Difference, difference, unlike
 from probe.tasks.suite import Suite
@@ -185,7 +185,7 @@ class TaskDocument(
 _Metres = Annotated[float, pydantic.Field(ge=0, le=0.1)]
 
 
-class HeadlineDocument(pydantic.BaseModel, extra="forbid"):
+class HeadlineErrorsDocument(pydantic.BaseModel, extra="forbid"):
     """Errors of tools."""
 
     grasp: _Metres
@@ -196,14 +196,16 @@ class HeadlineDocument(pydantic.BaseModel, extra="forbid"):
     hallucinated: ErrorRate
 
     @staticmethod
-    def of(headline: Headline) -> HeadlineDocument:
+    def of(headline: HeadlineErrors) -> HeadlineErrorsDocument:
         """The document of these errors."""
-        return HeadlineDocument(grasp=headline.grasp, push=headline.push, **vars(headline.dials))
+        return HeadlineErrorsDocument(
+            grasp=headline.grasp, push=headline.push, **vars(headline.dials)
+        )
 
-    def headline(self) -> Headline:
+    def headline(self) -> HeadlineErrors:
         """The errors that it describes."""
         dials = Dials(self.over, self.under, self.missed, self.hallucinated)
-        return Headline(self.grasp, self.push, dials)
+        return HeadlineErrors(self.grasp, self.push, dials)
 
 
 class SuiteDocument(pydantic.BaseModel, extra="forbid"):
@@ -217,7 +219,7 @@ class SuiteDocument(pydantic.BaseModel, extra="forbid"):
     # Of suites since there is a pool for training: which objects they were made of.
     pool: Pool | None = pydantic.Field(default=None, exclude_if=lambda it: it is None)
     # Of suites whose scores are taken with tools that err.
-    headline: HeadlineDocument | None = pydantic.Field(
+    headline: HeadlineErrorsDocument | None = pydantic.Field(
         default=None, exclude_if=lambda it: it is None
     )
     objects: dict[str, tuple[float, ...]]
@@ -283,7 +285,7 @@ def _document(suite: Suite) -> SuiteDocument:
         name=suite.name,
         commitment=suite.commitment,
         pool=suite.pool,
-        headline=HeadlineDocument.of(suite.headline) if suite.headline else None,
+        headline=HeadlineErrorsDocument.of(suite.headline) if suite.headline else None,
         objects=dict(suite.objects),
         manifest={task.id: task.digest() for task in tasks},
         tasks=tasks,
