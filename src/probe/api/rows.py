@@ -10,6 +10,7 @@ from probe.api.agents import SETTINGS
 from probe.api.grading import Graded
 from probe.episodes.folder import setting_of_folder
 from probe.episodes.ordered import Ordered, read_ordered
+from probe.episodes.record import EpisodeRecord
 from probe.scores.marking import row_of
 from probe.scores.row import Row
 from probe.scores.row_files import write_csv, write_json_lines
@@ -22,6 +23,11 @@ ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
 def setting_of(agent: str) -> str:
     """How an agent answers, if nobody says otherwise."""
     return SETTINGS.get(agent, AGENTIC)
+
+
+def setting_of_record(record: EpisodeRecord) -> str:
+    """How an agent answered: as its record says, or as is usual for it."""
+    return record.setting or setting_of(record.agent)
 
 
 def rows_of(
@@ -59,7 +65,7 @@ def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:
 
 def _row(suite: Suite, graded: Graded, setting: str | None, ordered: Ordered) -> Row:
     task, record, score = graded
-    setting = setting or record.setting or setting_of(record.agent)
+    setting = setting or setting_of_record(record)
     runs = ordered.get((record.agent, record.setting))
     return row_of(
         task,

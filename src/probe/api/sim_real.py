@@ -10,7 +10,7 @@ import pydantic
 
 from probe.api.grading import Graded, graded
 from probe.api.progress import Track, silent
-from probe.api.rows import rows_of
+from probe.api.rows import rows_of, setting_of_record
 from probe.episodes.folder import SUITE
 from probe.episodes.tool_errors import label_of
 from probe.errors import BadData
@@ -106,7 +106,7 @@ def _read(folder: Path, *, is_real: bool, track: Track) -> _Folder:
             kind = "simulation" if is_real else "a robot"
             raise BadData(folder, f"has records of {kind}", "Name the simulation's folder first")
     first = found[0][1]
-    label = label_of(first, suite.headline, first.setting)
+    label = label_of(first, suite.headline, setting_of_record(first))
     rows = rows_of(folder, suite, found, title=identity_of(suite).title)
     plain = tuple(_plain(row, it) for row, it in zip(rows, found, strict=True))
     return _Folder({task.id: task for task in suite.tasks}, plain, label or "perception oracle")

@@ -8,7 +8,7 @@ from pathlib import Path
 import pydantic
 
 from probe.api.grading import graded
-from probe.api.rows import rows_of
+from probe.api.rows import rows_of, setting_of_record
 from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.metavars import RunFolder, RunFolders
 from probe.cli.screen import ScreenTable, say, track
@@ -68,7 +68,7 @@ def _graded(folder: Path) -> tuple[str, list[Row]]:
     suite = read_suite(folder / SUITE)
     found = graded(folder, track)
     tell_unsummed(folder)
-    labels = {label_of(record, suite.headline, record.setting) for _, record, _ in found}
+    labels = {label_of(record, suite.headline, setting_of_record(record)) for _, record, _ in found}
     if len(labels) != 1:
         raise BadData(folder, f"holds runs under {len(labels)} conditions", "Name another folder")
     return labels.pop(), rows_of(folder, suite, found)
