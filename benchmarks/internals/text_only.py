@@ -14,10 +14,9 @@ import json
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
-from tokenizers import Tokenizer
 
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
@@ -47,8 +46,11 @@ def as_text(record: EpisodeRecord, graphs: Graphs) -> str:
 
 def main(folder: Path, tokenizer: Path) -> None:
     """Print the median, the 95th percentile and the share that fits each window."""
+    import tokenizers  # pyright: ignore[reportMissingImports]  # comes with `make .venv/.torch`
+
+    library: Any = tokenizers
     records = read_records(folder / RECORDS, whole=False)
-    counter = Tokenizer.from_file(str(tokenizer))
+    counter = library.Tokenizer.from_file(str(tokenizer))
     for graphs in get_args(Graphs):
         tokens = np.array([len(counter.encode(as_text(it, graphs)).ids) for it in records])
         middle, high = np.percentile(tokens, [50, 95])
