@@ -44,6 +44,18 @@ def test_a_detector_that_isnt_the_ideal_one_errs_by_itself():
     assert tool_errors(HEADLINE, "own", AS_FROZEN, oracle=False) == (HAND, AS_FROZEN)
 
 
+@pytest.mark.parametrize("setting", ["blind", "rule", "direct", "oracle-view"])
+def test_who_calls_no_tool_suffers_no_errors(setting):
+    assert tool_errors(HEADLINE, "own", AS_FROZEN, setting=setting) == (NO_NOISE, AS_FROZEN)
+    assert label_of(record(NO_NOISE), HEADLINE, setting) == ""
+
+
+@pytest.mark.parametrize("setting", ["scripted", "random", "agentic, pointer self", "text-only"])
+def test_who_calls_tools_does(setting):
+    assert tool_errors(HEADLINE, "own", AS_FROZEN, setting=setting) == (HAND, AS_SAID)
+    assert label_of(record(NO_NOISE), HEADLINE, setting) == "ideal hand, ideal detector"
+
+
 def record(noise: Noise, conditions: Conditions = AS_FROZEN) -> EpisodeRecord:
     start = TableState(SCENE, (0.0,) * 6)
     asked = Question("?", ())

@@ -14,7 +14,7 @@ from probe.episodes.files import read_records as _read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.noise import Noise
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.tool_errors import WITHOUT_TOOLS, NoiseChoice, tool_errors
+from probe.episodes.tool_errors import NoiseChoice, tool_errors
 from probe.runs.plan import RunOrder
 from probe.runs.run import begun, work
 from probe.runs.work import WorkerSetup
@@ -53,11 +53,11 @@ def run(
     """
     folder, things = Path(out), everything()
     check_objects(suite, things)
-    headline = None if SETTINGS[agent] in WITHOUT_TOOLS else suite.headline
     if isinstance(noise, Noise):
         order = RunOrder(agent, runs, noise)
     else:
-        order = RunOrder(agent, runs, *tool_errors(headline, noise, AS_FROZEN))
+        errors = tool_errors(suite.headline, noise, AS_FROZEN, setting=SETTINGS[agent])
+        order = RunOrder(agent, runs, *errors)
     setup = WorkerSetup(order, everything, make_agent)
     with (
         begun(folder, suite, order) as start,

@@ -9,6 +9,7 @@ from functools import partial
 
 from probe.assets.library import Library
 from probe.audit.audit_file import ReplayVerdict
+from probe.episodes.participation import has_tools
 from probe.episodes.play import replay_afresh
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import differences
@@ -18,7 +19,6 @@ from probe.runs.vary import vary
 from probe.tasks.suite import Suite, check_objects, part
 from probe.tasks.task import Task
 from probe.toolshed.version import TOOLS_VERSION
-from probe.transcripts.prompts import has_tools
 
 _SHOWN = 4
 """Differences that a verdict names."""

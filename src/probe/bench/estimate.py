@@ -6,10 +6,10 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from probe.episodes.participation import Points
+from probe.episodes.participation import Points, has_tools
 from probe.tasks.task import Task
 from probe.toolshed.toolshed import TURNS
-from probe.transcripts.prompts import Setting, has_tools, system_prompt
+from probe.transcripts.prompts import Setting, system_prompt
 from probe.transcripts.tools import tools_for
 
 USUAL_TURNS = 12

@@ -25,6 +25,7 @@ from probe.bench.wire import first_messages, tool_infos
 from probe.episodes.files import line_of
 from probe.episodes.folder import add_line
 from probe.episodes.grading import question_of
+from probe.episodes.participation import has_tools
 from probe.errors import BadData, ModelFailed, ProbeError
 from probe.runs.episode_worker import EpisodeWorkerSetup
 from probe.runs.plan import Job, RunOrder
@@ -38,7 +39,6 @@ from probe.runs.worker_messages import (
 )
 from probe.toolshed.result import Answer
 from probe.transcripts.messages import opening
-from probe.transcripts.prompts import has_tools
 
 ROLE = "pointer"
 _GIVEN = f"--model-role {ROLE}"

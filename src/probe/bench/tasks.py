@@ -15,8 +15,8 @@ from probe.bench.harness import harness_task
 from probe.bench.plan import ModelRunPlan, Pointer, check_folder
 from probe.bench.prices import read_prices
 from probe.episodes.conditions import Conditions, LightKind
-from probe.episodes.noise import NOISES, NoiseName
 from probe.episodes.participation import Points
+from probe.episodes.tool_errors import NoiseChoice, tool_errors
 from probe.perception.points import Convention
 from probe.scene.setup import RendererName
 from probe.tasks.suite import check_objects
@@ -34,7 +34,7 @@ def agentic(
     out: str = "outputs/inspect/agentic",
     epochs: int = 3,
     points: Points = "pixels",
-    noise: NoiseName = "none",
+    noise: NoiseChoice = "own",
     lighting: LightKind = "own",
     renderer: RendererName = "filament",
     pointer: Pointer = "oracle",
@@ -46,12 +46,11 @@ def agentic(
     plan = _plan("agentic", suite, out, epochs, points, workers, prices)
     plan = replace(
         plan,
-        noise=NOISES[noise],
         conditions=Conditions(lighting=lighting, renderer=renderer),
         pointer=pointer,
         convention=pointing,
     )
-    return _fit(plan)
+    return _fit(_erring(plan, noise))
 
 
 @task(name=f"{_SPACE}text_only")
@@ -61,7 +60,7 @@ def text_only(
     epochs: int = 3,
     points: Points = "pixels",
     graphs: Graphs = "full",
-    noise: NoiseName = "none",
+    noise: NoiseChoice = "own",
     lighting: LightKind = "own",
     renderer: RendererName = "filament",
     workers: int = 4,
@@ -70,7 +69,7 @@ def text_only(
     """The same questions, with the five tools and no picture: what shows is told in words."""
     plan = _plan("text-only", suite, out, epochs, points, workers, prices)
     conditions = Conditions(lighting=lighting, renderer=renderer)
-    return _fit(replace(plan, graphs=graphs, noise=NOISES[noise], conditions=conditions))
+    return _fit(_erring(replace(plan, graphs=graphs, conditions=conditions), noise))
 
 
 @task(name=f"{_SPACE}direct")
@@ -137,6 +136,13 @@ def _plan(
         workers=workers,
         prices=read_prices(Path(prices)) if prices else {},
     )
+
+
+def _erring(plan: ModelRunPlan, noise: NoiseChoice) -> ModelRunPlan:
+    """The plan, with tools that err as the suite says or as was asked for."""
+    oracle = plan.pointer == "oracle"
+    hand, conditions = tool_errors(plan.suite.headline, noise, plan.conditions, oracle=oracle)
+    return replace(plan, noise=hand, conditions=conditions)
 
 
 def _fit(plan: ModelRunPlan) -> HarnessTask:

@@ -11,9 +11,9 @@ from probe.cli.model_run import ModelRunOptions, check_asked, plan_of, price_of
 from probe.cli.screen import say
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
+from probe.episodes.participation import has_tools
 from probe.tasks.suite import Suite
 from probe.toolshed.toolshed import TURNS
-from probe.transcripts.prompts import has_tools
 
 
 def would_ask(suite: Suite, options: ModelRunOptions, out: Path) -> None:

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from probe.episodes.conditions import NO_DIALS, Conditions
+from probe.episodes.participation import has_tools
 from probe.episodes.perceptions import PerceptionKind
 from probe.errors import BadData
 from probe.perception.choice import Perceiver, enrolled, ideal, segmented
-from probe.transcripts.prompts import has_tools
 
 
 @dataclass(frozen=True)

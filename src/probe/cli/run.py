@@ -29,7 +29,7 @@ from probe.episodes.conditions import AS_FROZEN, Conditions
 from probe.episodes.folder import RECORDS
 from probe.episodes.participation import Points
 from probe.episodes.perceptions import ORACLE_USED, PerceptionUsed, used_by
-from probe.episodes.tool_errors import WITHOUT_TOOLS, NoiseChoice, tool_errors
+from probe.episodes.tool_errors import NoiseChoice, tool_errors
 from probe.errors import BadData
 from probe.perception.choice import Perceiver
 from probe.runs.plan import RunOrder
@@ -171,8 +171,9 @@ def _order(
     """How a suite is run; who acts is added."""
     oracle = perception == ORACLE_USED and asked.pointer in (None, "oracle")
     setting = asked.setting or SETTINGS.get(acting.agent or "", "agentic")
-    headline = None if setting in WITHOUT_TOOLS else tasks.headline
-    hand, conditions = tool_errors(headline, noise, conditions, oracle=oracle)
+    hand, conditions = tool_errors(
+        tasks.headline, noise, conditions, setting=setting, oracle=oracle
+    )
     order = RunOrder("", acting.runs or 1, hand, conditions, part)
     return order if asked.model else replace(order, perception=perception)
 

@@ -11,6 +11,16 @@ from typing import Literal
 Points = Literal["pixels", "0-1000"]
 """How a model counts places in a picture: in pixels, or in thousandths of its width and height."""
 
+_WITHOUT_TOOLS = frozenset({"blind", "rule", "direct", "oracle-view"})
+
+
+def has_tools(setting: str) -> bool:
+    """Whether an episode consists of calls; what follows a comma in a setting's name doesn't count.
+
+    True of all other names: a person's, a program's and a built-in agent's, too.
+    """
+    return setting.split(",")[0] not in _WITHOUT_TOOLS
+
 
 @dataclass(frozen=True)
 class ModelReply:

@@ -7,6 +7,7 @@ from typing import Literal
 
 from probe.episodes.conditions import NO_DIALS, Conditions
 from probe.episodes.noise import NO_NOISE, NOISES, Noise, NoiseName
+from probe.episodes.participation import has_tools
 from probe.episodes.record import EpisodeRecord
 from probe.perception.dials import Dials
 from probe.tasks.headline import HeadlineErrors
@@ -22,15 +23,13 @@ that are seen in two, merged 15 with a neighbour, missed none and made none up
 (`benchmarks/internals/detector_errors.py`). The paper gives no rates of perception.
 """
 
-WITHOUT_TOOLS = frozenset({"blind", "rule", "direct", "oracle-view"})
-"""Settings in which no tool is called."""
-
 
 def tool_errors(
     headline: HeadlineErrors | None,
     noise: NoiseChoice,
     conditions: Conditions,
     *,
+    setting: str = "",
     oracle: bool = True,
 ) -> tuple[Noise, Conditions]:
     """How far the hand errs in a run, and its conditions with how often the detector does.
@@ -39,11 +38,12 @@ def tool_errors(
         headline: The errors of the suite's headline setting; None if it has none.
         noise: What was asked for.
         conditions: Likewise; rates of a detector's errors that were asked for stay.
+        setting: How the agent may answer; where it has no tools, the headline setting adds nothing.
         oracle: Whether perception is the ideal detector, whose errors are added.
     """
     if noise != "own":
         return NOISES[noise], conditions
-    if headline is None:
+    if headline is None or not has_tools(setting):
         return NO_NOISE, conditions
     asked = conditions.dials != NO_DIALS or conditions.ideal == "perception"
     if oracle and not asked:
@@ -61,7 +61,7 @@ def label_of(record: EpisodeRecord, headline: HeadlineErrors | None, setting: st
         headline: Of its suite.
         setting: How the agent was allowed to answer.
     """
-    if headline is None or setting in WITHOUT_TOOLS:
+    if headline is None or not has_tools(setting):
         return record.label
     dials, noise = record.conditions.dials, Noise(headline.grasp, headline.push)
     if dials == headline.dials:

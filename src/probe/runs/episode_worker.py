@@ -17,6 +17,7 @@ from probe.assets.library import Library
 from probe.episodes.episode import Episode
 from probe.episodes.files import line_of, record_of
 from probe.episodes.grading import grade_episode, needs_labels
+from probe.episodes.participation import has_tools
 from probe.episodes.play import open_episode, score
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Call
@@ -47,7 +48,7 @@ from probe.runs.worker_messages import (
 from probe.tasks.grading import Score
 from probe.tasks.task import Task
 from probe.transcripts.pictures import jpeg
-from probe.transcripts.prompts import Setting, has_tools, setting_named
+from probe.transcripts.prompts import Setting, setting_named
 from probe.types import Array
 
 

@@ -11,7 +11,7 @@ from typing import Literal, get_args
 import pydantic
 import yaml
 
-from probe.episodes.participation import Points
+from probe.episodes.participation import Points, has_tools
 from probe.errors import BadData, UnknownName
 from probe.files import fault
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
@@ -68,11 +68,6 @@ def check_setting(name: str) -> None:
         or (comma and not (setting == "agentic" and _POINTING.fullmatch(more)))
     ):
         raise UnknownName("setting", name, [*get_args(Setting), "agentic, pointer NAME", _SHORT])
-
-
-def has_tools(setting: str) -> bool:
-    """Whether an episode of the setting consists of calls."""
-    return setting in ("agentic", "text-only")
 
 
 def told_with(setting: Setting, graphs: Graphs) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections import Counter
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
@@ -34,19 +33,25 @@ def sized(*size: float):
     return replace(spec("red pen"), size=size)
 
 
-def ladders(library: Library, form: str) -> Iterator[Hidden]:
-    """So many as were found; a few tries find none."""
-    seeds = itertools.count()
-    for _ in range(DRAWS):
-        for seed in seeds:
-            with suppress(Rejected):
-                yield draw_ladder(library, form, generator(seed, "ladder"))
-                break
+@pytest.fixture(scope="module", params=RANKS)
+def form(request: pytest.FixtureRequest) -> str:
+    return request.param
 
 
-@pytest.mark.parametrize("form", RANKS)
-def test_each_candidate_can_have_the_rank_whatever_its_size(library: Library, form: str):
-    for hidden in ladders(library, form):
+@pytest.fixture(scope="module")
+def ladders(library: Library, form: str) -> list[Hidden]:
+    """So many as are wanted; a few tries find none."""
+    drawn: list[Hidden] = []
+    for seed in itertools.count():
+        with suppress(Rejected):
+            drawn.append(draw_ladder(library, form, generator(seed, "ladder")))
+        if len(drawn) == DRAWS:
+            break
+    return drawn
+
+
+def test_each_candidate_can_have_the_rank_whatever_its_size(ladders: list[Hidden], form: str):
+    for hidden in ladders:
         specs = (*hidden.candidates, *hidden.secrets)
         lengths = [longest(it) for it in specs]
         assert len(hidden.candidates) == CANDIDATES and told_apart(specs)
@@ -62,12 +67,9 @@ def test_each_candidate_can_have_the_rank_whatever_its_size(library: Library, fo
         assert rivalled >= 3
 
 
-@pytest.mark.parametrize("form", RANKS)
-def test_the_answers_place_by_size_is_even_among_all_and_among_the_options(
-    library: Library, form: str
-):
+def test_the_answers_place_by_size_is_even_among_all_and_among_the_options(ladders: list[Hidden]):
     places, offered = Counter[int](), Counter[int]()
-    for seed, hidden in enumerate(ladders(library, form)):
+    for seed, hidden in enumerate(ladders):
         order = sorted(hidden.candidates, key=longest)
         names = [it.name for it in hidden.candidates]
         # The candidates of one draw take turns, as the draw of the true one has them do.

@@ -5,15 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from probe.episodes.participation import Participation
+from probe.episodes.participation import Participation, has_tools
 from probe.episodes.record import EpisodeRecord
-from probe.errors import UnknownName
 from probe.runs.checks.calls import request_of
 from probe.toolshed.result import Answer
 from probe.toolshed.tools import AnswerQuestion
 from probe.toolshed.toolshed import TURNS
 from probe.transcripts.answers import read_answer
-from probe.transcripts.prompts import has_tools, setting_named
 
 _REPLIES = 2
 """Of a model without tools: its answer, and one after it was reminded."""
@@ -25,7 +23,7 @@ _ROUNDED_PX = 1.0
 def amiss_at_the_end(record: EpisodeRecord) -> Iterator[str]:
     """In what answer, end, fault and the calls or replies of a record don't agree."""
     yield from _of_end(record)
-    if record.participation is not None and not _has_tools(record.participation):
+    if record.participation is not None and not has_tools(record.participation.setting):
         yield from _in_words(record, record.participation)
     else:
         yield from _with_tools(record)
@@ -38,13 +36,6 @@ def _of_end(record: EpisodeRecord) -> Iterator[str]:
     if (record.end == "fault") != bool(record.fault):
         has = "tells of a fault" if record.fault else "tells of none"
         yield f'it {has}, and its end is "{record.end}"'
-
-
-def _has_tools(seat: Participation) -> bool:
-    try:
-        return has_tools(setting_named(seat.setting))
-    except UnknownName:  # which is told apart from this; its calls are still to be looked at
-        return True
 
 
 def _with_tools(record: EpisodeRecord) -> Iterator[str]:

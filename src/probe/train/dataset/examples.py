@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from probe.episodes.participation import ModelReply, Points
+from probe.episodes.participation import ModelReply, Points, has_tools
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.tasks.suite_file import CANARY
@@ -18,7 +18,7 @@ from probe.tasks.task import Task
 from probe.train.dataset.showing import EpisodePictures
 from probe.transcripts.coordinates import told
 from probe.transcripts.messages import PLAIN, Message, messages
-from probe.transcripts.prompts import graphs_of, has_tools, setting_named, told_with
+from probe.transcripts.prompts import graphs_of, setting_named, told_with
 from probe.transcripts.tools import as_sent
 
 
