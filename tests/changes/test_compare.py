@@ -248,6 +248,38 @@ def test_a_part_is_what_came_to_light_around_its_place(way: int, fate: Fate):
     assert compare(mixed_before, after).things[1].fate == fate
 
 
+def test_a_part_that_comes_to_light_in_its_place_is_found_there_though_another_looks_like_it():
+    gray = (60, 60, 60)
+    blade = Block(2, (480, 560, 499, 589), 0.02, gray, 0.1)
+    handle = Block(1, (560, 900, 659, 919), 0.02, gray, 0.3)
+    whole, gone = Block(2, (440, 560, 719, 619), 0.02, gray), moved(handle, -300, -400)
+    before = look(blade, handle, Block(3, (500, 540, 719, 700), 0.06, (40, 120, 40)))
+    found = {c.before.thing.box_px: c for c in compare(before, look(whole, gone)).things}
+    mine, other = found[blade.box], found[handle.box]
+    assert mine.fate == "stayed" and mine.after is not None
+    assert mine.after.thing.words.name == "blue book"
+    assert other.after is not None and other.after.thing.box_px == gone.box
+
+
+@pytest.mark.parametrize(
+    ("shown", "perhaps"), [([], None), ([MUG], "red mug"), ([MUG, BOOK], None)]
+)
+def test_a_part_that_is_gone_may_be_the_only_like_thing_that_came_to_light(shown, perhaps):
+    sliver = Block(1, (800, 840, 819, 849), 0.03, MUG.colour, share=0.1)
+    before, after = look(BALL, sliver), look(BALL, *shown)
+    part = next(it for it in before.things if it.thing.words.name is None)
+    mixed = tuple(
+        it if it.thing.words.name == "white ball"
+        # As a lid has another colour than the pot.
+        else replace(it, colours=0.4 * part.colours + 0.6 * before.things[0].colours)
+        for it in after.things
+    )  # fmt: skip
+    after = replace(after, things=mixed)
+    (change,) = [c for c in compare(before, after).things if c.before.thing.words.name is None]
+    found = change.perhaps and change.perhaps.thing.words.name
+    assert (change.fate, change.doubtful, found) == ("lost", bool(shown), perhaps)
+
+
 INSIDE = Block(4, (100, 100, 150, 150), height=0.08, colour=(240, 240, 240))
 OVER = Block(2, (80, 80, 179, 179), height=0.1, colour=(30, 60, 150))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import pytest
@@ -119,6 +120,37 @@ def test_what_shows_otherwise_in_the_basket_must_be_what_was_held():
 def test_bystanders_are_named_with_their_places():
     result = told("red mug", Skills("removed", [BOOK, moved(BALL, -300)], [MUG]))
     assert "Also moved: white ball by about 16 cm, to [339, 489]." in result.text
+
+
+SLIVER = Block(43, (310, 400, 349, 419), height=0.03, colour=(240, 240, 240), share=0.1)
+
+
+def beside_a_part(part: Block, *after: Block) -> str:
+    shed = Toolshed(
+        PaintedStation([MUG, BOOK, part]),
+        Oracle(SPECS),
+        Skills("removed", [BOOK, *after], [MUG]),
+        UR5_TABLE,
+    )
+    found = yaml.safe_load(shed.call("find_object", {"description": "red mug"}).text)
+    return shed.call("grasp_and_remove", {"object_id": found["object_id"]}).text
+
+
+def test_how_far_something_went_of_which_a_part_showed_is_not_told():
+    told_of = beside_a_part(SLIVER, replace(SLIVER, box=(410, 400, 449, 419)))
+    assert (
+        "May have moved, as only a part showed before: part of something that is mostly hidden "
+        "(white, what shows is flat boxy) from [319, 409] to [419, 409]."
+    ) in told_of
+    assert "Also moved" not in told_of
+
+
+def test_what_came_to_light_is_named_where_it_may_be_what_was_not_found():
+    # A lid of another colour: half of it is as the part was.
+    part, lid = replace(SLIVER, instance=44), Block(44, (600, 450, 679, 529), 0.08, (40, 120, 40))
+    half = replace(part, box=(640, 450, 679, 529), height=0.09, share=1.0)
+    also = beside_a_part(part, lid, half)
+    assert "that was at [319, 409], unless it is green die at [639, 489]." in also
 
 
 BAR = Block(42, (500, 300, 539, 699), height=0.02, colour=(30, 60, 150))

@@ -16,6 +16,8 @@ from probe.types import Array
 _NOW = re.compile(r"(?<!turned or tipped, )now at \[(\d+), (\d+)\]")
 _WAY = r"(?:about|at least) \d+ cm(?: (?:down|up) in height)?"
 _MOVED = re.compile(rf"(?:by {_WAY}(?: and {_WAY})?, to|turned or tipped, now at) \[(\d+), (\d+)\]")
+_SHOWN = re.compile(r"from \[(\d+), (\d+)\] to \[(\d+), (\d+)\]")
+"""Of what had shown in part: where it was, and where it shows now."""
 _TURNED = re.compile(
     r"turned or tipped, (?:now )?at \[(\d+), (\d+)\]|\[(\d+), (\d+)\], turned or tipped"
 )
@@ -105,20 +107,22 @@ def judge(
         unsaid.append(old.names[target])
     changed = [n for n in others if n not in fell_in and (_far(old, new, n) or not new.shows(n))]
     now = [new.at(*place) for place in _MOVED.findall(text)]
+    parts = [(old.at(*place[:2]), new.at(*place[2:])) for place in _SHOWN.findall(text)]
     left = [old.at(*place) for place in _LEFT.findall(text)]
-    silent = [old.names[n] for n in changed if n not in now and n not in left]
+    silent = [old.names[n] for n in changed if n not in {*now, *left, *(it for it, _ in parts)}]
     claimed = [old.at(*place) for place in _LEFT.findall(_UNFOUND.sub("", text))]
     unseen = claimed + ([target] if any(words in text for words in _UNSEEN) else [])
     wrong = [old.names[n] for n in unseen if new.shows(n) or new.in_basket.get(n, 0) >= NOTICED_PX]
     places = _NOW.findall(text)
     mixed = [old.names[target] for place in places if new.at(*place) != target]
     mixed += [old.names.get(n, "the table") for n in now if n not in others]
+    mixed += [old.names.get(one, "the table") for one, other in parts if one != other]
     turned = [new.at(*filter(None, places)) for places in _TURNED.findall(text)]
     still = [old.names.get(n, "the table") for n in turned if not _has_turned(old, new, n)]
     return Verdict(
         seed, pool, dense, tool, text, old.names[target], done, done and not inside,
         len(fell_in) + inside, unsaid, len(changed), silent, len(unseen), wrong,
-        len(places) + len(now), mixed, len(turned), still, *_ways(old, new, text),
+        len(places) + len(now) + len(parts), mixed, len(turned), still, *_ways(old, new, text),
     )  # fmt: skip
 
 

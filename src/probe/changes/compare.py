@@ -8,7 +8,7 @@ import numpy as np
 
 from probe.changes.basket import with_earlier, with_held
 from probe.changes.change import Change, Changes, Fate
-from probe.changes.matching import Located, again, may_be, uncovered
+from probe.changes.matching import Located, found_again, may_be
 from probe.changes.places import (
     covered,
     has_turned,
@@ -47,17 +47,18 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
         for one, other in here.stayed.items()
     }
     lone, new = _without(before, after, here)
-    found = {**again(lone, new, held)}
-    found |= uncovered(before.table, lone, new, found)
+    found = found_again(before.table, lone, new, held)
     taken = {id(other.sighting) for other in found.values()}
+    rest = [other for other in new if id(other.sighting) not in taken]
     changes = tuple(
         Change(sighting, "stayed", stayed[id(sighting)], np.zeros(3))
         if id(sighting) in stayed
-        else _gone(before, after, sighting, found.get(id(sighting)), new)
+        else _elsewhere(before, after, sighting, found[id(sighting)])
+        if id(sighting) in found
+        else _gone(before, after, sighting, new, rest)
         for sighting in before.things
     )
     left = [one for one in lone if id(one.sighting) not in found]
-    rest = [other for other in new if id(other.sighting) not in taken]
     in_basket = tuple(other.sighting for other in rest if other.where == "basket")
     things, in_basket = with_held(changes, in_basket, held)
     return with_earlier(before, things, left, rest, in_basket)
@@ -89,15 +90,21 @@ def _without(
 
 
 def _gone(
-    before: Look, after: Look, one: Sighting, other: Located | None, new: Sequence[Located]
+    before: Look, after: Look, one: Sighting, new: Sequence[Located], rest: Sequence[Located]
 ) -> Change:
-    """What became of something that isn't known by its place."""
-    if other is None:
-        mask = one.thing.mask
-        if still_there(before.table, after.table, mask) > _STILL:
-            return Change(one, "stayed", None, np.zeros(3))
-        fate: Fate = "covered" if covered(before.table, after.table, mask) else "lost"
-        return Change(one, fate, None, np.zeros(3), any(may_be(one, s.sighting) for s in new))
+    """What became of something that wasn't found again: none of the rest is surely it."""
+    mask = one.thing.mask
+    if still_there(before.table, after.table, mask) > _STILL:
+        return Change(one, "stayed", None, np.zeros(3))
+    fate: Fate = "covered" if covered(before.table, after.table, mask) else "lost"
+    doubtful = any(may_be(one, it.sighting) for it in new)
+    like = [it.sighting for it in rest if it.where == "table" and may_be(one, it.sighting)]
+    perhaps = like[0] if len(like) == 1 else None
+    return Change(one, fate, None, np.zeros(3), doubtful, perhaps=perhaps)
+
+
+def _elsewhere(before: Look, after: Look, one: Sighting, other: Located) -> Change:
+    """What became of something that was found again, though not by its place."""
     if other.where != "table":
         return Change(one, other.where, other.sighting, np.zeros(3))
     shift, at_least = _shift(before, after, one, other.sighting)

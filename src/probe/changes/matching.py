@@ -30,16 +30,30 @@ class Located:
     where: Literal["table", "basket", "beside"]
 
 
-def again(
-    before: Sequence[Located], after: Sequence[Located], held: Sighting | None
+def found_again(
+    frame: Frame, before: Sequence[Located], after: Sequence[Located], held: Sighting | None
 ) -> Mapping[int, Located]:
-    """What was found again, by the id() of the earlier sighting.
+    """What was found again, by the id() of the earlier sighting: by its looks, and parts by place.
+
+    What a part belongs to shows best where the part was; looks alone would give it to any like one.
 
     Args:
+        frame: The table before.
         before: What isn't where it was.
         after: What wasn't where it is.
         held: What the fingers felt until they let go over the basket.
     """
+    found = {**again([one for one in before if one.sighting.thing.nameable], after, held)}
+    found |= uncovered(frame, before, after, found)
+    taken = {id(other.sighting) for other in found.values()}
+    left = [one for one in before if id(one.sighting) not in found]
+    return found | {**again(left, [it for it in after if id(it.sighting) not in taken], held)}
+
+
+def again(
+    before: Sequence[Located], after: Sequence[Located], held: Sighting | None
+) -> Mapping[int, Located]:
+    """What was found again by its looks, all at once, by the id() of the earlier sighting."""
     costs = np.array([[_cost(one, other, held) for other in after] for one in before])
     costs = costs.reshape(len(before), len(after))
     rows, columns = linear_sum_assignment(costs)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from probe.changes.change import Change, Changes
 from probe.changes.sighting import Sighting
-from probe.toolshed.outcomes import lying
+from probe.toolshed.outcomes import bracketed, lying, perhaps
 
 _HIGHER_CM = 2
 
@@ -20,22 +20,27 @@ def bystander_words(changes: Changes, seen: Sighting) -> str:
         seen: What the manipulation was about; it isn't told of.
     """
     others = changes.but(seen)
+    moved = [c for c in others if c.fate in ("moved", "turned")]
     gone = [c for c in others if c.gone]
     # Whoever hasn't seen what it is can't rule out that it is one of those that show now.
     doubtful = [c for c in gone if c.doubtful or not c.before.thing.nameable]
     sure = [c for c in gone if c not in doubtful]
     in_basket = [_named(c) for c in _of(others, "basket")]
-    in_basket += [_bracketed(s.thing.words.called) for s in changes.back_in_basket]
+    in_basket += [bracketed(s.thing.words.called) for s in changes.back_in_basket]
     in_basket += [
-        f"{_bracketed(s.thing.words.called)}, not seen before" for s in changes.newly_in_basket
+        f"{bracketed(s.thing.words.called)}, not seen before" for s in changes.newly_in_basket
     ]
     sentences = [
         _sentence("Also in the basket now", in_basket),
         _sentence(
             "Shows in the basket, where it may have lain before",
-            [_bracketed(s.thing.words.called) for s in changes.maybe_in_basket],
+            [bracketed(s.thing.words.called) for s in changes.maybe_in_basket],
         ),
-        _sentence("Also moved", [_moved(c) for c in others if c.fate in ("moved", "turned")]),
+        _sentence("Also moved", [_moved(c) for c in moved if c.before.thing.nameable]),
+        _sentence(
+            "May have moved, as only a part showed before",
+            [_shown(c) for c in moved if not c.before.thing.nameable],
+        ),
         _sentence(
             "Beside the basket, at the edge of the picture or outside it",
             map(_left, _of(others, "beside")),
@@ -44,7 +49,7 @@ def bystander_words(changes: Changes, seen: Sighting) -> str:
         _sentence(
             "No longer to be seen on the table or in the basket", map(_left, _of(sure, "lost"))
         ),
-        _sentence("Not found again", map(_left, doubtful)),
+        _sentence("Not found again", [_left(c) + perhaps(c) for c in doubtful]),
     ]
     return " ".join(sentence for sentence in sentences if sentence)
 
@@ -64,6 +69,13 @@ def _moved(change: Change) -> str:
     if change.fate == "turned":
         return f"{_named(change)} turned or tipped, now at {place}"
     return f"{_named(change)} by {_way(change)}, to {place}{lying(change)}"
+
+
+def _shown(change: Change) -> str:
+    """Of what showed in part, and shows another part of itself or elsewhere; no way can be told."""
+    assert change.after is not None
+    was, now = change.before.thing.point_px, change.after.thing.point_px
+    return f"{_named(change)} from {list(was)} to {list(now)}"
 
 
 def _way(change: Change) -> str:
@@ -86,11 +98,5 @@ def _named(change: Change) -> str:
     """What a thing is called: by its name as soon as one of its sightings tells it."""
     before, after = change.before.thing, change.after
     if before.nameable or after is None:
-        return _bracketed(before.words.called)
-    return after.thing.words.name or _bracketed(before.words.description)
-
-
-def _bracketed(called: str) -> str:
-    """A description's details in brackets, as a list's words follow: "... (gray, ...) by 5 cm"."""
-    what, colon, details = called.partition(": ")
-    return f"{what} ({details})" if colon else called
+        return bracketed(before.words.called)
+    return after.thing.words.name or bracketed(before.words.description)

@@ -159,7 +159,9 @@ def _whereabouts(status: str, object_id: str, change: Change, now: str) -> str:
 
 def _unfound(object_id: str, change: Change) -> str:
     if not change.before.thing.nameable:
-        return f"{object_id}, of which only a part showed, was not found again."
+        return f"{object_id}, of which only a part showed, was not found again{perhaps(change)}."
+    if change.perhaps:
+        return f"{object_id} was not found again{perhaps(change)}."
     if change.doubtful:
         return f"{object_id} was not found again; it may be something of which only a part shows."
     if change.fate == "covered":
@@ -170,6 +172,20 @@ def _unfound(object_id: str, change: Change) -> str:
 def lying(change: Change) -> str:
     """What follows the place of a thing that lies otherwise than before."""
     return ", turned or tipped" if change.turned else ""
+
+
+def perhaps(change: Change) -> str:
+    """What follows when a thing isn't found: the only one come to light that it may be."""
+    if change.perhaps is None:
+        return ""
+    thing = change.perhaps.thing
+    return f", unless it is {bracketed(thing.words.called)} at {list(thing.point_px)}"
+
+
+def bracketed(called: str) -> str:
+    """A description's details in brackets, as other words follow: "... (gray, ...) by 5 cm"."""
+    what, colon, details = called.partition(": ")
+    return f"{what} ({details})" if colon else called
 
 
 def _place(change: Change) -> str:
