@@ -50,6 +50,19 @@ def test_both_builds_of_torch_are_of_one_version():
     assert cpu and card and cpu[1] == card[1]
 
 
+def test_what_is_installed_side_by_side_has_no_package_in_common():
+    told = (ROOT / ".ci" / "run").read_text("utf-8")
+    together = re.search(r"^make -j2 [^\n]*( \.venv/\.\w+){2,}$", told, re.MULTILINE)
+    assert together
+    names: list[str] = []
+    for extra in re.findall(r"\.venv/\.(\w+)", together[0]):
+        locks = [f"{extra}", f"{extra}-cpu"] if extra == "torch" else [extra]
+        for lock in locks:
+            text = (ROOT / f"requirements-{lock}.lock").read_text("utf-8")
+            names += re.findall(r"^([a-z0-9-]+)==", text, re.MULTILINE)
+    assert len(names) > 20 and len(set(names)) == len(names)
+
+
 @pytest.fixture
 def wheelhouse(tmp_path):
     """A wheel of a package that installs one file, and its hash."""
