@@ -39,6 +39,13 @@ def test_records_survive_the_disk(tmp_path, play):
     assert [f.name for f in path.parent.iterdir()] == ["records.jsonl"]
 
 
+def test_how_many_manipulations_a_question_allows_survives_the_disk(play):
+    record = play(Call.of("perceive_scene"))
+    few = replace(record, question=replace(record.question, manipulations=3))
+    assert record_of(line_of(few)).question.manipulations == 3
+    assert b"manipulations" not in line_of(record)
+
+
 def test_names_of_a_real_table_s_pictures_survive_the_disk(play):
     record = play(Call.of("perceive_scene"))
     filmed = replace(record, frames=("frames/demo-1-me-0/000", "frames/demo-1-me-0/001"))

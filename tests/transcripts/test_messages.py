@@ -7,7 +7,14 @@ from dataclasses import replace
 import pytest
 
 from probe.episodes.participation import ModelReply, Participation
-from probe.transcripts.messages import PICTURE_FOLLOWS, OtherPictures, messages, pictureless_first
+from probe.episodes.turns import Question
+from probe.transcripts.messages import (
+    PICTURE_FOLLOWS,
+    OtherPictures,
+    messages,
+    opening,
+    pictureless_first,
+)
 from run_folders import DEMO, episode
 
 TASK = DEMO.tasks[0]
@@ -33,6 +40,15 @@ def test_an_agent_without_a_model_is_told_call_by_call():
     assert [message.call_id for message in told if message.role == "tool"] == [
         "call_1", "call_2", "call_3", "call_4",
     ]  # fmt: skip
+
+
+def test_a_question_that_allows_fewer_manipulations_is_not_contradicted():
+    ten, three = (
+        opening("agentic", "pixels", Question("?", (), manipulations=number), ())[0].text
+        for number in (None, 3)
+    )
+    assert "10 of them may be grasps or pushes" in ten and "10" not in three.replace("1024", "")
+    assert "3 of them may be grasps or pushes" in three
 
 
 def test_replies_are_told_as_they_were():

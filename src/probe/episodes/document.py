@@ -86,6 +86,9 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
     run: int = pydantic.Field(ge=0, le=10**9)
     question: str
     options: tuple[tuple[str, str], ...]
+    manipulations: int | None = pydantic.Field(
+        default=None, ge=1, le=10**6, exclude_if=lambda it: it is None
+    )
     start: TableDocument
     steps: tuple[StepDocument, ...]
     answer: AnswerDocument | None
@@ -142,6 +145,7 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             run=record.run,
             question=record.question.text,
             options=record.question.options,
+            manipulations=record.question.manipulations,
             start=_table_document(record.start),
             steps=_step_documents(record),
             answer=answer and AnswerDocument(choice=answer.choice, point_px=answer.point_px),
@@ -165,7 +169,7 @@ class EpisodeDocument(_Document, validate_by_name=True, serialize_by_alias=True)
             task=self.task,
             agent=self.agent,
             run=self.run,
-            question=Question(self.question, self.options),
+            question=Question(self.question, self.options, manipulations=self.manipulations),
             start=_table(self.start),
             steps=_steps(self),
             answer=answer and Answer(answer.choice, answer.point_px),

@@ -28,7 +28,7 @@ class Question:
     options: tuple[tuple[str, str], ...]
     picture: Array | None = field(default=None, compare=False, repr=False)
     scale: PictureScale = field(default=USUAL_SCALE, compare=False, repr=False)
-    manipulations: int | None = field(default=None, compare=False, repr=False)
+    manipulations: int | None = None
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from probe.episodes.participation import ModelReply, Participation, Points
 from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call, Question
 from probe.errors import ProbeError
+from probe.toolshed.toolshed import MANIPULATIONS
 from probe.transcripts.answers import read_answer
 from probe.transcripts.coordinates import as_said, told
 from probe.transcripts.prompts import Setting, graphs_of, reminder, setting_named, system_prompt
@@ -69,9 +70,9 @@ def opening(
     """What a model gets first: the rules, then the question with its pictures."""
     lines = [question.text, *(f"{letter}: {text}" for letter, text in question.options)]
     asked = told("\n".join(lines), points)
-    return Message("system", system_prompt(setting, points, scale)), Message(
-        "user", asked, tuple(pictures)
-    )
+    allowed = MANIPULATIONS if question.manipulations is None else question.manipulations
+    rules = system_prompt(setting, points, scale, allowed)
+    return Message("system", rules), Message("user", asked, tuple(pictures))
 
 
 def messages(

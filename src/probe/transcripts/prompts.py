@@ -85,13 +85,18 @@ def tool_words(setting: Setting) -> Mapping[str, str]:
     return _prompts().text_only_tools if setting == "text-only" else {}
 
 
-def system_prompt(setting: Setting, points: Points, scale: PictureScale = USUAL_SCALE) -> str:
-    """What a model is told before the question."""
+def system_prompt(
+    setting: Setting,
+    points: Points,
+    scale: PictureScale = USUAL_SCALE,
+    manipulations: int = MANIPULATIONS,
+) -> str:
+    """What a model is told before the question, with how many manipulations it has."""
     text: str = getattr(_prompts(), setting.replace("-", "_"))
     straight, down = ("down obliquely", "from the front") if scale.oblique else ("straight", "down")
     return text.format(
         turns=TURNS,
-        manipulations=MANIPULATIONS,
+        manipulations=manipulations,
         places=in_words(points, scale.side_px),
         straight=straight,
         down=down,

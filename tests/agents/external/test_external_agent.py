@@ -11,6 +11,7 @@ from probe.agents.external.sandbox import AgentFile, Sandbox
 from probe.episodes.turns import Call, Question, Turn
 from probe.errors import BadData
 from probe.toolshed.result import ToolResult
+from probe.types import PictureScale
 
 QUESTION = Question("What is under the mug?", (("A", "a die"), ("B", "a key")))
 PICTURE = np.arange(2 * 3 * 3, dtype=np.uint8).reshape(2, 3, 3)
@@ -51,6 +52,25 @@ def test_it_gets_the_question_and_all_turns_so_far(outsider):
         ["grasp", *told[1:]],
     ]
     assert agent.fault is None
+
+
+MEASURES = """
+class Measures:
+    def act(self, question, history):
+        scale = question.scale
+        told = [scale.side_px, scale.width, scale.oblique, scale.opening, question.manipulations]
+        return Call.of("push", {"told": told})
+"""
+
+
+@pytest.mark.parametrize("manipulations", [None, 3])
+def test_it_is_told_how_much_a_picture_shows_and_how_often_it_may_move_things(
+    outsider, manipulations
+):
+    seen = PictureScale(800, 0.4, oblique=True, opening=0.085)
+    question = Question("?", (), scale=seen, manipulations=manipulations)
+    told = outsider(MEASURES).act(question, ()).values["told"]
+    assert told == [800, 0.4, True, 0.085, manipulations]
 
 
 def test_none_ends_the_episode_and_is_no_fault(outsider):

@@ -16,7 +16,7 @@ from PIL import Image
 from probe.episodes.turns import Call, Question, Turn
 from probe.files import encode
 from probe.toolshed.result import ToolResult
-from probe.types import Array
+from probe.types import Array, PictureScale
 
 LONGEST = 20_000
 """Characters of a call's arguments, and of the words with it."""
@@ -82,17 +82,25 @@ class WireQuestion(_Document):
     text: str
     options: tuple[tuple[str, str], ...]
     picture: str | None
+    scale: PictureScale
+    manipulations: int | None
 
     @staticmethod
     def of(question: Question) -> WireQuestion:
         """The document of a question."""
         return WireQuestion(
-            text=question.text, options=question.options, picture=_written(question.picture)
+            text=question.text,
+            options=question.options,
+            picture=_written(question.picture),
+            scale=question.scale,
+            manipulations=question.manipulations,
         )
 
     def question(self) -> Question:
         """The question it describes."""
-        return Question(self.text, self.options, _read(self.picture))
+        return Question(
+            self.text, self.options, _read(self.picture), self.scale, self.manipulations
+        )
 
 
 class WireResult(_Document):

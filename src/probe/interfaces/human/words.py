@@ -9,8 +9,9 @@ RULES = (
     "You see a table with a pile of objects, by a camera from above, and a robot arm stands beside "
     "it. Each question is about these objects and can't be answered by looking alone: move what "
     "is in the way, look again, then answer.",
-    f"For each question you have {TURNS} calls of tools in all, and {MANIPULATIONS} of them may be "
-    "grasps or pushes, failed ones included. You may answer once; whether it was right isn't told.",
+    f"For each question you have {TURNS} calls of tools in all, and {MANIPULATIONS} of them, or as "
+    "many as the question says, may be grasps or pushes, failed ones included. You may answer "
+    "once; whether it was right isn't told.",
     "You may leave at any time: give the same name again, and the question is as you left it.",
 )
 
