@@ -1,9 +1,8 @@
 # Each target does all of its own set-up: virtual environment, pinned packages, Vulkan driver.
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 BIN := .venv/bin
-WORKERS ?= 2
-# One more than cores: many of the slow tests wait, for an arm that moves by the clock or a process that hangs.
-SLOW_WORKERS ?= 3
+# One more than cores: many tests wait, for an arm that moves by the clock or a process that hangs.
+WORKERS ?= 3
 
 .PHONY: help demo docs test test-slow check bench mutants format driver browser
 .DELETE_ON_ERROR:
@@ -29,7 +28,7 @@ test: .venv/.ready driver
 
 test-slow: .venv/.ready driver browser .venv/.blender .venv/.torch
 test-slow: .venv/.docs .venv/.ray .venv/.rerun
-	$(BIN)/pytest -m "slow and not gpu" --durations 40 -n $(SLOW_WORKERS) --dist loadfile --no-loadscope-reorder
+	$(BIN)/pytest -m "slow and not gpu" --durations 40 -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
 check: .venv/.ready
 	$(BIN)/ruff format --check

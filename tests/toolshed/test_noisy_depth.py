@@ -49,7 +49,7 @@ def stays_untouched(sigma, exact):
         assert not bystander_words(changes, changes.things[0].before)
 
 
-@pytest.mark.parametrize("sigma", [0.001, 0.003])
+@pytest.mark.parametrize("sigma", [pytest.param(0.001, marks=pytest.mark.slow), 0.003])
 def test_an_untouched_table_stays_untouched_in_every_look(sigma):
     stays_untouched(sigma, exact=True)
 
