@@ -238,7 +238,8 @@ def test_how_far_a_thing_went_that_shows_more_of_itself_is_the_least_that_it_may
     assert book.fate == "moved" and np.linalg.norm(book.shift) == pytest.approx(0.04, abs=0.004)
 
 
-@pytest.mark.parametrize(("way", "fate"), [(1, "stayed"), (15, "lost")])
+# Nothing hid the rest of it before, so that it can't have stayed.
+@pytest.mark.parametrize(("way", "fate"), [(1, "moved"), (15, "lost")])
 def test_a_part_is_what_came_to_light_around_its_place(way: int, fate: Fate):
     part = Block(2, (560, 400, 599, 579), height=0.01, colour=(20, 90, 20), share=0.1)
     before, after = look(MUG, part), look(MUG, moved(BOOK, way * CM))
@@ -259,6 +260,23 @@ def test_a_part_that_comes_to_light_in_its_place_is_found_there_though_another_l
     assert mine.fate == "stayed" and mine.after is not None
     assert mine.after.thing.words.name == "blue book"
     assert other.after is not None and other.after.thing.box_px == gone.box
+
+
+def test_a_part_is_not_what_came_to_its_place_if_something_else_looks_more_like_it():
+    # A gray thing lay in a dark pot, of which a part showed; both were pushed.
+    boat = Block(1, (480, 560, 539, 619), 0.05, (150, 150, 150), 0.4)
+    pot = Block(2, (300, 500, 420, 640), 0.04, (30, 30, 30), 0.2)
+    later = Block(1, (480, 760, 539, 819), 0.05, (150, 150, 150), 0.4)
+    there = Block(2, (380, 500, 560, 640), 0.04, (30, 30, 30), 0.2)
+    before, after = look(boat, pot), look(later, there)
+    colours = {it.thing.box_px: it.colours for it in before.things}
+    mixed = 0.3 * colours[boat.box] + 0.7 * colours[pot.box]
+    pushed = tuple(
+        replace(it, colours=mixed) if it.thing.box_px == there.box else it for it in after.things
+    )
+    changes = compare(before, replace(after, things=pushed)).things
+    places = {c.before.thing.box_px: c.after and c.after.thing.box_px for c in changes}
+    assert places == {boat.box: later.box, pot.box: there.box}
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ import yaml
 from probe.agents.reading import grasp_outcome
 from probe.perception.oracle import Oracle
 from probe.scene.setup import UR5_TABLE
+from probe.toolshed.outcomes import at_least
 from probe.toolshed.skills import Direction
 from probe.toolshed.toolshed import Toolshed
 from tabletops import Block, Done, PaintedStation, spec
@@ -20,6 +21,7 @@ SPECS = {
     42: spec("blue book", "blue"),
     43: spec("white ball", "white"),
     44: spec("green die", "green"),
+    45: spec("white ball", "white"),
 }
 MUG = Block(41, (100, 100, 219, 219))
 BOOK = Block(42, (500, 300, 799, 699), height=0.02, colour=(30, 60, 150))
@@ -122,6 +124,19 @@ def test_bystanders_are_named_with_their_places():
     assert "Also moved: white ball by about 16 cm, to [339, 489]." in result.text
 
 
+def test_of_two_like_things_that_moved_it_is_not_said_which_went_where():
+    twin = Block(45, (850, 450, 929, 529), height=0.08, colour=(240, 240, 240))
+    went = [moved(BALL, -300), moved(twin, -100)]
+    result = told(
+        "red mug", Skills("removed", [BOOK, *went], [MUG]), blocks=[MUG, BOOK, BALL, twin]
+    )
+    assert (
+        "Also moved, and which is which can't be told: white ball from [639, 489] and [889, 489] "
+        "to [339, 489] and [789, 489]."
+    ) in result.text
+    assert "Also moved: " not in result.text
+
+
 SLIVER = Block(43, (310, 400, 349, 419), height=0.03, colour=(240, 240, 240), share=0.1)
 
 
@@ -151,6 +166,22 @@ def test_what_came_to_light_is_named_where_it_may_be_what_was_not_found():
     half = replace(part, box=(640, 450, 679, 529), height=0.09, share=1.0)
     also = beside_a_part(part, lid, half)
     assert "that was at [319, 409], unless it is green die at [639, 489]." in also
+
+
+@pytest.mark.parametrize(("said", "moved_by"), [("moved that way, to", 0.12), ("is now at", 0.03)])
+def test_how_far_a_pushed_thing_went_is_not_told_by_a_part_of_it(said, moved_by):
+    over = Block(43, (390, 60, 600, 240), height=0.08, colour=(240, 240, 240))
+    result = told(
+        "red mug", Skills("pushed", [moved(MUG, 220), BOOK, over], moved=moved_by),
+        blocks=[MUG, BOOK], tool="push", direction="right", distance_cm=12,
+    )  # fmt: skip
+    assert f"{said} [354, 134] (how far can't be told, since it shows" in result.text
+    assert result.status == ("done" if moved_by > 0.06 else "failed")
+
+
+@pytest.mark.parametrize(("way", "said"), [(0.3, 0), (1.6, 1), (2.3, 1), (2.8, 2), (7.6, 6)])
+def test_a_least_distance_leaves_room_for_outlines_that_mislead(way, said):
+    assert at_least(way) == said
 
 
 BAR = Block(42, (500, 300, 539, 699), height=0.02, colour=(30, 60, 150))

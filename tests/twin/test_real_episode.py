@@ -31,7 +31,7 @@ TOKEN = "a token for nobody else"
 @pytest.mark.slow
 def test_what_an_agent_does_on_a_robot_is_kept_in_pictures(tmp_path: Path) -> None:
     task, things = demo_suite().tasks[0], everything()
-    settings = TwinSettings(Flaws(), haste=4.0, views=("top",))
+    settings = TwinSettings(Flaws(), haste=2.0, views=("top",))
     with (
         Renderer(things.light_cache) as renderer,
         twin_of(task.scene, things, renderer, settings) as robot,

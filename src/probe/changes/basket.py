@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from probe.changes.change import Change, Changes
 from probe.changes.likeness import likeness
-from probe.changes.matching import Located, found_among, may_be
+from probe.changes.matching import Located, found_among
+from probe.changes.parts import may_be
 from probe.changes.sighting import Look, Sighting
 
 

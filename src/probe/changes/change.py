@@ -32,6 +32,8 @@ class Change:
         shift: How its middle moved on the table, metres, shape (3,); zeros elsewhere.
         at_least: Whether it may have moved further, as it shows less of itself.
         doubtful: Of what is covered or lost: whether something that shows now may yet be it.
+        partly: Of what shows: whether that is much more or less of it than before, though the
+            picture's edge doesn't cut it off.
         perhaps: Of what is doubtful: the only thing come to light that may be it, if there is one.
         turned: Of what moved or turned: whether it is seen to lie otherwise than before.
     """
@@ -44,6 +46,7 @@ class Change:
     turned: bool = False
     at_least: bool = False
     perhaps: Sighting | None = None
+    partly: bool = False
 
     @property
     def gone(self) -> bool:

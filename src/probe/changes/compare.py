@@ -8,7 +8,9 @@ import numpy as np
 
 from probe.changes.basket import with_earlier, with_held
 from probe.changes.change import Change, Changes, Fate
-from probe.changes.matching import Located, found_again, may_be
+from probe.changes.finding import found_again
+from probe.changes.matching import Located
+from probe.changes.parts import may_be, only_like
 from probe.changes.places import (
     covered,
     has_turned,
@@ -49,16 +51,16 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
     lone, new = _without(before, after, here)
     found = found_again(before.table, lone, new, held)
     taken = {id(other.sighting) for other in found.values()}
+    left = [one for one in lone if id(one.sighting) not in found]
     rest = [other for other in new if id(other.sighting) not in taken]
     changes = tuple(
         Change(sighting, "stayed", stayed[id(sighting)], np.zeros(3))
         if id(sighting) in stayed
         else _elsewhere(before, after, sighting, found[id(sighting)])
         if id(sighting) in found
-        else _gone(before, after, sighting, new, rest)
+        else _gone(before, after, sighting, new, only_like(sighting, left, rest))
         for sighting in before.things
     )
-    left = [one for one in lone if id(one.sighting) not in found]
     in_basket = tuple(other.sighting for other in rest if other.where == "basket")
     things, in_basket = with_held(changes, in_basket, held)
     return with_earlier(before, things, left, rest, in_basket)
@@ -90,16 +92,14 @@ def _without(
 
 
 def _gone(
-    before: Look, after: Look, one: Sighting, new: Sequence[Located], rest: Sequence[Located]
+    before: Look, after: Look, one: Sighting, new: Sequence[Located], perhaps: Sighting | None
 ) -> Change:
-    """What became of something that wasn't found again: none of the rest is surely it."""
+    """What became of something that wasn't found again, and what it may be of what is new."""
     mask = one.thing.mask
     if still_there(before.table, after.table, mask) > _STILL:
         return Change(one, "stayed", None, np.zeros(3))
     fate: Fate = "covered" if covered(before.table, after.table, mask) else "lost"
     doubtful = any(may_be(one, it.sighting) for it in new)
-    like = [it.sighting for it in rest if it.where == "table" and may_be(one, it.sighting)]
-    perhaps = like[0] if len(like) == 1 else None
     return Change(one, fate, None, np.zeros(3), doubtful, perhaps=perhaps)
 
 
@@ -113,7 +113,13 @@ def _elsewhere(before: Look, after: Look, one: Sighting, other: Located) -> Chan
     # Of what showed only in part, nothing tells whether it has turned or come to light.
     turned = one.thing.nameable and (moved or has_turned(*shown)) and lies_otherwise(*shown)
     fate = "moved" if moved else "turned" if turned else "stayed"
-    return Change(one, fate, other.sighting, shift, turned=turned, at_least=at_least)
+    partly = not _as_large(one, other.sighting) and not is_cut_off(other.sighting.thing.mask)
+    return Change(one, fate, other.sighting, shift, turned=turned, at_least=at_least, partly=partly)
+
+
+def _as_large(one: Sighting, other: Sighting) -> bool:
+    low, high = _SAME_AREA
+    return low < other.area / one.area < high
 
 
 def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> tuple[Array, bool]:
@@ -128,8 +134,9 @@ def _shift(before: Look, after: Look, one: Sighting, other: Sighting) -> tuple[A
     common = _COMMON if one.thing.nameable else 0.0
     if hidden_otherwise(before.table, after.table, was, now, common):
         return np.zeros(3), False
-    low, high = _SAME_AREA
-    if low < other.area / one.area < high:
+    if not one.thing.nameable:
+        return middle, True
+    if _as_large(one, other):
         return middle, is_cut_off(now)
     least = least_shift(before.table, was, now)
     found = tracked(before.table, after.table, was, middle, now)

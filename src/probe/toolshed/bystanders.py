@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from probe.changes.change import Change, Changes
 from probe.changes.sighting import Sighting
-from probe.toolshed.outcomes import bracketed, lying, perhaps
+from probe.toolshed.outcomes import at_least, bracketed, lying, perhaps
 
 _HIGHER_CM = 2
 
@@ -20,7 +20,9 @@ def bystander_words(changes: Changes, seen: Sighting) -> str:
         seen: What the manipulation was about; it isn't told of.
     """
     others = changes.but(seen)
-    moved = [c for c in others if c.fate in ("moved", "turned")]
+    alike = _of_one_name([c for c in others if c.fate == "moved" and c.before.thing.nameable])
+    mixed = {id(c) for group in alike for c in group}
+    moved = [c for c in others if c.fate in ("moved", "turned") and id(c) not in mixed]
     gone = [c for c in others if c.gone]
     # Whoever hasn't seen what it is can't rule out that it is one of those that show now.
     doubtful = [c for c in gone if c.doubtful or not c.before.thing.nameable]
@@ -37,6 +39,7 @@ def bystander_words(changes: Changes, seen: Sighting) -> str:
             [bracketed(s.thing.words.called) for s in changes.maybe_in_basket],
         ),
         _sentence("Also moved", [_moved(c) for c in moved if c.before.thing.nameable]),
+        _sentence("Also moved, and which is which can't be told", map(_together, alike)),
         _sentence(
             "May have moved, as only a part showed before",
             [_shown(c) for c in moved if not c.before.thing.nameable],
@@ -45,7 +48,9 @@ def bystander_words(changes: Changes, seen: Sighting) -> str:
             "Beside the basket, at the edge of the picture or outside it",
             map(_left, _of(others, "beside")),
         ),
-        _sentence("Covered now", map(_left, _of(sure, "covered"))),
+        _sentence(
+            "Out of sight, and something else is over that place", map(_left, _of(sure, "covered"))
+        ),
         _sentence(
             "No longer to be seen on the table or in the basket", map(_left, _of(sure, "lost"))
         ),
@@ -71,6 +76,21 @@ def _moved(change: Change) -> str:
     return f"{_named(change)} by {_way(change)}, to {place}{lying(change)}"
 
 
+def _of_one_name(moved: Sequence[Change]) -> list[list[Change]]:
+    """Groups of several things that are called the same; looks may have taken one for another."""
+    groups: dict[str, list[Change]] = {}
+    for change in moved:
+        groups.setdefault(change.before.thing.words.called, []).append(change)
+    return [group for group in groups.values() if len(group) > 1]
+
+
+def _together(group: Sequence[Change]) -> str:
+    was = [list(c.before.thing.point_px) for c in group]
+    now = [list(c.after.thing.point_px) for c in group if c.after is not None]
+    places = (" and ".join(map(str, some)) for some in (was, now))
+    return f"{_named(group[0])} from {' to '.join(places)}"
+
+
 def _shown(change: Change) -> str:
     """Of what showed in part, and shows another part of itself or elsewhere; no way can be told."""
     assert change.after is not None
@@ -82,7 +102,7 @@ def _way(change: Change) -> str:
     """How far along the table, and how far up or down if that is much."""
     shift = change.shift
     way, down = 100 * math.hypot(*shift[:2]), round(-100 * float(shift[2]))
-    along = math.floor(way) if change.at_least else round(way)
+    along = at_least(way) if change.at_least else round(way)
     about = "at least" if change.at_least and along else "about"
     told = [f"{about} {along} cm"] if along or abs(down) < _HIGHER_CM else []
     if abs(down) >= _HIGHER_CM:

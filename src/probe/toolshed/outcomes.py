@@ -5,6 +5,7 @@ The hand tells how far it got; where the thing is now, and whether it worked, th
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from probe.changes.change import Change
@@ -28,6 +29,9 @@ SHOVED = (
     "{side} of the picture"
 )
 """What is said of a push that came before a grasp."""
+
+_UNSURE_CM = 0.7
+"""By how much outlines of things that also turn were seen to mislead."""
 
 _SIDES: dict[Direction, str] = {"up": "top", "down": "bottom", "left": "left", "right": "right"}
 
@@ -130,13 +134,20 @@ def push_words(
     shows = change.fate in ("stayed", "moved", "turned")
     if moved is None or not shows:
         return OutcomeText(False, f"{swept}. {_whereabouts(status, object_id, change, now)}")
-    place = "" if change.after is None else f", to {_place(change)}"
-    how_far = f"{object_id} moved about {max(0, round(100 * moved))} cm that way{place}"
-    how_far += lying(change)
-    renamed = "" if now == object_id else f"; it is {now} now"
     worked = moved >= ENOUGH * asked
+    how_far = f"{object_id} {_went(change, moved, worked=worked)}{lying(change)}"
+    renamed = "" if now == object_id else f"; it is {now} now"
     advice = "" if worked else " Push it in another direction or further, or grasp it."
     return OutcomeText(worked, f"{swept}; {how_far}{renamed}.{advice}")
+
+
+def _went(change: Change, moved: float, *, worked: bool) -> str:
+    """How far a thing went, if what shows of it tells."""
+    place = "" if change.after is None else f" {_place(change)}"
+    if change.partly:
+        went = "moved that way, to" if worked else "is now at"
+        return f"{went}{place} (how far can't be told, since it shows more or less of itself)"
+    return f"moved about {max(0, round(100 * moved))} cm that way" + (place and f", to{place}")
 
 
 def _whereabouts(status: str, object_id: str, change: Change, now: str) -> str:
@@ -172,6 +183,11 @@ def _unfound(object_id: str, change: Change) -> str:
 def lying(change: Change) -> str:
     """What follows the place of a thing that lies otherwise than before."""
     return ", turned or tipped" if change.turned else ""
+
+
+def at_least(way: float) -> int:
+    """Whole centimetres that a thing surely went, of those measured by parts of its outline."""
+    return max(1, math.floor(way - _UNSURE_CM)) if way >= 1 else 0
 
 
 def perhaps(change: Change) -> str:
