@@ -92,7 +92,8 @@ def lay(folder: Positional[Path], filament: int = 20, blender: int = 13, seed: i
             load_scene(drawing, scene, things)
             lighting = lighting_of(scene.setup.lighting, scene.table)
             light = light_of(lighting, things.assets)
-            frame = photograph(drawing, scene, camera=scene.setup.camera(shot.view), light=light)
+            camera = scene.setup.camera(shot.view)
+            frame = photograph(drawing, scene, camera=camera, light=light, grainless=True)
             assert frame.rgb is not None
             write_picture(folder / "pictures" / f"{number:02d}.png", frame.rgb)
             rows.append((number, shot.renderer, shot.pool, shot.view, scene.seed, lighting.name))

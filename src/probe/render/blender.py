@@ -1,8 +1,8 @@
 """Draws with Blender's EEVEE. Runs in a process of its own; knows no physics.
 
-A picture's bytes depend on (objects, camera, light) alone: every one is drawn in a file emptied
-and filled anew, with a fixed number of samples. (Those of a series are drawn in one file, in which
-things are moved.)
+A picture's bytes depend on (objects, camera, light, grainless or not) alone: every one is drawn in
+a file emptied and filled anew, with a fixed number of samples. (Those of a series are drawn in one
+file, in which things are moved.)
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import numpy as np
 from PIL import Image
 
 from probe.assets.mesh.mesh import TexturedMesh
+from probe.render.blender_grain import keep_out_grain
 from probe.render.blender_parts import FAR, camera_of, mesh_of, sun_of, world_of
 from probe.render.illumination import Illumination
 from probe.render.packing import table_quad
@@ -41,6 +42,8 @@ def paint(load: Load, request: DrawRequest) -> Array:
     assert request.light is not None
     scene, _ = _filled(load, request.objects, request.light)
     _set_up(scene, request.camera, FAR, SAMPLES)
+    if request.grainless:
+        keep_out_grain(scene)
     return _rendered(scene)
 
 
