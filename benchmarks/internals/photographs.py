@@ -4,10 +4,11 @@ Measures internals, not the public API.
 
 `python benchmarks/internals/photographs.py lay FOLDER` settles fresh tables and draws each with one
 of two renderers: Filament, half of scans and half of objects made by formula, and Blender's EEVEE,
-of scans alone. Rooms, light and table tops come from the same families for both, so that nothing
-but the renderer and the objects can tell. Whoever sorts the pictures gets FOLDER/pictures and the
-counts; the key lies beside that folder. Then `... score FOLDER ANSWERS.csv` counts what was told,
-from lines "number,filament" or "number,blender". `--blender 0` draws ours alone, without Blender.
+of scans alone, with so many samples that shadows show hardly any grain. Rooms, light and table tops
+come from the same families for both, so that nothing but the renderer and the objects can tell.
+Whoever sorts the pictures gets FOLDER/pictures and the counts; the key lies beside that folder.
+Then `... score FOLDER ANSWERS.csv` counts what was told, from lines "number,filament" or
+"number,blender". `--blender 0` draws ours alone, without Blender.
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ def lay(folder: Positional[Path], filament: int = 20, blender: int = 13, seed: i
     Args:
         folder: For pictures/NN.png and key.csv.
         filament: How many of ours.
-        blender: How many of the others; Blender takes 10 to 30 seconds for each.
+        blender: How many of the others; Blender takes a CPU minute for each.
         seed: Of the order; tables are made from 1000 times this on.
     """
     wanted = shots(filament, blender)
@@ -92,7 +93,8 @@ def lay(folder: Positional[Path], filament: int = 20, blender: int = 13, seed: i
             load_scene(drawing, scene, things)
             lighting = lighting_of(scene.setup.lighting, scene.table)
             light = light_of(lighting, things.assets)
-            frame = photograph(drawing, scene, camera=scene.setup.camera(shot.view), light=light)
+            camera = scene.setup.camera(shot.view)
+            frame = photograph(drawing, scene, camera=camera, light=light, grainless=True)
             assert frame.rgb is not None
             write_picture(folder / "pictures" / f"{number:02d}.png", frame.rgb)
             rows.append((number, shot.renderer, shot.pool, shot.view, scene.seed, lighting.name))

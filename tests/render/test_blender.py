@@ -9,7 +9,7 @@ from importlib.util import find_spec
 import numpy as np
 import psutil
 import pytest
-from scipy.ndimage import binary_erosion
+from scipy.ndimage import binary_erosion, gaussian_filter
 
 from lamps import lamp, shades
 from probe.errors import MissingExtra
@@ -77,6 +77,24 @@ def test_a_near_window_lights_a_card_as_much_as_it_says(drawing):
     light = (((shown / 255 + 0.055) / 1.055) / ((own / 255 + 0.055) / 1.055)) ** 2.4
     # It faces the window by 0.8; its gloss adds a little, and EEVEE's discs shine 8 % less.
     assert light == pytest.approx(0.8 * 0.5, rel=0.2)
+
+
+def test_a_grainless_picture_shows_the_same_shadow_without_grain(blender):
+    window = Sun((0.6, 0.0, 0.8), (0.5, 0.5, 0.5), 3.0, 2.5)
+    light = Illumination(np.full((8, 16, 3), 0.2, np.float16), window)
+    first = picture(blender, light)
+    smooth = blender.draw([POST], CAMERA, rgb=True, light=light, grainless=True)
+    assert picture(blender, light) == first
+    usual = np.frombuffer(first, np.uint8).reshape(smooth.rgb.shape)
+    bare = binary_erosion(smooth.labels == 0, iterations=4)
+    assert grain(smooth.rgb, bare) < 0.5 * grain(usual, bare)
+    assert np.abs(smooth.rgb.astype(int) - usual)[bare].mean() < 2
+
+
+def grain(picture, where):
+    """How far a pixel is off what lies around it: the 99th percentile in a part of a picture."""
+    grey = picture.astype(float).mean(axis=2)
+    return np.percentile(np.abs(grey - gaussian_filter(grey, 1.5))[where], 99)
 
 
 def test_surroundings_tint_everything(drawing):

@@ -45,9 +45,11 @@ def photograph(
     rgb: bool = True,
     camera: Camera | None = None,
     light: Illumination = AMBIENT,
+    grainless: bool = False,
 ) -> Frame:
     """A frame of a loaded scene; from the fixed top-down camera unless another is given."""
-    return renderer.draw(scene.objects, camera or scene.setup.camera(), rgb=rgb, light=light)
+    seen_from = camera or scene.setup.camera()
+    return renderer.draw(scene.objects, seen_from, rgb=rgb, light=light, grainless=grainless)
 
 
 def labels_of(renderer: Renderer, scene: Scene, camera: Camera | None = None) -> Array:

@@ -39,11 +39,13 @@ class DrawRequest:
 
     Attributes:
         light: What falls on them, where a colour picture is wanted; None where it isn't.
+        grainless: Whether Blender is to take its time, so that shadows show no grain.
     """
 
     objects: tuple[PlacedObject, ...]
     camera: Camera
     light: Illumination | None
+    grainless: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -102,14 +102,24 @@ class Renderer:
         *,
         rgb: bool,
         light: Illumination = AMBIENT,
+        grainless: bool = False,
     ) -> Frame:
         """Depth and labels of loaded objects at their poses, and a picture if wanted.
+
+        Args:
+            objects: What stands where.
+            camera: From where.
+            rgb: Whether a colour picture is wanted.
+            light: What falls on it.
+            grainless: Whether Blender takes three times as long, so that shadows show no grain.
+                Filament's show none in any case.
 
         Raises:
             RenderFailed: The worker died twice on this request.
             ValueError: An object isn't loaded.
         """
-        answer = self._ask_of(DrawRequest(tuple(objects), camera, light if rgb else None))
+        lit = light if rgb else None
+        answer = self._ask_of(DrawRequest(tuple(objects), camera, lit, grainless))
         assert isinstance(answer, DrawReply)
         return Frame(camera, answer.depth, answer.rgb, answer.labels)
 
