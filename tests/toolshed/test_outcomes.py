@@ -124,6 +124,24 @@ def test_bystanders_are_named_with_their_places():
     assert "Also moved: white ball by about 16 cm, to [339, 489]." in result.text
 
 
+@pytest.mark.parametrize(("by", "same"), [(0, True), (15, True), (60, False)])
+def test_an_id_holds_until_a_reply_says_that_its_thing_has_moved(by: int, same: bool):
+    shed = Toolshed(
+        PaintedStation([MUG, BOOK]),
+        Oracle(SPECS),
+        Skills("removed", [moved(BOOK, by)], [MUG]),
+        UR5_TABLE,
+    )
+
+    def id_of(name: str) -> str:
+        return yaml.safe_load(shed.call("find_object", {"description": name}).text)["object_id"]
+
+    book = id_of("blue book")
+    reply = shed.call("grasp_and_remove", {"object_id": id_of("red mug")}).text
+    assert ("blue book" in reply) is not same
+    assert (id_of("blue book") == book) is same
+
+
 def test_of_two_like_things_that_moved_it_is_not_said_which_went_where():
     twin = Block(45, (850, 450, 929, 529), height=0.08, colour=(240, 240, 240))
     went = [moved(BALL, -300), moved(twin, -100)]

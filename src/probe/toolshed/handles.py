@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from probe.changes.change import Changes
 from probe.perception.depths import tolerance
 from probe.perception.things import Thing
 from probe.toolshed.refusals import StaleHandle, UnknownHandle
@@ -80,6 +81,20 @@ class Handles:
         name = self._known(thing, frame) or f"object_{len(self._looks) + 1}"
         self._looks[name] = _Look.at(thing, frame)
         return name
+
+    def follow(self, changes: Changes, before: Frame, now: Frame) -> None:
+        """Keep the handles of all that is still about where it was, and shows.
+
+        Args:
+            changes: What became of everything.
+            before: The table's frame before.
+            now: And after.
+        """
+        for change in changes.things:
+            if change.fate == "stayed" and change.after is not None:
+                name = self._known(change.before.thing, before)
+                if name is not None:
+                    self._looks[name] = _Look.at(change.after.thing, now)
 
     def _known(self, thing: Thing, frame: Frame) -> str | None:
         now = _Look.at(thing, frame)

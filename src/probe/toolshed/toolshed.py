@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import assert_never
 
 from probe.asking import UnusableReply
-from probe.changes.change import Change
+from probe.changes.change import Change, Changes
 from probe.changes.compare import compare
 from probe.changes.sighting import Look, including
 from probe.perception.matching import Match, match, nearest
@@ -178,6 +178,12 @@ class Toolshed:
     def _issue(self, thing: Thing) -> str:
         return self._handles.issue(thing, self._view.frame)
 
+    def _noted(self, changes: Changes, before: Look) -> Changes:
+        """The changes since a look, once views and handles know of them."""
+        self._view.remember(changes)
+        self._handles.follow(changes, before.table, self._view.frame)
+        return changes
+
     def _handle_now(self, name: str, change: Change) -> str:
         """What a thing that was found on the table is called from now on."""
         if change.after is None or change.fate not in ("stayed", "moved", "turned"):
@@ -205,8 +211,7 @@ class Toolshed:
         self._view.show(outcome.frame)
         held = seen if outcome.status == "removed" else None
         changes = compare(before, self._view.look, held)
-        self._view.remember(changes)
-        change = changes.of(seen)
+        change = self._noted(changes, before).of(seen)
         now = self._handle_now(name, change)
         told = grasp_words(outcome.status, name, change, now, outcome.shove)
         return self._told(told, thing, bystander_words(changes, seen))
@@ -223,8 +228,7 @@ class Toolshed:
             return self._told(nothing_moved(outcome.status, name), thing)
         self._view.show(outcome.frame)
         changes = compare(before, self._view.look)
-        self._view.remember(changes)
-        change = changes.of(seen)
+        change = self._noted(changes, before).of(seen)
         now = self._handle_now(name, change)
         told = push_words(outcome.status, name, change, outcome.moved, asked, now)
         return self._told(told, thing, bystander_words(changes, seen))
