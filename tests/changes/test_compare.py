@@ -205,6 +205,18 @@ def test_what_may_show_in_part_is_not_surely_gone(white: float, doubtful: bool):
     assert change.fate == "lost" and change.doubtful is doubtful
 
 
+@pytest.mark.parametrize(("twin", "fate"), [(False, "moved"), (True, "lost")])
+def test_a_thing_that_shows_another_side_of_itself_is_known_by_its_name_alone(
+    twin: bool, fate: Fate
+):
+    # A cup lay on its side and stands up: only its inside shows. A twin might be meant as well.
+    ball = Block(3, (100, 800, 179, 879), 0.08, (240, 240, 240))
+    inside = Block(3, (300, 700, 399, 799), 0.08, (20, 20, 20))
+    after = look(MUG, inside, *([replace(TWIN, colour=(20, 20, 20))] if twin else []))
+    changes = compare(look(MUG, ball), after)
+    assert fates(changes)["white ball"] == fate
+
+
 def test_what_something_came_over_is_covered():
     over = Block(2, (80, 80, 379, 479), height=0.1, colour=(30, 60, 150))
     assert fates(compare(look(MUG, BOOK), look(MUG, over))) == {

@@ -24,13 +24,34 @@ def found_again(
         held: What the fingers felt until they let go over the basket.
     """
     found = {**again([one for one in before if one.sighting.thing.nameable], after, held)}
+    found |= _by_name(*_others(before, after, found))
     found |= uncovered(frame, before, after, found)
-    taken = {id(other.sighting) for other in found.values()}
-    left = [one for one in before if id(one.sighting) not in found]
-    rest = [it for it in after if id(it.sighting) not in taken]
+    left, rest = _others(before, after, found)
     by_looks = again(left, rest, held)
     for one in left:
         other = by_looks.get(id(one.sighting))
         if other is not None and (one.sighting is held or is_clear(one, other, left, rest)):
             found[id(one.sighting)] = other
     return found
+
+
+def _by_name(before: Sequence[Located], after: Sequence[Located]) -> Mapping[int, Located]:
+    """What shows another side of itself: of its name, it alone is missing, and one alone is new."""
+    names = [one.sighting.thing.words.name for one in before]
+    new = [other.sighting.thing.words.name for other in after]
+    return {
+        id(one.sighting): after[new.index(name)]
+        for one, name in zip(before, names, strict=True)
+        if name is not None
+        and names.count(name) == new.count(name) == 1
+        and one.where == after[new.index(name)].where == "table"
+    }
+
+
+def _others(
+    before: Sequence[Located], after: Sequence[Located], found: Mapping[int, Located]
+) -> tuple[Sequence[Located], Sequence[Located]]:
+    """What is left of either, once some have been found."""
+    taken = {id(other.sighting) for other in found.values()}
+    left = [one for one in before if id(one.sighting) not in found]
+    return left, [other for other in after if id(other.sighting) not in taken]
