@@ -3,6 +3,7 @@
 # setting text-only: collect, select, dataset, train, serve, evaluate, where it fails. Weights come
 # from the package index (SmolLM2-135M-Instruct, 98 MB). Each step goes on where it was stopped: run
 # it again.
+# Not run by us from top to bottom yet.
 #
 #   runs/student.sh                     # everything into outputs/student, at a small setting
 #   OUT=elsewhere SUITE=v1 COUNTS="--total 300" runs/student.sh
@@ -15,7 +16,7 @@ WORKERS=${WORKERS:-2}
 PORT=${PORT:-8001}
 COUNTS=${COUNTS:---counts.count 9 --counts.find 9 --counts.size 6 --counts.reduce 4 --counts.compare 6}
 SELECT=${SELECT:---slack 3}
-TRAIN=${TRAIN:---learning-rate 1e-4 --global-batch 2 --epochs 2 --warmup 0.1 --no-save-memory}
+TRAIN=${TRAIN:---learning-rate 1e-4 --global-batch 2 --epochs 2 --warmup 0.1}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
 probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch .venv/.student
