@@ -65,7 +65,8 @@ format: .venv/.ready
 .venv/.torch: .venv/.ready requirements-torch.lock requirements-torch-cpu.lock requirements-cuda.lock
 	@PYTHON="$(PYTHON)" scripts/add-torch
 
-# What is just a lock: Sphinx (docs), mutmut (mutants), Ray and an object store (ray), Rerun (rerun).
+# What is just a lock: Sphinx (docs), mutmut (mutants), Ray and an object store (ray), Rerun (rerun),
+# a small language model's weights (student).
 .venv/.%: requirements-%.lock .venv/.ready
 	@PYTHON="$(PYTHON)" scripts/install-locked $<
 	@touch $@

@@ -3,6 +3,7 @@
 #
 #   runs/serve_and_run.sh NAME FOLDER
 #   OUT=elsewhere SUITE=v1 ARMS=direct runs/serve_and_run.sh NAME FOLDER
+#   ARMS=text-only RUN="--graphs short" SERVE="--cpu-bfloat16" runs/serve_and_run.sh NAME FOLDER
 #
 # FOLDER has the model; the runs go to $OUT/runs/NAME-ARM.
 set -euo pipefail
@@ -14,6 +15,8 @@ SUITE=${SUITE:-demo}
 ARMS=${ARMS:-agentic direct}
 WORKERS=${WORKERS:-2}
 PORT=${PORT:-8001}
+SERVE=${SERVE:-}                        # more options of probe serve-model
+RUN=${RUN:-}                            # and of probe run
 probe=${PROBE:-.venv/bin/probe}
 
 if (: < "/dev/tcp/127.0.0.1/$PORT") 2>/dev/null; then
@@ -27,7 +30,7 @@ serves() {
         2>/dev/null 3<> "/dev/tcp/127.0.0.1/$PORT"
 }
 
-$probe serve-model "$folder" --name "$name" --port "$PORT" &
+$probe serve-model "$folder" --name "$name" --port "$PORT" $SERVE &
 server=$!
 trap 'kill $server 2>/dev/null || true' EXIT
 until serves; do
@@ -37,7 +40,8 @@ done
 kill -0 "$server" || exit 1
 for arm in $ARMS; do
     $probe run "$SUITE" --model "$name" --endpoint "http://127.0.0.1:$PORT/v1" --setting "$arm" \
-        --points 0-1000 --epochs 1 --workers "$WORKERS" --out "$OUT/runs/$name-$arm"
+        --points 0-1000 --epochs 1 --workers "$WORKERS" $RUN \
+        --out "$OUT/runs/$name-$arm"
 done
 kill "$server"
 wait "$server" || true

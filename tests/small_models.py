@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from lessons import lesson, training_task
@@ -13,6 +14,7 @@ from probe.train.choose.selection import Recipe, select
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.folder import Form, write_dataset
 from probe.train.dataset.showing import EpisodePictures
+from probe.train.dataset.text_only import as_text_only, no_pictures
 from probe.train.tune.tiny import make_tiny
 from probe.train.tune.tiny_parts import Shape
 from probe.transcripts.pictures import jpeg
@@ -24,38 +26,42 @@ SHAPE = Shape(
 )  # fmt: skip
 
 
-def small_dataset(folder: Path, tasks: int = 4) -> Path:
-    """Some episodes of Find and Count with tools, and one without."""
+def small_dataset(folder: Path, tasks: int = 4, *, pictures: bool = True) -> Path:
+    """Some episodes of Find and Count with tools, and one without if there are pictures."""
     lessons = [
         lesson(training_task(n, question_type), statuses=(GRASPED,) * (1 + n % 2))
         for n in range(1, tasks + 1)
         for question_type in ("find", "count")
     ]
-    lessons.append(lesson(training_task(50), setting="direct"))
+    if pictures:
+        lessons.append(lesson(training_task(50), setting="direct"))
     recipe = Recipe(slack=3, direct_share=1.0)
     found = select(lessons, evaluation_of([]), recipe)
     objects = {it.object_id: (1.0, 2.0) for each in lessons for it in each.task.scene.objects}
     write_selection(folder / "selected", found, recipe, objects, [Path("c1")], ["v1"])
     chosen = read_selection(folder / "selected")
+    if not pictures:
+        chosen = as_text_only(chosen, "short")
     examples = [
-        example_of(task, record, _shown(len(record.steps))) for task, record in chosen.episodes
+        example_of(task, record, _shown(len(record.steps)) if pictures else no_pictures(record))
+        for task, record in chosen.episodes
     ]
     specs = {id: _spec(id) for id in objects}
     write_dataset(folder / "data", examples, chosen, Form("small", "pixels", 64, False), specs)
     return folder / "data"
 
 
-def small_model(folder: Path, dataset: Path) -> Path:
-    make_tiny(dataset, folder / "tiny", SHAPE)
+def small_model(folder: Path, dataset: Path, *, pictures: bool = True) -> Path:
+    make_tiny(dataset, folder / "tiny", replace(SHAPE, pictures=pictures))
     return folder / "tiny"
 
 
 def _shown(steps: int) -> EpisodePictures:
-    later = [_picture(10 * n) for n in range(1, steps)]
-    return EpisodePictures((_picture(250),), (*later, None) if steps else ())
+    later = [picture(10 * n) for n in range(1, steps)]
+    return EpisodePictures((picture(250),), (*later, None) if steps else ())
 
 
-def _picture(shade: int) -> bytes:
+def picture(shade: int) -> bytes:
     rgb = paint([]).rgb
     assert rgb is not None
     return jpeg(rgb[:64, :64] * 0 + shade)

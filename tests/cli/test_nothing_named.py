@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from probe.cli.held_out import held_out
+from probe.cli.ladder import ladder
 from probe.cli.merge import merge
 from probe.cli.robustness import robustness
 from probe.cli.select import select
@@ -13,6 +14,7 @@ from probe.errors import BadData
 
 COMMANDS = {
     "held-out": lambda out: held_out((), out=out),
+    "ladder": lambda out: ladder((), out=out),
     "merge": lambda out: merge((), out),
     "robustness": lambda out: robustness(out, (), out=out),
     "select": lambda out: select((), out=out),

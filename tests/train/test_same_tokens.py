@@ -25,6 +25,7 @@ from probe.train.serve.serving import application
 from probe.train.serve.speaking import GeneratedReply, ServedModel
 from probe.train.tune.collating import IGNORED
 from probe.train.tune.loading import collator_for
+from probe.train.tune.processors import tokenizer_of
 from small_models import small_dataset, small_model
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
@@ -101,9 +102,14 @@ def collected():
 
 
 @pytest.fixture(scope="module")
-def speaker(tmp_path_factory):
+def speakers(tmp_path_factory):
+    """One that sees, and a language model."""
     folder = tmp_path_factory.mktemp("tokens")
-    return Overheard(str(small_model(folder, small_dataset(folder, 1))))
+    data = small_dataset(folder, 1)
+    return {
+        pictures: Overheard(str(small_model(folder / str(pictures), data, pictures=pictures)))
+        for pictures in (True, False)
+    }
 
 
 def pictures_in(body) -> list[bytes]:
@@ -135,17 +141,19 @@ def trained_on(record, body, points, speaker, folder):
 
 
 @pytest.mark.parametrize(
-    ("setting", "points", "graphs"),
+    ("setting", "points", "graphs", "pictures"),
     [
-        ("agentic", "0-1000", "full"),
-        ("direct", "pixels", "full"),
-        ("text-only", "0-1000", "full"),
-        ("text-only", "0-1000", "short"),
+        ("agentic", "0-1000", "full", True),
+        ("direct", "pixels", "full", True),
+        ("text-only", "0-1000", "full", True),
+        ("text-only", "0-1000", "short", True),
+        ("text-only", "0-1000", "short", False),
     ],
 )
 def test_requests_are_what_training_shows_up_to_each_reply(
-    tmp_path, speaker, setting, points, graphs
+    tmp_path, speakers, setting, points, graphs, pictures
 ):
+    speaker = speakers[pictures]
     speaker.begin(EPISODES[setting])
     order = plan(tmp_path / "out", setting, SUITE, points=points, graphs=graphs)
     with listening(speaker) as url:
@@ -157,7 +165,7 @@ def test_requests_are_what_training_shows_up_to_each_reply(
     assert len(speaker.heard) == len(EPISODES[setting])
     batch = trained_on(record, speaker.bodies[-1], points, speaker, tmp_path)
     ids, labels = batch["input_ids"][0].tolist(), batch["labels"][0].tolist()
-    tokenizer = speaker._processor.tokenizer
+    tokenizer = tokenizer_of(speaker._processor)
     expected, end = [IGNORED] * len(ids), 0
     for asked, reply in zip(speaker.heard, EPISODES[setting], strict=True):
         sent = asked["input_ids"][0].tolist()

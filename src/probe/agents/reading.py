@@ -34,6 +34,7 @@ _GRASPED: Mapping[str, Outcome] = {
 _AWAY = re.compile(
     r"(object_\d+) (?:was lifted and dropped into|ended up in|lies in|lies beside) the basket"
 )
+_REFUSED = re.compile(r"There is no object_id |\S+ is out of date: ")
 _RENAMED = re.compile(r"\b[Ii]t is (object_\d+) now\b")
 
 _SHORT_LIST = re.compile(r"^- object_\d+ |^# (?:Nothing shows|.* since the last list)\b", re.M)
@@ -193,6 +194,11 @@ def read_new_handle(text: str) -> str | None:
     """The object_id that a thing has since a grasp or a push moved it; None if it kept its own."""
     found = _RENAMED.search(text)
     return found[1] if found else None
+
+
+def handle_refused(text: str) -> bool:
+    """Whether a grasp or a push did nothing, since no tool gave its object_id out or it is old."""
+    return _REFUSED.match(text) is not None
 
 
 def grasp_outcome(text: str) -> Outcome:

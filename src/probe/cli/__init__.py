@@ -62,10 +62,12 @@ COMMANDS: dict[str, _Command] = {
     "select": _Command("select", "Choose the episodes that a model is to learn from."),
     "dataset": _Command("dataset", "Write chosen episodes as a data set for trainers."),
     "init-tiny": _Command("init_tiny", "Make a very small, untrained model to try the recipe on."),
-    "train": _Command("train", "Train a vision-language model on a data set."),
+    "unpack-model": _Command("unpack_model", "Make packed weights a folder that can be trained."),
+    "train": _Command("train", "Train a model on a data set."),
     "serve-model": _Command(
         "serve_model", "Serve a trained model on this machine, for `probe run`."
     ),
+    "ladder": _Command("ladder", "Show which step of using the tools a model fails at."),
     "held-out": _Command("held_out", "Compare runs; untrained question types stand apart."),
     "human": _Command("human", "Serve a page on which people answer as agents do."),
     "robot": _Command("robot", "Look at and move robots behind bridges, or a robot's twin.", True),

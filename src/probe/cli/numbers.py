@@ -27,6 +27,7 @@ _RANGES: Mapping[str, tuple[float, float]] = {
     "--most-cost": (0, 1e9),
     "--most-episodes": (1, 10**9),
     "--objects": (1, 200),
+    "--most-tokens": (1, _MANY),
     "--page-port": (0, 65_535),
     "--port": (0, 65_535),
     "--pose-jitter": (0, 0.1),

@@ -15,7 +15,8 @@ GROUPS: Mapping[str, tuple[str, ...]] = {
     "Tasks, objects and tools": ("suite", "assets", "tools", "export"),
     "Other programs, people and robots": ("serve", "human", "robot"),
     "Training, in this order": (
-        *("collect", "select", "dataset", "init-tiny", "train", "serve-model", "held-out"),
+        *("collect", "select", "dataset", "init-tiny", "unpack-model", "train", "serve-model"),
+        *("ladder", "held-out"),
     ),
 }
 """Names of commands by what they are for; others are listed last."""

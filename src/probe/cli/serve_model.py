@@ -10,11 +10,15 @@ import tyro
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say
 from probe.train.serve.serving import reserved, serve
-from probe.train.serve.speaking import ServedModel
+from probe.train.serve.speaking import MOST_TOKENS, ServedModel
 
 
 def serve_model(
-    model: Annotated[str, tyro.conf.Positional], port: int = 8001, name: str | None = None
+    model: Annotated[str, tyro.conf.Positional],
+    port: int = 8001,
+    name: str | None = None,
+    cpu_bfloat16: bool = False,
+    most_tokens: int = MOST_TOKENS,
 ) -> None:
     """Serve a model over OpenAI's protocol on this machine, one reply at a time, with transformers.
 
@@ -26,10 +30,12 @@ def serve_model(
         port: Where to listen.
         name: What the model is called, and must be called in requests; by default its folder's
             name.
+        cpu_bfloat16: Without a GPU, compute in bfloat16 if the processor has instructions for it.
+        most_tokens: Of a reply, where a request doesn't say; longer ones are cut off.
     """
-    check_numbers({"--port": port})
+    check_numbers({"--port": port, "--most-tokens": most_tokens})
     called = name or Path(model).name
     with reserved(port) as held:
-        speaker = ServedModel(model)
+        speaker = ServedModel(model, cpu_bfloat16=cpu_bfloat16, most_tokens=most_tokens)
         say(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.")
         serve(speaker, called, held)

@@ -1,4 +1,4 @@
-"""`probe train`: teach a vision-language model what a data set shows."""
+"""`probe train`: teach a model what a data set shows."""
 
 from __future__ import annotations
 

@@ -7,14 +7,16 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import Any
 
+from probe.train.serve.read_before import ReadBefore
 from probe.train.serve.replying import ServedReply, read_reply
 from probe.train.tune import libraries
 from probe.train.tune.collating import encoded
 from probe.train.tune.conversations import of_request
 from probe.train.tune.loading import load
+from probe.train.tune.processors import sees, tokenizer_of
 
-MOST_WORDS = 512
-"""Tokens of a reply, if a request doesn't say."""
+MOST_TOKENS = 512
+"""Of a reply, if a request doesn't say."""
 
 
 @dataclass(frozen=True)
@@ -36,18 +38,28 @@ class GeneratedReply:
 class ServedModel:
     """A model in memory; one reply at a time.
 
+    A language model doesn't read again what it has read before. One that sees does: its tokens
+    don't say which pictures they stand for.
+
     Args:
         model: Its folder, or a name at Hugging Face.
+        cpu_bfloat16: Without a GPU, compute in bfloat16 if the processor has instructions for it.
+        most_tokens: Of a reply, if a request doesn't say.
 
     Raises:
         MissingExtra: A library isn't installed.
         NoModel: It can't be loaded.
     """
 
-    def __init__(self, model: str) -> None:
+    def __init__(
+        self, model: str, *, cpu_bfloat16: bool = False, most_tokens: int = MOST_TOKENS
+    ) -> None:
         torch = libraries.torch()
-        loaded, self._processor = load(model)
+        loaded, self._processor = load(model, cpu_bfloat16=cpu_bfloat16)
         self._model = loaded.to("cuda" if torch.cuda.is_available() else "cpu").eval()
+        fresh = libraries.transformers().DynamicCache
+        self._before = None if sees(self._processor) else ReadBefore(fresh)
+        self._most_tokens = most_tokens
         self._lock = Lock()
 
     def asked(self, body: Mapping[str, Any]) -> Any:
@@ -66,15 +78,25 @@ class ServedModel:
             NotUnderstood: It isn't in OpenAI's form.
         """
         asked = self.asked(body).to(self._model.device)
-        most = int(body.get("max_completion_tokens") or body.get("max_tokens") or MOST_WORDS)
+        most = int(body.get("max_completion_tokens") or body.get("max_tokens") or 0)
+        most = most or self._most_tokens
         warmth = float(body.get("temperature") or 0.0)
         how = {"do_sample": True, "temperature": warmth} if warmth > 0 else {"do_sample": False}
         with self._lock, libraries.torch().inference_mode():
-            made = self._model.generate(**asked, max_new_tokens=most, **how)
+            made = self._made(asked, {"max_new_tokens": most, **how})
         start = asked["input_ids"].shape[1]
-        fresh = made[0, start:]
-        tokenizer = self._processor.tokenizer
+        fresh = made[start:]
+        tokenizer = tokenizer_of(self._processor)
         ended = tokenizer.eos_token_id in fresh.tolist()
         # Tags of calls are no special tokens of Qwen's tokenizer, and stay.
         text = tokenizer.decode(fresh, skip_special_tokens=True)
         return GeneratedReply(read_reply(text), start, len(fresh), cut=not ended)
+
+    def _made(self, asked: Any, how: dict[str, Any]) -> Any:
+        """All tokens, those that were asked and those of the reply."""
+        if self._before is None:
+            return self._model.generate(**asked, **how)[0]
+        cache = self._before.begin(asked["input_ids"][0].tolist())
+        made = self._model.generate(**asked, **how, past_key_values=cache)[0]
+        self._before.keep(made.tolist(), cache)
+        return made

@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from probe.train.tune.conversations import Conversation, of_row, tools_of_row
+from probe.train.tune.conversations import Conversation, NotUnderstood, of_row, tools_of_row
 from probe.train.tune.libraries import torch
+from probe.train.tune.processors import sees, tokenizer_of
 
 IGNORED = -100
 """Label of a token on which no loss is taken."""
@@ -31,7 +32,15 @@ def encoded(
         tools: What may be called.
         template: Another than the processor's; one that marks the assistant's turns makes masks.
         asking: Whether a reply is to follow.
+
+    Raises:
+        NotUnderstood: Something is shown to a model that sees nothing.
     """
+    how: dict[str, Any] = {"processor_kwargs": {"add_special_tokens": False}}
+    if not sees(processor):
+        if any(part["type"] == "image" for said in conversation for part in said["content"]):
+            raise NotUnderstood("it shows pictures, and this model takes none: --setting text-only")
+        how = {}  # a tokenizer adds none to a conversation
     return processor.apply_chat_template(
         conversation,
         tools=tools,
@@ -41,7 +50,7 @@ def encoded(
         return_tensors="pt",
         return_assistant_tokens_mask=template is not None,
         add_generation_prompt=asking,
-        processor_kwargs={"add_special_tokens": False},
+        **how,
     )
 
 
@@ -59,7 +68,7 @@ class Collator:
 
     def __call__(self, rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         """The batch of some rows."""
-        return _joined([self._one(row) for row in rows], self._processor.tokenizer.pad_token_id)
+        return _joined([self._one(row) for row in rows], tokenizer_of(self._processor).pad_token_id)
 
     def _one(self, row: Mapping[str, Any]) -> dict[str, Any]:
         tools = tools_of_row(row)

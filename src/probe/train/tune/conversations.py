@@ -30,7 +30,7 @@ class NotUnderstood(ProbeError):
 
 def of_row(row: Mapping[str, Any]) -> Conversation:
     """A row that `probe dataset` wrote, as `datasets` reads it."""
-    pictures: Iterator[Any] = iter(row["images"])
+    pictures: Iterator[Any] = iter(row.get("images") or ())
     return [
         _message(
             message["role"],

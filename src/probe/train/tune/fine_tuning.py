@@ -6,9 +6,11 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+from probe.errors import BadData
 from probe.train.dataset.manifest import Manifest, check_dataset
 from probe.train.tune import libraries
 from probe.train.tune.loading import collator_for, load
+from probe.train.tune.processors import sees
 from probe.train.tune.run_card import write_card
 from probe.train.tune.started import MODEL, ROWS, begun, last_checkpoint, take_up
 from probe.train.tune.trainer_settings import settings_for
@@ -41,12 +43,15 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
     # Before the model: then of several processes one alone reads its weights.
     settings = settings_for(out, tuning)
     loaded, processor = load(model, exact=tuning.lora is None)
+    if manifest.pictures and not sees(processor):
+        reason = f"shows {manifest.pictures} pictures, and {model} takes none"
+        raise BadData(dataset, reason, "Write it with --setting text-only")
     collator = collator_for(processor)
     take_up(out, asked)
     trainer = libraries.trl().SFTTrainer(
         model=loaded,
         args=settings,
-        train_dataset=_rows(dataset, out, manifest),
+        train_dataset=_rows(dataset, out, manifest, pictures=sees(processor)),
         processing_class=processor,
         data_collator=collator,
         peft_config=_lora(tuning),
@@ -74,11 +79,13 @@ def _lora(tuning: Tuning) -> Any:
     )
 
 
-def _rows(dataset: Path, out: Path, manifest: Manifest) -> Any:
+def _rows(dataset: Path, out: Path, manifest: Manifest, *, pictures: bool) -> Any:
     data = libraries.part("datasets")
     data.disable_progress_bars()
     files = sorted(str(dataset / name) for name in manifest.files if name.endswith(".parquet"))
-    return data.Dataset.from_parquet(files, cache_dir=str(out / ROWS))
+    rows = data.Dataset.from_parquet(files, cache_dir=str(out / ROWS))
+    # By this column TRL knows a data set for models that see.
+    return rows if pictures else rows.remove_columns("images")
 
 
 def _numbers(model: Any) -> str:

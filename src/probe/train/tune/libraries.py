@@ -63,6 +63,12 @@ def computes_in_bfloat16() -> bool:
     return bool(cuda.is_available() and cuda.is_bf16_supported(including_emulation=False))
 
 
+def cpu_computes_in_bfloat16() -> bool:
+    """Whether this machine's processor has instructions for it; others only make as if."""
+    known = torch().cpu.get_capabilities()
+    return bool(known.get("avx512_bf16") or known.get("amx_bf16"))
+
+
 def part(name: str) -> Any:
     """Another one, or a part of one, by its full name.
 

@@ -7,6 +7,7 @@ from typing import Any
 from probe.errors import ProbeError
 from probe.train.tune import libraries
 from probe.train.tune.collating import Collator
+from probe.train.tune.processors import sees, tokenizer_of
 
 
 class NoModel(ProbeError):
@@ -14,8 +15,8 @@ class NoModel(ProbeError):
 
     def __init__(self, model: str, reason: str) -> None:
         super().__init__(
-            f"{model} can't be loaded as a vision-language model ({reason}). Name a whole folder, "
-            "or a model at Hugging Face such as Qwen/Qwen3-VL-8B-Instruct."
+            f"{model} can't be loaded as a model ({reason}). Name a whole folder, or a model "
+            "at Hugging Face such as Qwen/Qwen3-VL-8B-Instruct."
         )
 
 
@@ -29,13 +30,14 @@ class UnknownTemplate(ProbeError):
         )
 
 
-def load(model: str, *, exact: bool = False) -> tuple[Any, Any]:
-    """A model and its processor.
+def load(model: str, *, exact: bool = False, cpu_bfloat16: bool = False) -> tuple[Any, Any]:
+    """A model and its processor; a language model has a tokenizer in that place.
 
     Args:
         model: A folder, or a name at Hugging Face.
         exact: Its weights in float32, as they must be to be trained: bfloat16 has no room for
             most small steps. Else in bfloat16, if a GPU computes so.
+        cpu_bfloat16: In bfloat16 also if there is no GPU and the processor computes so.
 
     Raises:
         MissingExtra: A library isn't installed.
@@ -43,11 +45,15 @@ def load(model: str, *, exact: bool = False) -> tuple[Any, Any]:
     """
     torch, transformers = libraries.torch(), libraries.transformers()
     cut_off: Any = libraries.part("safetensors").SafetensorError
-    short = libraries.computes_in_bfloat16() and not exact
-    kind = torch.bfloat16 if short else torch.float32
+    short = libraries.computes_in_bfloat16() or (
+        cpu_bfloat16 and libraries.cpu_computes_in_bfloat16()
+    )
+    kind = torch.bfloat16 if short and not exact else torch.float32
     try:
         processor = transformers.AutoProcessor.from_pretrained(model)
-        loaded = transformers.AutoModelForImageTextToText.from_pretrained(model, dtype=kind)
+        wide = transformers.AutoModelForImageTextToText
+        family = wide if sees(processor) else transformers.AutoModelForCausalLM
+        loaded = family.from_pretrained(model, dtype=kind)
     except (OSError, ValueError, RuntimeError, cut_off) as error:
         raise NoModel(model, str(error).split("\n")[0]) from error
     return loaded, processor
@@ -60,7 +66,7 @@ def collator_for(processor: Any) -> Collator:
         UnknownTemplate: TRL can't mark them.
     """
     templates = libraries.part("trl.chat_template_utils")
-    named = str(processor.tokenizer.name_or_path)
+    named = str(tokenizer_of(processor).name_or_path)
     if processor.chat_template is None:
         raise UnknownTemplate(named)
     try:

@@ -116,7 +116,8 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         total=manifest.total,
         objects=objects_told(manifest.objects),
         counts="\n".join(
-            f"| {question_type} | {settings.get('agentic', 0)} | {settings.get('direct', 0)} |"
+            f"| {question_type} | {sum(settings.values()) - settings.get('direct', 0)} "
+            f"| {settings.get('direct', 0)} |"
             for question_type, settings in sorted(run.examples.items())
         ),
         settings=json.dumps(run.begun.tuning, indent=1),

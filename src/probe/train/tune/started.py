@@ -65,8 +65,9 @@ def take_up(out: Path, asked: TrainingStart) -> None:
         raise BadData(path, f"was begun with {before.model}, not {asked.model}", remedy)
     if before.dataset_sha256 != asked.dataset_sha256:
         raise BadData(path, "was begun with another data set", remedy)
+    usual = asdict(Tuning())
     for name, now in asked.tuning.items():
-        was = before.tuning.get(name)
+        was = before.tuning.get(name, usual.get(name))  # older files lack newer settings
         if was != now:
             raise BadData(path, f"was begun with {name} {was}, not {now}", remedy)
 

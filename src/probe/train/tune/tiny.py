@@ -1,4 +1,4 @@
-"""A vision-language model from nothing: Qwen3-VL's architecture, very small, untrained.
+"""A very small, untrained model: Qwen3-VL's architecture, or Llama's for one without pictures.
 
 To see that a recipe works without downloading anything. It knows no language and no pictures.
 """

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.resources import files
-from pathlib import Path
 from typing import Any
 
 from probe.train.tune import libraries
+from probe.train.tune.processors import qwen_template, sees, tokenizer_of
 
 _SPECIAL = (
     "<|endoftext|>", "<|im_start|>", "<|im_end|>", "<|vision_start|>", "<|vision_end|>",
@@ -32,6 +31,7 @@ class Shape:
         vision_width, vision_layers: Of the part that sees.
         side_px: To which pictures are made smaller; 32 pixels are a token's side.
         seed: Of the weights.
+        pictures: Whether it takes some; else it is a language model of Llama's architecture.
     """
 
     width: int = 192
@@ -42,6 +42,7 @@ class Shape:
     vision_layers: int = 3
     side_px: int = 128
     seed: int = 0
+    pictures: bool = True
 
 
 def _tokenizer(texts: Iterator[str], words: int) -> Any:
@@ -69,7 +70,7 @@ def _tokenizer(texts: Iterator[str], words: int) -> Any:
 
 
 def processor_for(texts: Iterator[str], shape: Shape) -> Any:
-    """A processor of Qwen3-VL's kind with a tokenizer of its own.
+    """A processor of Qwen3-VL's kind with a tokenizer of its own, or that alone.
 
     Args:
         texts: That the tokenizer is trained on.
@@ -78,7 +79,10 @@ def processor_for(texts: Iterator[str], shape: Shape) -> Any:
     tokenizer = _tokenizer(texts, shape.words)
     transformers = libraries.transformers()
     pixels = shape.side_px**2
-    template = Path(str(files(libraries.trl()) / "chat_templates/qwen3_vl.jinja")).read_text()
+    template = qwen_template()
+    if not shape.pictures:
+        tokenizer.chat_template = template
+        return tokenizer
     pictures = transformers.Qwen2VLImageProcessor(
         patch_size=16, merge_size=2, min_pixels=32 * 32, max_pixels=pixels
     )
@@ -87,21 +91,45 @@ def processor_for(texts: Iterator[str], shape: Shape) -> Any:
 
 
 def untrained(processor: Any, shape: Shape) -> Any:
-    """A model of Qwen3-VL's architecture with weights by chance."""
-    transformers = libraries.transformers()
+    """A model with weights by chance, of Qwen3-VL's architecture or, for a tokenizer, Llama's."""
     libraries.torch().manual_seed(shape.seed)
-    word = processor.tokenizer.convert_tokens_to_ids
+    tokenizer = tokenizer_of(processor)
+    made = _seeing(tokenizer, shape) if sees(processor) else _unseeing(tokenizer, shape)
+    made.generation_config.eos_token_id = tokenizer.eos_token_id
+    made.generation_config.pad_token_id = tokenizer.pad_token_id
+    return made
+
+
+def _language(tokenizer: Any, shape: Shape) -> dict[str, Any]:
+    """What both architectures call by the same names."""
+    return {
+        "vocab_size": len(tokenizer),
+        "hidden_size": shape.width,
+        "intermediate_size": 3 * shape.width,
+        "num_hidden_layers": shape.layers,
+        "num_attention_heads": shape.heads,
+        "num_key_value_heads": shape.heads,
+        "head_dim": shape.width // shape.heads,
+        "max_position_embeddings": 65536,
+        "pad_token_id": tokenizer.pad_token_id,
+        "eos_token_id": tokenizer.eos_token_id,
+        "bos_token_id": None,
+    }
+
+
+def _unseeing(tokenizer: Any, shape: Shape) -> Any:
+    transformers = libraries.transformers()
+    config = transformers.LlamaConfig(**_language(tokenizer, shape), tie_word_embeddings=True)
+    return transformers.LlamaForCausalLM(config)
+
+
+def _seeing(tokenizer: Any, shape: Shape) -> Any:
+    transformers = libraries.transformers()
+    word = tokenizer.convert_tokens_to_ids
     head = shape.width // shape.heads
     config = transformers.Qwen3VLConfig(
         text_config={
-            "vocab_size": len(processor.tokenizer),
-            "hidden_size": shape.width,
-            "intermediate_size": 3 * shape.width,
-            "num_hidden_layers": shape.layers,
-            "num_attention_heads": shape.heads,
-            "num_key_value_heads": shape.heads,
-            "head_dim": head,
-            "max_position_embeddings": 65536,
+            **_language(tokenizer, shape),
             # Halves of a head's dimensions, shared between time, height and width.
             "rope_parameters": {
                 "rope_type": "default",
@@ -109,9 +137,6 @@ def untrained(processor: Any, shape: Shape) -> Any:
                 "mrope_section": [head // 2 - 2 * (head // 6), head // 6, head // 6],
                 "mrope_interleaved": True,
             },
-            "pad_token_id": processor.tokenizer.pad_token_id,
-            "eos_token_id": processor.tokenizer.eos_token_id,
-            "bos_token_id": None,
         },
         vision_config={
             "depth": shape.vision_layers,
@@ -128,7 +153,4 @@ def untrained(processor: Any, shape: Shape) -> Any:
         vision_end_token_id=word("<|vision_end|>"),
         tie_word_embeddings=True,
     )
-    model = transformers.Qwen3VLForConditionalGeneration(config)
-    model.generation_config.eos_token_id = processor.tokenizer.eos_token_id
-    model.generation_config.pad_token_id = processor.tokenizer.pad_token_id
-    return model
+    return transformers.Qwen3VLForConditionalGeneration(config)

@@ -40,7 +40,7 @@ def settings_for(out: Path, tuning: Tuning) -> Any:
         warmup_steps=tuning.warmup,
         seed=tuning.seed,
         data_seed=tuning.seed,
-        bf16=libraries.computes_in_bfloat16(),
+        bf16=_short(tuning, gpu=gpu),
         use_cpu=not gpu,
         gradient_checkpointing=tuning.save_memory,
         assistant_only_loss=True,
@@ -57,6 +57,13 @@ def settings_for(out: Path, tuning: Tuning) -> Any:
         report_to="none",
         disable_tqdm=False,
     )
+
+
+def _short(tuning: Tuning, *, gpu: bool) -> bool:
+    """Whether is computed in bfloat16; the weights stay in float32."""
+    if gpu:
+        return libraries.computes_in_bfloat16()
+    return tuning.cpu_bfloat16 and libraries.cpu_computes_in_bfloat16()
 
 
 def _one_gpu_each(distributed: str) -> None:

@@ -28,6 +28,7 @@ class Tuning:
         save_every: Steps between checkpoints, of which two are kept.
         save_memory: Compute activations twice rather than keep them.
         loaders: Processes that prepare batches ahead; 0 for none.
+        cpu_bfloat16: Without a GPU, compute in bfloat16 if the processor has instructions for it.
 
     Raises:
         BadData: A value is out of its range.
@@ -44,6 +45,7 @@ class Tuning:
     save_every: int = 25
     save_memory: bool = True
     loaders: int = 0
+    cpu_bfloat16: bool = False
 
     def __post_init__(self) -> None:
         """Refuse what trains nothing, or what libraries choke on."""

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# From a teacher's episodes to a small language model that was pretrained, top to bottom, in the
+# setting text-only: collect, select, dataset, train, serve, evaluate, where it fails. Weights come
+# from the package index (SmolLM2-135M-Instruct, 98 MB). Each step goes on where it was stopped: run
+# it again.
+# Not run by us from top to bottom yet.
+#
+#   runs/student.sh                     # everything into outputs/student, at a small setting
+#   OUT=elsewhere SUITE=v1 COUNTS="--total 300" runs/student.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+OUT=${OUT:-outputs/student}
+SUITE=${SUITE:-demo}                    # what models are evaluated on
+WORKERS=${WORKERS:-2}
+PORT=${PORT:-8001}
+COUNTS=${COUNTS:---counts.count 9 --counts.find 9 --counts.size 6 --counts.reduce 4 --counts.compare 6}
+SELECT=${SELECT:---slack 3}
+TRAIN=${TRAIN:---learning-rate 1e-4 --global-batch 2 --epochs 2 --warmup 0.1}
+BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
+probe=${PROBE:-.venv/bin/probe}
+[ -n "${PROBE:-}" ] || make --silent driver .venv/.torch .venv/.student
+
+step() { echo; echo "== $*"; }
+
+step "collect: the scripted teacher answers training tasks, with tools alone"
+$probe collect --out "$OUT/collected" --settings agentic $COUNTS --counts.beneath 0 \
+    --points 0-1000 --workers "$WORKERS"
+
+step "select: what was right and efficient, and of no evaluation"
+[ -e "$OUT/selected/selection.json" ] ||
+    $probe select "$OUT/collected" --out "$OUT/selected" --direct-share 0 $SELECT
+
+step "dataset: conversations without pictures, lists in short"
+[ -e "$OUT/data/manifest.json" ] ||
+    $probe dataset "$OUT/selected" "$OUT/data" --setting text-only --graphs short --no-others
+
+step "train: a pretrained language model"
+if [ -z "$BASE" ]; then
+    BASE=$OUT/base
+    [ -d "$BASE" ] || $probe unpack-model "$BASE"
+fi
+$probe train "$OUT/data" --model "$BASE" --out "$OUT/trained" --cpu-bfloat16 $TRAIN
+
+step "question-only learns from the same tasks"
+[ -e "$OUT/question_only.json" ] ||
+    $probe suite learn "$OUT"/collected/batches/*/suite.json --out "$OUT/question_only.json"
+
+step "serve and evaluate: as it was and as it is now, the teacher beside them"
+export SUITE WORKERS PORT OUT PROBE="$probe" ARMS=text-only RUN="--graphs short"
+export SERVE="--cpu-bfloat16 --most-tokens 200"
+runs/serve_and_run.sh base "$BASE"
+runs/serve_and_run.sh student "$OUT/trained/model"
+$probe run "$SUITE" --agent scripted --out "$OUT/runs/scripted" --workers "$WORKERS"
+
+step "at which step of using the tools each fails"
+$probe ladder "$OUT"/runs/* --out "$OUT/ladder.md"
+
+step "in one table, what nobody learnt apart"
+$probe held-out "$OUT"/runs/* --types beneath --learnt "$OUT/question_only.json" \
+    --out "$OUT/table.md"

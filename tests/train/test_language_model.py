@@ -1,0 +1,79 @@
+"""A model that sees no pictures: trained on the setting text-only, and served."""
+
+from __future__ import annotations
+
+import base64
+import json
+
+import pytest
+
+from probe.errors import BadData
+from probe.train.serve.speaking import ServedModel
+from probe.train.tune import libraries
+from probe.train.tune.conversations import NotUnderstood
+from probe.train.tune.fine_tuning import train
+from probe.train.tune.loading import load
+from probe.train.tune.processors import sees
+from probe.train.tune.run_card import Run
+from probe.train.tune.training_log import read_log
+from probe.train.tune.tuning import Tuning
+from small_models import picture, small_dataset, small_model
+
+pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory):
+    return small_dataset(tmp_path_factory.mktemp("dataset"), pictures=False)
+
+
+@pytest.fixture(scope="module")
+def model(tmp_path_factory, dataset):
+    return small_model(tmp_path_factory.mktemp("model"), dataset, pictures=False)
+
+
+@pytest.mark.parametrize("lora", [None, 2])
+def test_it_learns_without_pictures(tmp_path, dataset, model, lora):
+    tuning = Tuning(learning_rate=1e-2, global_batch=2, epochs=3, lora=lora)
+    folder = train(dataset, str(model), tmp_path, tuning, ())
+    log = read_log(tmp_path)
+    assert log[-1].loss < 0.98 * log[0].loss
+    assert not sees(load(str(folder))[1])
+    card = (tmp_path / "README.md").read_text()
+    # Four episodes of each type, all with tools.
+    assert "| count | 4 | 0 |" in card and "| find | 4 | 0 |" in card
+
+
+def test_in_bfloat16_on_a_processor_that_has_it(tmp_path, dataset, model, monkeypatch):
+    monkeypatch.setattr(libraries, "cpu_computes_in_bfloat16", lambda: True)
+    tuning = Tuning(learning_rate=1e-3, global_batch=8, epochs=1, cpu_bfloat16=True)
+    train(dataset, str(model), tmp_path / "short", tuning, ())
+    run = Run.model_validate_json((tmp_path / "short" / "run.json").read_text())
+    assert run.weights == "float32"
+    train(dataset, str(model), tmp_path / "long", Tuning(1e-3, global_batch=8, epochs=1), ())
+    (short,), (long,) = read_log(tmp_path / "short"), read_log(tmp_path / "long")
+    assert short.loss == pytest.approx(long.loss, rel=0.01) and short.loss != long.loss
+
+
+def test_pictures_are_refused(tmp_path, model):
+    with pytest.raises(BadData, match=r"pictures, and .*Write it with --setting text-only"):
+        train(small_dataset(tmp_path), str(model), tmp_path / "out", Tuning(), ())
+    assert not (tmp_path / "out").exists()
+    pixel = base64.b64encode(picture(9)).decode()
+    shown = {"type": "image_url", "image_url": {"url": f"data:image/jpeg;base64,{pixel}"}}
+    body = {"messages": [{"role": "user", "content": [shown]}]}
+    with pytest.raises(NotUnderstood, match="takes none: --setting text-only"):
+        ServedModel(str(model)).reply(body)
+
+
+def test_what_was_read_before_changes_no_reply(model):
+    """Turns of two conversations in turn, against a server that reads all of each again."""
+    served = ServedModel(str(model))
+    told = {name: [{"role": "user", "content": f"{name} lies there."}] for name in ("A", "B")}
+    for _ in range(3):
+        for said in told.values():
+            body = {"messages": said, "max_tokens": 12}
+            reply = served.reply(body)
+            assert reply == ServedModel(str(model)).reply(body)
+            words = reply.reply.words or json.dumps(reply.reply.calls)
+            said += [{"role": "assistant", "content": words}, {"role": "user", "content": "And?"}]
