@@ -106,6 +106,16 @@ def test_what_was_held_is_in_the_basket_though_a_twin_comes_to_light():
     assert compare(before, after, before.things[0]).things[0].fate == "basket"
 
 
+def test_a_part_that_was_held_is_in_the_basket_though_something_came_to_light_in_its_place():
+    part = Block(3, (600, 440, 659, 499), 0.08, BALL.colour, share=0.2)
+    inside = Block(3, (100, 100, 150, 150), height=0.08, colour=BALL.colour)
+    beneath = Block(2, (560, 400, 719, 539), 0.02, BALL.colour)
+    before, after = look(MUG, part), look(MUG, beneath, basket=(inside,))
+    (held,) = [it for it in before.things if it.thing.words.name is None]
+    changes = compare(before, after, held)
+    assert changes.of(held).fate == "basket" and changes.newly_in_basket == ()
+
+
 def test_what_was_held_is_what_is_new_in_the_basket_though_it_looks_otherwise():
     inside = Block(2, (100, 100, 150, 150), height=0.08, colour=(30, 60, 150))
     before, after = look(MUG, TWIN), look(TWIN, basket=(inside,))

@@ -23,7 +23,8 @@ def found_again(
         after: What wasn't where it is.
         held: What the fingers felt until they let go over the basket.
     """
-    found = {**again([one for one in before if one.sighting.thing.nameable], after, held)}
+    known = [it for it in before if it.sighting.thing.nameable or it.sighting is held]
+    found = {**again(known, after, held)}
     found |= _by_name(*_others(before, after, found))
     found |= uncovered(frame, before, after, found)
     left, rest = _others(before, after, found)
