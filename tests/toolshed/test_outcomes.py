@@ -197,6 +197,14 @@ def test_how_far_a_pushed_thing_went_is_not_told_by_a_part_of_it(said, moved_by)
     assert result.status == ("done" if moved_by > 0.06 else "failed")
 
 
+def test_a_pushed_thing_that_reaches_the_pictures_edge_may_have_gone_further():
+    result = told(
+        "red mug", Skills("pushed", [moved(MUG, 804), BOOK], moved=0.12),
+        blocks=[MUG, BOOK], tool="push", direction="right", distance_cm=12,
+    )  # fmt: skip
+    assert "moved at least 11 cm that way, to [963, 159]" in result.text
+
+
 @pytest.mark.parametrize(("way", "said"), [(0.3, 0), (1.6, 1), (2.3, 1), (2.8, 2), (7.6, 6)])
 def test_a_least_distance_leaves_room_for_outlines_that_mislead(way, said):
     assert at_least(way) == said

@@ -147,7 +147,8 @@ def _went(change: Change, moved: float, *, worked: bool) -> str:
     if change.partly:
         went = "moved that way, to" if worked else "is now at"
         return f"{went}{place} (how far can't be told, since it shows more or less of itself)"
-    return f"moved about {max(0, round(100 * moved))} cm that way" + (place and f", to{place}")
+    bound, way = ("at least", at_least(100 * moved)) if change.at_least else ("about", 100 * moved)
+    return f"moved {bound} {max(0, round(way))} cm that way" + (place and f", to{place}")
 
 
 def _whereabouts(status: str, object_id: str, change: Change, now: str) -> str:
