@@ -67,6 +67,8 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
         yield f"only {seen.fraction:.0%} of the {task.subject} show"
     if not lie_open:
         yield from _telling(task, anew)
+    if not all(anew.seen[number].visible_px for number in matter.compared):
+        return  # what doesn't show has no colour, as the lines above say
     try:
         right = PAIR.index(task.answer)
         lead = anew.worlds(matter, right, lie_open=lie_open)["patch_lead"]
