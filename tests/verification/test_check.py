@@ -92,6 +92,15 @@ def test_marked_things_in_full_view_tell_too_much(library, renderer, task, probl
     assert "A shows by" in bare and "B shows by" in bare and problem in bare
 
 
+@pytest.mark.parametrize("task", [COMPARE, SIZE], ids=["compare", "size"])
+def test_a_task_by_older_rules_cant_say_that_it_lies_open(library, renderer, task):
+    bare = without_others(task)
+    measures = {**bare.certificate.measures, "necessary": 0.0}
+    stating = replace(bare, certificate=replace(bare.certificate, measures=measures))
+    told = shown(stating, library, renderer)
+    assert "A shows by" in told and "B shows by" in told
+
+
 def test_patches_are_measured_anew(library, renderer):
     lead = COMPARE.certificate.measures["patch_lead"]
     stated = {**COMPARE.certificate.measures, "patch_lead": lead + 3}

@@ -76,3 +76,15 @@ class ColourViews:
         else:
             colour = wanted(subject, None)
         return [float(misfit(form, self.patch(number), colour)) for number in marked]
+
+    def lead(self, form: Form, marked: tuple[int, int], subject: int | str, right: int) -> float:
+        """By how much better what shows of one of two things fits; see misfits().
+
+        Args:
+            form: Of the question.
+            marked: Numbers of the two.
+            subject: As in misfits().
+            right: Index of the one.
+        """
+        misfits = self.misfits(form, marked, subject)
+        return misfits[1 - right] - misfits[right]

@@ -14,10 +14,18 @@ from probe.tasks.task import OPEN_RULES
 OPEN = PlannedProperty("open", (False, False, True))
 """Whether all that decides lies open, so that nothing needs to be moved."""
 
+OPEN_QUARTER = PlannedProperty("open", (False, False, False, True))
+"""The same, of types in which a quarter of the tasks does."""
 
-def is_open(plan: TaskPlan) -> bool:
-    """Whether a plan asks for that; rules before OPEN_RULES never do."""
-    return plan.rules >= OPEN_RULES and OPEN.of(plan)
+
+def is_open(plan: TaskPlan, share: PlannedProperty[bool] = OPEN) -> bool:
+    """Whether a plan asks for that; rules before OPEN_RULES never do.
+
+    Args:
+        plan: Of a type that is planned by `share`.
+        share: OPEN or OPEN_QUARTER.
+    """
+    return plan.rules >= OPEN_RULES and share.of(plan)
 
 
 def check_open(scene: Scene, view: SceneView, numbers: Collection[int]) -> None:

@@ -19,7 +19,7 @@ from probe.generation.visibility_rules import is_clear, is_seen
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
-from probe.tasks.task import NONE_OF_THE_ABOVE, Task
+from probe.tasks.task import NONE_OF_THE_ABOVE, OPEN_RULES, Task
 from probe.tasks.truth import beneath_each
 from probe.tasks.type_rules import rules_of
 from probe.types import Array
@@ -165,8 +165,11 @@ def _sets(useful: Sequence[int], required: Collection[int]) -> Iterator[tuple[in
 
 
 def is_answerable_at_sight(task: Task) -> bool:
-    """Whether a task states that nothing has to go before its answer can be seen."""
-    return task.certificate.measures.get(NECESSARY) == 0
+    """Whether a task states that nothing has to go before its answer can be seen.
+
+    By rules before OPEN_RULES there is no such task, whatever it states.
+    """
+    return task.version >= OPEN_RULES and task.certificate.measures.get(NECESSARY) == 0
 
 
 def with_necessary(task: Task, view: SceneView, library: Library) -> Task:

@@ -7,8 +7,10 @@ from functools import cached_property
 
 from probe.assets.library import Library
 from probe.generation.restored_stage import RestoredStage
+from probe.generation.result import Rejected
 from probe.generation.scene_view import SceneView
-from probe.generation.twin_worlds import CompareQuestion, look_at_worlds
+from probe.generation.twin_worlds import CompareQuestion, look_at_open_worlds, look_at_worlds
+from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.scene.cameras import View
 from probe.scene.scene import PlacedObject, Scene
@@ -56,9 +58,17 @@ class Remeasurement:
         settled = bare.moved(bare.stage.lift(bare.poses, *bare.places(*gone)))
         yield "resettled", self._visibility(settled, self.view.labels(settled))
 
-    def worlds(self, matter: CompareQuestion, right: int) -> dict[str, float]:
-        """Compare's two worlds in pictures; see look_at_worlds()."""
-        return look_at_worlds(matter, self.scene, self.labels, right, self.library, self._renderer)
+    def worlds(
+        self, matter: CompareQuestion, right: int, *, lie_open: bool = False
+    ) -> dict[str, float]:
+        """Compare's two worlds in pictures; see look_at_worlds() and look_at_open_worlds()."""
+        look = look_at_open_worlds if lie_open else look_at_worlds
+        try:
+            return look(matter, self.scene, self.labels, right, self.library, self._renderer)
+        except Rejected:
+            # It may be the other world that failed; other checks go on with this one.
+            load_scene(self._renderer, self.scene, self.library)
+            raise
 
     def _visibility(self, scene: Scene, labels: Array) -> Mapping[int, Visibility]:
         return self.view.visibility(scene, labels, [placed.instance for placed in scene.objects])

@@ -1,22 +1,28 @@
-"""Compare: which of two marked things has a colour? What shows of them can't tell."""
+"""Compare: which of two marked things has a colour? What shows of them can't tell.
+
+By newer rules both lie open in a quarter of the tasks, and what shows does tell.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 import numpy as np
 
 from probe.assets.library import Library
 from probe.generation.covers import NEEDS_SHIELD
+from probe.generation.in_view import OPEN_QUARTER, is_open
 from probe.generation.marked import (
     MARKABLE,
     MarkedSelection,
+    MarkedStage,
     build_set,
     cast_marked,
     draw_marks,
     markable,
     settle_around,
+    settle_open,
 )
 from probe.generation.paint_twins import PaintTwins, paint_twins
 from probe.generation.result import Rejected, TaskCandidate
@@ -26,12 +32,12 @@ from probe.generation.task_plan import CROSSED, MORE_CUES, TaskPlan
 from probe.generation.task_writer import Draft, write_task
 from probe.generation.twin_pairs import ColourQuestion, draw_duels
 from probe.generation.twin_placement import check_unpainted, draw_unpainted
-from probe.generation.twin_worlds import CompareQuestion, look_at_worlds
+from probe.generation.twin_worlds import CompareQuestion, look_at_open_worlds, look_at_worlds
 from probe.generation.visibility_rules import is_clear
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
-from probe.tasks.task import PAIR
+from probe.tasks.task import PAIR, Mark
 from probe.types import Array
 
 
@@ -40,34 +46,49 @@ def generate_compare(
 ) -> TaskCandidate:
     """One attempt.
 
-    The opposite plan gives the same scene, but for paint that doesn't show: it fails where this one
-    does. So nothing that can be seen goes with the answer.
+    The opposite plan gives the same scene, but for paint: it fails where this one does. That paint
+    doesn't show, so that nothing that can be seen goes with the answer; or, where the two lie open,
+    it alone tells.
 
     Raises:
         Rejected: It failed a check.
     """
     rng = generator(seed, "compare")
-    _, tells, more = CROSSED.of(plan)
     asked, cast = select_compare(library, plan, rng)
-    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup)
-    twins = asked.twins[0].id, asked.twins[1].id
-    more_of_a = more == (plan.letter == PAIR[0])
-    nests = draw_unpainted(made, twins, library, asked.facing, more_of_a, rng)
-    scene = settle_around(made, nests, rng)
+    lie_open = is_open(plan, OPEN_QUARTER)
+    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup, keep_off=not lie_open)
+    scene = settle_open(made, rng) if lie_open else _hidden(made, asked, plan, library, rng)
     labels = made.view.labels(scene)
     reference = made.frame.number_of[len(cast.specs)] if asked.reference else None
+    matter = CompareQuestion(plan.form, made.marked, _twins(asked), asked.word, reference)
     _check_reference(made.view, scene, labels, reference)
     marks = draw_marks(made, labels)
-    check_unpainted(made, scene, labels, twins, library, more_of_a)
-    matter = CompareQuestion(plan.form, made.marked, twins, asked.word, reference)
-    measures = look_at_worlds(matter, scene, labels, asked.right, library, renderer)
-    if (measures["patch_lead"] > 0) != tells:
-        raise Rejected("cues", "in the picture, the other patch fits better")
-    draft = Draft(
+    if lie_open:
+        measures = look_at_open_worlds(matter, scene, labels, asked.right, library, renderer)
+    else:
+        check_unpainted(made, scene, labels, matter.twins, library, _more_of_a(plan))
+        measures = look_at_worlds(matter, scene, labels, asked.right, library, renderer)
+        if (measures["patch_lead"] > 0) != CROSSED.of(plan)[1]:
+            raise Rejected("cues", "in the picture, the other patch fits better")
+    # Pictures loaded textures; the certificate's visibilities need none, and both see the same.
+    draft = _draft(asked, made, scene, marks, measures)
+    return TaskCandidate(write_task(draft, plan, made.view))
+
+
+def _draft(
+    asked: ColourQuestion,
+    made: MarkedStage,
+    scene: Scene,
+    marks: tuple[Mark, Mark],
+    measures: Mapping[str, float],
+) -> Draft:
+    """The task of a scene, without words and letters."""
+    name = asked.reference.name if asked.reference else ""
+    return Draft(
         question_type="compare",
         scene=scene,
-        subject=asked.word or (asked.reference.name if asked.reference else ""),
-        slots={"colour": asked.word, "name": asked.reference.name if asked.reference else ""},
+        subject=asked.word or name,
+        slots={"colour": asked.word, "name": name},
         candidates=(),
         truth=asked.right,
         targets=made.marked,
@@ -75,8 +96,28 @@ def generate_compare(
         measures=measures,
         drawn_from=tuple(spec.id for spec in (*asked.marked, *asked.twins)),
     )
-    # Pictures loaded textures; the certificate's visibilities need none, and both see the same.
-    return TaskCandidate(write_task(draft, plan, made.view))
+
+
+def _hidden(
+    made: MarkedStage,
+    asked: ColourQuestion,
+    plan: TaskPlan,
+    library: Library,
+    rng: np.random.Generator,
+) -> Scene:
+    """A scene in which nothing shows of either thing but what its paint twin shares."""
+    nests = draw_unpainted(made, _twins(asked), library, asked.facing, _more_of_a(plan), rng)
+    return settle_around(made, nests, rng)
+
+
+def _twins(asked: ColourQuestion) -> tuple[str, str]:
+    a, b = asked.twins
+    return a.id, b.id
+
+
+def _more_of_a(plan: TaskPlan) -> bool:
+    """Whether more pixels of A are to show than of B."""
+    return CROSSED.of(plan)[2] == (plan.letter == PAIR[0])
 
 
 def select_compare(
@@ -122,5 +163,5 @@ GENERATOR = TaskGenerator(
     select=select_compare,
     needs="two kinds of things, each in two paints of one shape, which scans never are "
     f"({MARKABLE}); over either, two {NEEDS_SHIELD}",
-    turns=(MORE_CUES,),
+    turns=(MORE_CUES, OPEN_QUARTER),
 )

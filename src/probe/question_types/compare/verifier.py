@@ -7,11 +7,13 @@ from itertools import product
 
 from probe.assets.colour.difference import ciede2000
 from probe.assets.library import Library
+from probe.generation.necessary import is_answerable_at_sight
 from probe.generation.paint_twins import ALIKE
 from probe.generation.palettes import main_colour
 from probe.generation.result import Rejected
 from probe.generation.twin_placement import shared
 from probe.generation.twin_worlds import CompareQuestion
+from probe.generation.visibility_rules import is_clear
 from probe.tasks.task import PAIR, Task
 from probe.tasks.truth import DIFFERENT, which_darker, which_like
 from probe.verification.pairs import LETTER_AREA, mark_problems, pair_problems, right_first
@@ -60,19 +62,31 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     yield from mark_problems(task, anew)
-    twins = task.certificate.candidates[len(PAIR) :]
-    for mark, twin in zip(task.marks, twins, strict=True):
-        share = shared(anew.view, anew.scene, anew.labels, mark.instance, twin, anew.library)
-        if share < ALIKE - _SAME:
-            yield f"{1 - share:.0%} of what shows of {mark.letter} tells it from its twin"
+    matter, lie_open = _matter(task, anew), is_answerable_at_sight(task)
+    if matter.reference is not None and not is_clear(seen := anew.seen[matter.reference]):
+        yield f"only {seen.fraction:.0%} of the {task.subject} show"
+    if not lie_open:
+        yield from _telling(task, anew)
+    if not all(anew.seen[number].visible_px for number in matter.compared):
+        return  # what doesn't show has no colour, as the lines above say
     try:
-        lead = anew.worlds(_matter(task, anew), PAIR.index(task.answer))["patch_lead"]
+        right = PAIR.index(task.answer)
+        lead = anew.worlds(matter, right, lie_open=lie_open)["patch_lead"]
     except Rejected as failure:
         yield failure.rejection.detail
         return
     stated = task.certificate.measures["patch_lead"]
     if abs(lead - stated) > _SAME_COLOUR:
         yield f"the right one's patch leads by {lead:.1f}, not {stated:.1f}"
+
+
+def _telling(task: Task, anew: Remeasurement) -> Iterator[str]:
+    """What shows of a marked thing that its paint twin doesn't share."""
+    twins = task.certificate.candidates[len(PAIR) :]
+    for mark, twin in zip(task.marks, twins, strict=True):
+        share = shared(anew.view, anew.scene, anew.labels, mark.instance, twin, anew.library)
+        if share < ALIKE - _SAME:
+            yield f"{1 - share:.0%} of what shows of {mark.letter} tells it from its twin"
 
 
 def _matter(task: Task, anew: Remeasurement) -> CompareQuestion:
