@@ -44,13 +44,8 @@ def agentic(
 ) -> HarnessTask:
     """Questions about a table, with the five tools to move things on it."""
     plan = _plan("agentic", suite, out, epochs, points, workers, prices)
-    plan = replace(
-        plan,
-        conditions=Conditions(lighting=lighting, renderer=renderer),
-        pointer=pointer,
-        convention=pointing,
-    )
-    return _fit(_erring(plan, noise))
+    plan = replace(plan, pointer=pointer, convention=pointing)
+    return _fit(_with_tools(plan, noise, Conditions(lighting=lighting, renderer=renderer)))
 
 
 @task(name=f"{_SPACE}text_only")
@@ -68,8 +63,8 @@ def text_only(
 ) -> HarnessTask:
     """The same questions, with the five tools and no picture: what shows is told in words."""
     plan = _plan("text-only", suite, out, epochs, points, workers, prices)
-    conditions = Conditions(lighting=lighting, renderer=renderer)
-    return _fit(_erring(replace(plan, graphs=graphs, conditions=conditions), noise))
+    plan = replace(plan, graphs=graphs)
+    return _fit(_with_tools(plan, noise, Conditions(lighting=lighting, renderer=renderer)))
 
 
 @task(name=f"{_SPACE}direct")
@@ -138,10 +133,10 @@ def _plan(
     )
 
 
-def _erring(plan: ModelRunPlan, noise: NoiseChoice) -> ModelRunPlan:
-    """The plan, with tools that err as the suite says or as was asked for."""
+def _with_tools(plan: ModelRunPlan, noise: NoiseChoice, conditions: Conditions) -> ModelRunPlan:
+    """The plan under conditions, with tools that err as the suite says or as was asked for."""
     oracle = plan.pointer == "oracle"
-    hand, conditions = tool_errors(plan.suite.headline, noise, plan.conditions, oracle=oracle)
+    hand, conditions = tool_errors(plan.suite.headline, noise, conditions, oracle=oracle)
     return replace(plan, noise=hand, conditions=conditions)
 
 

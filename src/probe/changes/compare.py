@@ -9,7 +9,7 @@ import numpy as np
 from probe.changes.basket import with_earlier, with_held
 from probe.changes.change import Change, Changes, Fate
 from probe.changes.finding import found_again
-from probe.changes.matching import Located
+from probe.changes.matching import Located, not_found
 from probe.changes.parts import may_be, only_like
 from probe.changes.places import (
     covered,
@@ -50,9 +50,7 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
     }
     lone, new = _without(before, after, here)
     found = found_again(before.table, lone, new, held)
-    taken = {id(other.sighting) for other in found.values()}
-    left = [one for one in lone if id(one.sighting) not in found]
-    rest = [other for other in new if id(other.sighting) not in taken]
+    left, rest = not_found(lone, new, found)
     changes = tuple(
         Change(sighting, "stayed", stayed[id(sighting)], np.zeros(3))
         if id(sighting) in stayed

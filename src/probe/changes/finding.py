@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from probe.changes.matching import Located, again
+from probe.changes.matching import Located, again, not_found
 from probe.changes.parts import is_clear, uncovered
 from probe.changes.sighting import Sighting
 from probe.types import Frame
@@ -25,9 +25,9 @@ def found_again(
     """
     known = [it for it in before if it.sighting.thing.nameable or it.sighting is held]
     found = {**again(known, after, held)}
-    found |= _by_name(*_others(before, after, found))
-    found |= uncovered(frame, before, after, found)
-    left, rest = _others(before, after, found)
+    found |= _by_name(*not_found(before, after, found))
+    found |= uncovered(frame, *not_found(before, after, found))
+    left, rest = not_found(before, after, found)
     by_looks = again(left, rest, held)
     for one in left:
         other = by_looks.get(id(one.sighting))
@@ -47,12 +47,3 @@ def _by_name(before: Sequence[Located], after: Sequence[Located]) -> Mapping[int
         and names.count(name) == new.count(name) == 1
         and one.where == after[new.index(name)].where == "table"
     }
-
-
-def _others(
-    before: Sequence[Located], after: Sequence[Located], found: Mapping[int, Located]
-) -> tuple[Sequence[Located], Sequence[Located]]:
-    """What is left of either, once some have been found."""
-    taken = {id(other.sighting) for other in found.values()}
-    left = [one for one in before if id(one.sighting) not in found]
-    return left, [other for other in after if id(other.sighting) not in taken]

@@ -39,6 +39,15 @@ def again(
     }
 
 
+def not_found(
+    before: Sequence[Located], after: Sequence[Located], found: Mapping[int, Located]
+) -> tuple[Sequence[Located], Sequence[Located]]:
+    """What is left of either, once some have been found."""
+    taken = {id(other.sighting) for other in found.values()}
+    left = [one for one in before if id(one.sighting) not in found]
+    return left, [other for other in after if id(other.sighting) not in taken]
+
+
 def found_among(earlier: Sequence[Sighting], now: Sequence[Sighting]) -> Mapping[int, Sighting]:
     """Which of the things seen at any earlier time show among some now, by id() of the earlier."""
     before = [Located(sighting, "basket") for sighting in earlier]

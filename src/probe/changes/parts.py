@@ -17,27 +17,22 @@ _HINT = 0.2
 
 
 def uncovered(
-    frame: Frame,
-    before: Sequence[Located],
-    after: Sequence[Located],
-    found: Mapping[int, Located],
+    frame: Frame, before: Sequence[Located], after: Sequence[Located]
 ) -> Mapping[int, Located]:
-    """What came to light of things of which a part showed, and that weren't found otherwise.
+    """What came to light of things of which a part showed.
 
     Several parts may have been of one thing.
 
     Args:
         frame: The table before.
-        before: What isn't where it was.
-        after: What wasn't where it is.
-        found: What was found of it.
+        before: What wasn't found again so far.
+        after: What is new and was taken for nothing so far.
     """
-    taken = {id(other.sighting) for other in found.values()}
-    whole = [o for o in after if o.where == "table" and id(o.sighting) not in taken]
+    whole = [other for other in after if other.where == "table"]
     more: dict[int, Located] = {}
     for one in before:
         part = one.sighting
-        if one.where != "table" or part.thing.nameable or id(part) in found:
+        if one.where != "table" or part.thing.nameable:
             continue
         best = max((_agreement(one, other) for other in whole), default=0.0)
         around = [

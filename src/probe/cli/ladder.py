@@ -19,7 +19,6 @@ from probe.scores.row import Entrant
 from probe.tasks.suite_file import read_suite
 from probe.train.ladder import ladder as climbed
 from probe.train.ladder import markdown
-from probe.transcripts.prompts import setting_named
 
 
 def ladder(runs: RunFolders, out: Path = Path("outputs/ladder.md")) -> None:
@@ -50,6 +49,5 @@ def _episodes(folder: Path) -> Iterator[tuple[Entrant, EpisodeRecord, bool]]:
     tell_unsummed(folder)
     rows = rows_of(folder, read_suite(folder / SUITE), played)
     for row, (_, record, _) in zip(rows, played, strict=True):
-        tools = not record.setting or has_tools(setting_named(record.setting))
-        if tools and not row.missing:
+        if has_tools(record.setting) and not row.missing:
             yield row.entrant, record, row.correct
