@@ -44,6 +44,24 @@ class Uneven(FaultyDriver):
         return shot._replace(depth=(9000 + self.taken).to_bytes(2, "little") + shot.depth[2:])
 
 
+@pytest.mark.parametrize(("noisy", "expected"), [(True, ""), (False, "stale frames")])
+def test_depth_may_be_the_same_each_time_where_colours_are_not(
+    bridge: Running, noisy: bool, expected: str
+):
+    class Steady(FaultyDriver):
+        taken = 0
+
+        def frame(self, camera: str, rgb: bool) -> Shot:
+            shot = self.well.frame(camera, rgb)
+            self.taken += noisy
+            depth = (9000).to_bytes(2, "little") + shot.depth[2:]
+            colours = bytes([self.taken]) + (shot.rgb or b"")[1:]
+            return shot._replace(depth=depth, rgb=colours)
+
+    bridge.robot._driver = Steady(bridge.robot._driver)
+    assert fault(bridge) == expected
+
+
 def test_depth_in_millimetres(bridge: Running):
     plant(bridge.robot, "depth in millimetres", 0)
     assert fault(bridge) == "depth in millimetres"

@@ -96,7 +96,8 @@ def _wrong_times(
     old = sum(each.asked - each.picture.stamp > STALE for each in taken)
     stamps = [each.picture.stamp for each in taken]
     standing = sum(two <= one for one, two in zip(stamps, stamps[1:]))
-    same = sum(a.picture.depth == b.picture.depth for a, b in zip(taken, taken[1:]))
+    seen = [(each.picture.depth, each.picture.rgb) for each in taken]
+    same = sum(one == two for one, two in zip(seen, seen[1:]))
     remedy = "Let the driver wait for a picture that was taken after the call, with its own stamp."
     if old >= _OFTEN:
         text = f"{old} of {len(taken)} pictures were over {STALE} s old when they were asked for."
