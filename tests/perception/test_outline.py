@@ -1,4 +1,5 @@
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -42,10 +43,15 @@ def test_shape_words_do_not_depend_on_the_direction(angle):
     assert shape_word(slanted(120, 20, angle), np.zeros(5)) == "long"
     assert shape_word(slanted(100, 60, angle), np.array([0.0, 0.0, 0.05, 0.05])) == "boxy"
     assert shape_word(slanted(100, 60, angle), np.full(5, 0.02)) == "flat boxy"
+    assert shape_word(slanted(40, 38, angle), np.full(5, 0.02)) == "flat boxy"
 
 
-def test_round_and_irregular():
-    assert shape_word(disc(100, 100, 40), np.zeros(5)) == "round"
+@pytest.mark.parametrize("radius", [8, 20, 40])
+def test_discs_are_round(radius: int):
+    assert shape_word(disc(100, 100, radius), np.zeros(5)) == "round"
+
+
+def test_a_ring_is_irregular_or_long():
     ring = disc(100, 100, 40) & ~disc(120, 100, 35)
     assert shape_word(ring, np.zeros(5)) in ("irregular", "long")
 

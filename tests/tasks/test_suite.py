@@ -8,7 +8,7 @@ from probe.assets.library import open_library
 from probe.errors import BadData
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.setup import ROOM_TABLE
-from probe.tasks.suite import check_objects, freeze
+from probe.tasks.suite import Suite, check_objects, freeze
 from probe.types import Pose
 from task_examples import FIND
 
@@ -36,3 +36,10 @@ def test_a_suite_knows_its_objects_by_its_own_looks(cache):
         check_objects(suite, library)
     with pytest.raises(BadData, match="proc_lime has changed since"):
         check_objects(replace(suites[1], objects=suites[0].objects), library)
+
+
+def test_a_suite_is_gone_through_task_by_task():
+    other = replace(FIND, id="find-2")
+    suite = Suite("small", (FIND, other), {})
+    assert list(suite) == [FIND, other] and len(suite) == 2
+    assert FIND in suite and suite["find-2"] == other

@@ -46,7 +46,7 @@ def stays_untouched(sigma, exact):
             handles.resolve(name, later)
         changes = compare(first.look, later.look)
         assert {change.fate for change in changes.things} == {"stayed"}
-        assert not bystander_words(changes, changes.things[0].before)
+        assert not bystander_words(changes, changes.things[0].before, {})
 
 
 @pytest.mark.parametrize("sigma", [pytest.param(0.001, marks=pytest.mark.slow), 0.003])

@@ -142,6 +142,28 @@ def test_an_id_holds_until_a_reply_says_that_its_thing_has_moved(by: int, same: 
     assert (id_of("blue book") == book) is same
 
 
+def test_what_has_moved_is_told_with_its_new_id():
+    shed = Toolshed(
+        PaintedStation([MUG, BOOK, BALL]),
+        Oracle(SPECS),
+        Skills("removed", [moved(BOOK, 90), moved(BALL, 90)], [MUG]),
+        UR5_TABLE,
+    )
+
+    def id_of(name: str) -> str:
+        return yaml.safe_load(shed.call("find_object", {"description": name}).text)["object_id"]
+
+    mug, book = id_of("red mug"), id_of("blue book")
+    reply = shed.call("grasp_and_remove", {"object_id": mug}).text
+    assert (book, id_of("blue book")) == ("object_2", "object_3")
+    place = "[{}, {}]".format(
+        *yaml.safe_load(shed.call("find_object", {"description": "blue book"}).text)["point"]
+    )
+    assert f"blue book by about 5 cm, to {place} (object_3 now)" in reply
+    # Nobody had an id for the ball.
+    assert "white ball by about 5 cm, to" in reply and reply.count(" now)") == 1
+
+
 def test_of_two_like_things_that_moved_it_is_not_said_which_went_where():
     twin = Block(45, (850, 450, 929, 529), height=0.08, colour=(240, 240, 240))
     went = [moved(BALL, -300), moved(twin, -100)]
@@ -184,6 +206,29 @@ def test_what_came_to_light_is_named_where_it_may_be_what_was_not_found():
     half = replace(part, box=(640, 450, 679, 529), height=0.09, share=1.0)
     also = beside_a_part(part, lid, half)
     assert "that was at [319, 409], unless it is green die at [639, 489]." in also
+
+
+def test_a_part_that_is_not_found_may_belong_to_anything_that_came_to_light():
+    green, gray = ((44, (40, 120, 40)), (45, (90, 90, 90)))
+    new = [
+        Block(number, (500 + 200 * k, 650, 579 + 200 * k, 729), 0.04, colour)
+        for k, (number, colour) in enumerate((green, gray))
+    ]
+    also = beside_a_part(SLIVER, *new)
+    assert (
+        "(white, what shows is flat boxy) that was at [319, 409], unless it belongs to something "
+        "that has come to light."
+    ) in also
+    nothing_new = beside_a_part(SLIVER)
+    assert "that was at [319, 409]. Manipulations" in nothing_new
+
+
+def test_how_high_something_lies_that_has_tipped_is_not_told():
+    lower = replace(moved(BALL, -300), height=0.03)
+    assert "down in height" in told("red mug", Skills("removed", [BOOK, lower], [MUG])).text
+    tipped = replace(lower, box=(300, 430, 339, 589))
+    text = told("red mug", Skills("removed", [BOOK, tipped], [MUG])).text
+    assert "turned or tipped" in text and "in height" not in text
 
 
 @pytest.mark.parametrize(("said", "moved_by"), [("moved that way, to", 0.12), ("is now at", 0.03)])

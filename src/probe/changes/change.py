@@ -31,7 +31,8 @@ class Change:
         after: As it is seen now; None if it isn't.
         shift: How its middle moved on the table, metres, shape (3,); zeros elsewhere.
         at_least: Whether it may have moved further, as it shows less of itself.
-        doubtful: Of what is covered or lost: whether something that shows now may yet be it.
+        doubtful: Of what is covered or lost: whether something that shows now may yet be it, or
+            what a part belongs to.
         partly: Of what shows: whether that is much more or less of it than before, though the
             picture's edge doesn't cut it off.
         perhaps: Of what is doubtful: the only thing come to light that may be it, if there is one.

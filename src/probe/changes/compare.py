@@ -56,7 +56,7 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
         if id(sighting) in stayed
         else _elsewhere(before, after, sighting, found[id(sighting)])
         if id(sighting) in found
-        else _gone(before, after, sighting, new, only_like(sighting, left, rest))
+        else _gone(before, after, sighting, new, left, rest)
         for sighting in before.things
     )
     in_basket = tuple(other.sighting for other in rest if other.where == "basket")
@@ -90,14 +90,31 @@ def _without(
 
 
 def _gone(
-    before: Look, after: Look, one: Sighting, new: Sequence[Located], perhaps: Sighting | None
+    before: Look,
+    after: Look,
+    one: Sighting,
+    new: Sequence[Located],
+    left: Sequence[Located],
+    rest: Sequence[Located],
 ) -> Change:
-    """What became of something that wasn't found again, and what it may be of what is new."""
+    """What became of something that wasn't found again, and what it may be of what is new.
+
+    Args:
+        before: The first look.
+        after: The second look.
+        one: Of the first look.
+        new: All that isn't known by its place.
+        left: All that wasn't found again.
+        rest: Of what is new, what was taken for nothing.
+    """
     mask = one.thing.mask
     if still_there(before.table, after.table, mask) > _STILL:
         return Change(one, "stayed", None, np.zeros(3))
     fate: Fate = "covered" if covered(before.table, after.table, mask) else "lost"
-    doubtful = any(may_be(one, it.sighting) for it in new)
+    like = any(may_be(one, it.sighting) for it in new)
+    # A lid is of another colour than its pot: a part may belong to whatever came to light.
+    doubtful = like or (not one.thing.nameable and any(it.where == "table" for it in rest))
+    perhaps = only_like(one, left, rest)
     return Change(one, fate, None, np.zeros(3), doubtful, perhaps=perhaps)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from probe.changes.matching import Located, again, not_found
-from probe.changes.parts import is_clear, uncovered
+from probe.changes.parts import is_clear, may_lie_there, uncovered
 from probe.changes.sighting import Sighting
 from probe.types import Frame
 
@@ -27,13 +27,24 @@ def found_again(
     found = {**again(known, after, held)}
     found |= _by_name(*not_found(before, after, found))
     found |= uncovered(frame, *not_found(before, after, found))
-    left, rest = not_found(before, after, found)
-    by_looks = again(left, rest, held)
-    for one in left:
-        other = by_looks.get(id(one.sighting))
-        if other is not None and (one.sighting is held or is_clear(one, other, left, rest)):
-            found[id(one.sighting)] = other
-    return found
+    return found | _by_looks(frame, *not_found(before, after, found), held)
+
+
+def _by_looks(
+    frame: Frame, before: Sequence[Located], after: Sequence[Located], held: Sighting | None
+) -> Mapping[int, Located]:
+    """What was held, and parts that nothing but one thing can be."""
+    found = again(before, after, held)
+    _, new = not_found(before, after, found)
+    return {
+        id(one.sighting): other
+        for one in before
+        if (other := found.get(id(one.sighting))) is not None
+        and (
+            one.sighting is held
+            or (is_clear(one, other, before, after) and not may_lie_there(frame, one, new))
+        )
+    }
 
 
 def _by_name(before: Sequence[Located], after: Sequence[Located]) -> Mapping[int, Located]:

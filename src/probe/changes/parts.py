@@ -91,6 +91,22 @@ def is_clear(
     return max(rivals, default=0.0) <= _agreement(one, other) - _CLEAR
 
 
+def may_lie_there(frame: Frame, one: Located, new: Sequence[Located]) -> bool:
+    """Whether something new on the table lies where a part was, and may be what it belongs to.
+
+    Args:
+        frame: The table before.
+        one: The part.
+        new: What was taken for nothing.
+    """
+    mask = one.sighting.thing.mask
+    return any(
+        _agreement(one, other) > 0 and about_there(frame, mask, other.sighting.thing.mask)
+        for other in new
+        if one.where == other.where == "table"
+    )
+
+
 def _agreement(one: Located, other: Located) -> float:
     """Of colours, where one may be the other."""
     if not may_be(one.sighting, other.sighting):

@@ -53,9 +53,9 @@ def covered(before: Frame, after: Frame, mask: Array) -> bool:
 
 
 def has_turned(before: Frame, after: Frame, was: Array, now: Array) -> bool:
-    """Whether a thing whose middle has stayed lies otherwise: little is where or as high as it was.
+    """Whether a thing whose middle has stayed may lie otherwise: little is as and where it was.
 
-    One that shows much more or less of itself than before has, if the rest shows elsewhere.
+    Of one that shows much more or less of itself than before, what shows both times tells.
 
     Args:
         before: The first frame.
@@ -65,7 +65,7 @@ def has_turned(before: Frame, after: Frame, was: Array, now: Array) -> bool:
     """
     both, sizes = np.count_nonzero(was & now), (np.count_nonzero(was), np.count_nonzero(now))
     if min(sizes) < _SAME_AREA * max(sizes):
-        return bool(both < _OVERLAPS * min(sizes))
+        return bool(both < _OVERLAPS * min(sizes)) or still_there(before, after, was & now) < _LIES
     share = both / np.count_nonzero(was | now)
     return bool(share < _OVERLAPS) or still_there(before, after, was) < _LIES
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from scipy.ndimage import distance_transform_edt
+from scipy.spatial import ConvexHull
 
 from probe.types import Array
 
@@ -64,14 +65,26 @@ def shape_word(mask: Array, heights: Array) -> str:
 
 
 def _proportions(mask: Array) -> tuple[float, float]:
-    """Elongation along the principal axes, and the share of that oriented box that is filled."""
+    """Elongation of the smallest box around the visible part, and the share of it that is filled.
+
+    One side of the smallest box lies along an edge of the convex hull (Freeman and Shapira,
+    "Determining the minimum-area encasing rectangle for an arbitrary closed curve", CACM 18(7),
+    1975).
+    """
     rows, columns = np.nonzero(mask)
-    centred = np.column_stack([columns, rows]) - [columns.mean(), rows.mean()]
-    _, axes = np.linalg.eigh(centred.T @ centred)
-    along = centred @ axes
-    extent = np.ptp(along, axis=0) + 1
-    long, short = float(extent.max()), float(extent.min())
-    # The principal axes of a square are arbitrary; its upright box then tells more.
-    upright = np.ptp(centred, axis=0) + 1
-    area = min(long * short, float(upright[0] * upright[1]))
-    return long / short, len(rows) / area
+    corners = _corners(rows, columns)
+    edges = np.diff(corners, axis=0, append=corners[:1])
+    angles = np.unique(np.arctan2(edges[:, 1], edges[:, 0]) % (np.pi / 2))
+    across = np.column_stack([np.cos(angles), np.sin(angles)])
+    down = np.column_stack([-np.sin(angles), np.cos(angles)])
+    widths, heights = (np.ptp(corners @ way.T, axis=0) for way in (across, down))
+    best = int((widths * heights).argmin())
+    long, short = sorted((float(widths[best]), float(heights[best])), reverse=True)
+    return long / short, len(rows) / (long * short)
+
+
+def _corners(rows: Array, columns: Array) -> Array:
+    """Corners of the convex hull of pixels, squares of side 1, in order, shape (n, 2)."""
+    pixels = np.column_stack([columns, rows])
+    corners = np.vstack([pixels + np.array(off) for off in ((0, 0), (0, 1), (1, 0), (1, 1))])
+    return corners[ConvexHull(corners).vertices].astype(float)

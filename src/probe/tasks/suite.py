@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -37,6 +37,14 @@ class Suite:
     commitment: str | None = None
     pool: Pool | None = None
     headline: HeadlineErrors | None = None
+
+    def __iter__(self) -> Iterator[Task]:
+        """Its tasks, in their order."""
+        return iter(self.tasks)
+
+    def __len__(self) -> int:
+        """How many tasks there are."""
+        return len(self.tasks)
 
     def __getitem__(self, task: str) -> Task:
         """A task by its id.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from probe.changes.change import Change, Changes
 from probe.changes.sighting import Sighting
@@ -12,13 +12,19 @@ from probe.toolshed.outcomes import at_least, bracketed, lying, perhaps
 _HIGHER_CM = 2
 
 
-def bystander_words(changes: Changes, seen: Sighting) -> str:
+def bystander_words(changes: Changes, seen: Sighting, renamed: Mapping[int, str]) -> str:
     """A sentence for each way in which others have moved or gone; empty if none has.
 
     Args:
         changes: What became of everything.
         seen: What the manipulation was about; it isn't told of.
+        renamed: New object_ids of what has moved, by the id() of the earlier sighting.
     """
+
+    def with_id(told: str, change: Change) -> str:
+        new = renamed.get(id(change.before))
+        return f"{told} ({new} now)" if new else told
+
     others = changes.but(seen)
     alike = _of_one_name([c for c in others if c.fate == "moved" and c.before.thing.nameable])
     mixed = {id(c) for group in alike for c in group}
@@ -38,11 +44,11 @@ def bystander_words(changes: Changes, seen: Sighting) -> str:
             "Shows in the basket, where it may have lain before",
             [bracketed(s.thing.words.called) for s in changes.maybe_in_basket],
         ),
-        _sentence("Also moved", [_moved(c) for c in moved if c.before.thing.nameable]),
+        _sentence("Also moved", [with_id(_moved(c), c) for c in moved if c.before.thing.nameable]),
         _sentence("Also moved, and which is which can't be told", map(_together, alike)),
         _sentence(
             "May have moved, as only a part showed before",
-            [_shown(c) for c in moved if not c.before.thing.nameable],
+            [with_id(_shown(c), c) for c in moved if not c.before.thing.nameable],
         ),
         _sentence(
             "Beside the basket, at the edge of the picture or outside it",
@@ -99,9 +105,13 @@ def _shown(change: Change) -> str:
 
 
 def _way(change: Change) -> str:
-    """How far along the table, and how far up or down if that is much."""
+    """How far along the table, and how far up or down if that is much.
+
+    Of what has turned or tipped, another side shows, whose height tells little of the thing's.
+    """
     shift = change.shift
-    way, down = 100 * math.hypot(*shift[:2]), round(-100 * float(shift[2]))
+    way = 100 * math.hypot(*shift[:2])
+    down = 0 if change.turned else round(-100 * float(shift[2]))
     along = at_least(way) if change.at_least else round(way)
     about = "at least" if change.at_least and along else "about"
     told = [f"{about} {along} cm"] if along or abs(down) < _HIGHER_CM else []

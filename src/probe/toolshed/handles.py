@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -82,19 +83,29 @@ class Handles:
         self._looks[name] = _Look.at(thing, frame)
         return name
 
-    def follow(self, changes: Changes, before: Frame, now: Frame) -> None:
-        """Keep the handles of all that is still about where it was, and shows.
+    def follow(self, changes: Changes, before: Frame, now: Frame) -> Mapping[int, str]:
+        """Keep the handles of what is still about where it was, and give what has moved new ones.
 
         Args:
             changes: What became of everything.
             before: The table's frame before.
             now: And after.
+
+        Returns:
+            The new handles of things that had one, by the id() of their earlier sighting.
         """
+        renamed: dict[int, str] = {}
         for change in changes.things:
-            if change.fate == "stayed" and change.after is not None:
-                name = self._known(change.before.thing, before)
-                if name is not None:
-                    self._looks[name] = _Look.at(change.after.thing, now)
+            if change.after is None or change.fate not in ("stayed", "moved", "turned"):
+                continue
+            name = self._known(change.before.thing, before)
+            if name is None:
+                continue
+            if change.fate == "stayed":
+                self._looks[name] = _Look.at(change.after.thing, now)
+            else:
+                renamed[id(change.before)] = self.issue(change.after.thing, now)
+        return renamed
 
     def _known(self, thing: Thing, frame: Frame) -> str | None:
         now = _Look.at(thing, frame)

@@ -175,7 +175,10 @@ def _unfound(object_id: str, change: Change) -> str:
     if change.perhaps:
         return f"{object_id} was not found again{perhaps(change)}."
     if change.doubtful:
-        return f"{object_id} was not found again; it may be something of which only a part shows."
+        return (
+            f"{object_id} was not found again: it may have left the picture, or be something of "
+            "which only a part shows."
+        )
     if change.fate == "covered":
         return f"{object_id} shows no longer; something has come over the place where it was."
     return f"{object_id} shows neither on the table nor in the basket."
@@ -192,9 +195,10 @@ def at_least(way: float) -> int:
 
 
 def perhaps(change: Change) -> str:
-    """What follows when a thing isn't found: the only one come to light that it may be."""
+    """What follows when a thing isn't found: what has come to light that it may be."""
     if change.perhaps is None:
-        return ""
+        open_to_all = change.doubtful and not change.before.thing.nameable
+        return ", unless it belongs to something that has come to light" if open_to_all else ""
     thing = change.perhaps.thing
     return f", unless it is {bracketed(thing.words.called)} at {list(thing.point_px)}"
 

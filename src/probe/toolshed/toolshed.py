@@ -9,7 +9,7 @@ from typing import assert_never
 from probe.asking import UnusableReply
 from probe.changes.change import Change, Changes
 from probe.changes.compare import compare
-from probe.changes.sighting import Look, including
+from probe.changes.sighting import Look, Sighting, including
 from probe.perception.matching import Match, match, nearest
 from probe.perception.pointer import Finder
 from probe.perception.scene_graph import SceneDescriber
@@ -178,11 +178,11 @@ class Toolshed:
     def _issue(self, thing: Thing) -> str:
         return self._handles.issue(thing, self._view.frame)
 
-    def _noted(self, changes: Changes, before: Look) -> Changes:
-        """The changes since a look, once views and handles know of them."""
+    def _noted(self, changes: Changes, seen: Sighting, before: Look) -> tuple[Change, str]:
+        """What became of a thing since a look, and of others in words; views and handles follow."""
         self._view.remember(changes)
-        self._handles.follow(changes, before.table, self._view.frame)
-        return changes
+        renamed = self._handles.follow(changes, before.table, self._view.frame)
+        return changes.of(seen), bystander_words(changes, seen, renamed)
 
     def _handle_now(self, name: str, change: Change) -> str:
         """What a thing that was found on the table is called from now on."""
@@ -210,11 +210,10 @@ class Toolshed:
             return self._told(nothing_moved(outcome.status, name), thing)
         self._view.show(outcome.frame)
         held = seen if outcome.status == "removed" else None
-        changes = compare(before, self._view.look, held)
-        change = self._noted(changes, before).of(seen)
+        change, others = self._noted(compare(before, self._view.look, held), seen, before)
         now = self._handle_now(name, change)
         told = grasp_words(outcome.status, name, change, now, outcome.shove)
-        return self._told(told, thing, bystander_words(changes, seen))
+        return self._told(told, thing, others)
 
     def _push(self, request: Push) -> ToolResult:
         name, thing = request.object_id, self._take_up(request.object_id)
@@ -227,11 +226,10 @@ class Toolshed:
         if outcome.frame is before.table:
             return self._told(nothing_moved(outcome.status, name), thing)
         self._view.show(outcome.frame)
-        changes = compare(before, self._view.look)
-        change = self._noted(changes, before).of(seen)
+        change, others = self._noted(compare(before, self._view.look), seen, before)
         now = self._handle_now(name, change)
         told = push_words(outcome.status, name, change, outcome.moved, asked, now)
-        return self._told(told, thing, bystander_words(changes, seen))
+        return self._told(told, thing, others)
 
     def _answer(self, request: AnswerQuestion) -> ToolResult:
         """Record an answer.
