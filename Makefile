@@ -6,6 +6,8 @@ WORKERS ?= 3
 
 .PHONY: help demo docs test test-slow check bench mutants format driver browser
 .DELETE_ON_ERROR:
+# Where this is set, each of the many processes that tests start compiles all of its modules again.
+unexport PYTHONDONTWRITEBYTECODE
 
 help:
 	@echo "make demo       a scripted agent solves a task of each of seven types; outputs/demo/index.html"
