@@ -10,7 +10,6 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import (
-    SIDES_TOLERANCE,
     TWIN_TOLERANCE,
     draw_alike,
     is_lying,
@@ -35,8 +34,8 @@ SHORTEST, LONGEST = 0.086, 0.105
 """Length in metres of what is asked for: some covers have room for it, and some are too small."""
 
 NEEDS = (
-    f"{CANDIDATES} things {100 * SHORTEST:g} to {100 * LONGEST:g} cm long, lying, alike in length, "
-    f"width and height to {TWIN_TOLERANCE:.0%}, {WIDE + SMALL - 1} that are shorter by "
+    f"{CANDIDATES} things {100 * SHORTEST:g} to {100 * LONGEST:g} cm long, lying, alike in length "
+    f"to {TWIN_TOLERANCE:.0%}, {WIDE + SMALL - 1} that are shorter by "
     f"{LONGER - 1:.0%}, all unlike in name and colour; {WIDE} hollow covers with room for any of "
     f"these, and {SMALL} that are too small for the long ones"
 )
@@ -73,6 +72,8 @@ def select_budgeted(library: Library, plan: TaskPlan, rng: np.random.Generator) 
 def _hidden(library: Library, rng: np.random.Generator) -> Hidden:
     """Draw what lies beneath: five alike, and things clearly shorter, the tiniest ones last.
 
+    The five may be of any width and height: covers stand on the table, over whatever is there.
+
     Raises:
         Rejected: The library has too few.
     """
@@ -82,7 +83,6 @@ def _hidden(library: Library, rng: np.random.Generator) -> Hidden:
         TWIN_TOLERANCE,
         CANDIDATES,
         rng,
-        sides=SIDES_TOLERANCE,
         leads=library.leads,
     )
     length = min(map(longest, candidates))

@@ -17,7 +17,6 @@ from probe.question_types.budgeted.truth import which_is_so_long
 from probe.tasks.english import listed
 from probe.tasks.task import Task
 from probe.verification.necessary import necessary_problems
-from probe.verification.options import sides_problems
 from probe.verification.remeasure import Remeasurement
 from probe.verification.side_by_side import hiding_problems, silhouettes_of
 from probe.verification.subjects import instances_called, spec_of
@@ -43,7 +42,6 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
     covers = _covers(task, library)
     if len(covers) != WIDE + SMALL or task.cover not in covers:
         yield f"its subject is {ascii(task.subject)}, not five covers of which one is its own"
-    yield from sides_problems(task, library)
     shortest = min(map(longest, _candidates(task, library)))
     ids = [task.scene[number].object_id for number in covers]
     small = sum(too_small(library, object_id, shortest) for object_id in ids)
