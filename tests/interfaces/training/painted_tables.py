@@ -33,8 +33,11 @@ TASKS = tuple(allowed_task(number) for number in range(1, 5))
 ORDER = RunOrder("learner", setting="text-only, short graphs")
 
 
-def painted_tables(folder: Path, **more: Any) -> TrainingTables:
+THINGS = {it.object_id: (1.0, 2.0) for task in TASKS for it in task.scene.objects}
+PRACTICE = Suite("practice", TASKS, THINGS)
+
+
+def painted_tables(folder: Path, suite: Suite = PRACTICE, **more: Any) -> TrainingTables:
     """Tables at which a grasp kills the process as often as the file "deaths" says."""
-    suite = Suite("practice", TASKS, {})
     library = partial(open_library, "procedural", None, folder)
     return TrainingTables(suite, PaintedPlace(ORDER, library, folder / "deaths"), **more)

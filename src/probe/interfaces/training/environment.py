@@ -6,7 +6,7 @@ import inspect
 from collections.abc import Callable
 from dataclasses import replace
 from functools import wraps
-from typing import Concatenate, Literal, ParamSpec
+from typing import Concatenate, ParamSpec
 
 from probe.bench.process_pool import EpisodeProcessLost
 from probe.episodes.files import line_of, record_of
@@ -18,7 +18,9 @@ from probe.interfaces.training.seat import Seat
 from probe.interfaces.training.tables import TrainingTables
 from probe.runs.work import failed
 from probe.runs.worker_messages import EpisodeFinished, FinishEpisode
+from probe.tasks.task import Letter
 from probe.toolshed.refusals import EpisodeOver
+from probe.toolshed.skills import Direction
 from probe.transcripts.result_texts import ResultTexts
 
 Said = ParamSpec("Said")
@@ -88,6 +90,7 @@ class ProbeEnv:
     @_tool
     def perceive_scene(self) -> str:
         """List the objects that the camera sees now, each with its object_id and a point on it.
+
         What is hidden by others is in no list.
         """
         ...
@@ -111,25 +114,18 @@ class ProbeEnv:
         ...
 
     @_tool
-    def push(
-        self,
-        object_id: str,
-        direction: Literal["up", "down", "left", "right"],
-        distance_cm: float,
-    ) -> str:
+    def push(self, object_id: str, direction: Direction, distance_cm: float) -> str:
         """Push an object over the table, with what stands ahead of it.
 
         Args:
             object_id: Such as "object_1".
             direction: As the camera sees it.
-            distance_cm: 3 to 20.
+            distance_cm: 3 to 20. The picture is 58 cm wide.
         """
         ...
 
     @_tool
-    def answer_question(
-        self, choice: Literal["A", "B", "C", "D", "E"], point: list[float] | None = None
-    ) -> str:
+    def answer_question(self, choice: Letter, point: list[float] | None = None) -> str:
         """Give the final answer, once.
 
         Args:

@@ -14,7 +14,7 @@ from probe.bench.process_pool import EpisodeProcessPool
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, add_line, occupied, start_folder
 from probe.episodes.grading import question_of
-from probe.errors import ProbeError, UnknownName
+from probe.errors import BadData, ProbeError, UnknownName
 from probe.interfaces.training.permission import check_for_training
 from probe.interfaces.training.seat import Seat
 from probe.runs.episode_worker import EpisodeWorkerSetup
@@ -22,6 +22,7 @@ from probe.runs.plan import Job, RunOrder
 from probe.tasks.suite import Suite
 from probe.transcripts.messages import opening
 from probe.transcripts.prompts import Graphs, graphs_of
+from probe.types import USUAL_SCALE
 
 MOST = 64
 """Tables at once, if nobody says how many."""
@@ -53,7 +54,8 @@ class TrainingTables:
 
     Raises:
         NotForTraining: The suite has a task that models are evaluated on.
-        BadData: The folder is about another suite, or another run is at work there.
+        BadData: A task is for another set-up, the folder is about another suite, or another run is
+            at work there.
     """
 
     def __init__(
@@ -67,6 +69,7 @@ class TrainingTables:
     ) -> None:
         if not evaluation:
             check_for_training(suite)
+        _check_scale(suite)
         self._tasks = {task.id: task for task in suite}
         self._setup = setup
         self._most, self._out = most, out
@@ -160,3 +163,11 @@ class TrainingTables:
         if (out / RECORDS).exists():
             for record in read_records(out / RECORDS):
                 self._runs[record.task] = max(self._runs[record.task], record.run + 1)
+
+
+def _check_scale(suite: Suite) -> None:
+    """See that the tools' texts, which stand in docstrings, are true of all tasks."""
+    for task in suite.tasks:
+        if task.scale != USUAL_SCALE:
+            reason = f"{task.id} is for a set-up whose pictures show another part of the table"
+            raise BadData(suite.name, reason, "Train on tasks of the usual table")
