@@ -1,26 +1,24 @@
-"""TRL's own loop plays on real tables: GRPOTrainer, with a model whose replies are written here.
+"""TRL's own loop plays on painted tables: GRPOTrainer, with replies that are written here.
 
-`practice.json` holds two tasks that `probe collect` made. Only the sampling of replies is replaced:
-the trainer makes the environments, renders their tools, reads calls out of tokens, carries them
-out, asks for rewards and takes a step.
+Only the sampling of replies is replaced: the trainer makes the environments, renders their tools,
+reads calls out of tokens, carries them out, asks for rewards and takes a step.
 """
 
 from __future__ import annotations
 
 import json
 from functools import partial
-from pathlib import Path
 
 import pytest
 
-import probe
+from interfaces.training.painted_tables import painted_tables
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS
 from probe.interfaces.training.environment import ProbeEnv
 from probe.train.tune import libraries
 from small_models import small_dataset, small_model
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
-
-PRACTICE = Path(__file__).with_name("practice.json")
 
 
 def called(name: str, **arguments: object) -> str:
@@ -30,7 +28,7 @@ def called(name: str, **arguments: object) -> str:
 def replies(letter: str) -> list[str]:
     return [
         called("perceive_scene"),
-        called("find_object", description="(512, 512)"),
+        called("find_object", description="white ball"),
         called("answer_question", choice=letter),
         called("push", object_id="object_1", direction="up", distance_cm=5),
         "I have answered.",
@@ -71,38 +69,26 @@ def trained(tmp_path_factory):
         logging_steps=1,
         save_strategy="no",
     )
-    with probe.training_tables(
-        probe.load_suite(PRACTICE), tables=4, out=folder / "records"
-    ) as tables:
+    with painted_tables(folder, most=4, out=folder / "records") as tables:
         trainer = Scripted(
             transformers.AutoModelForCausalLM.from_pretrained(model),
             args=settings,
-            train_dataset=libraries.part("datasets").Dataset.from_list(tables.rows()),
+            train_dataset=libraries.part("datasets").Dataset.from_list(tables.rows()[:2]),
             processing_class=transformers.AutoTokenizer.from_pretrained(model),
             environment_factory=partial(ProbeEnv, tables),
         )
         trainer.train()
-        rewards = {
-            (env.record.task, env.record.run): env.get_reward() for env in trainer.environments
-        }
+        rewards = [env.get_reward() for env in trainer.environments]
     return trainer, rewards, folder / "records"
 
 
 def test_every_rollout_has_its_reward_and_calls_after_the_answer_do_nothing(trained):
     trainer, rewards, records = trained
-    assert list(rewards.values()) == [1.0, 0.0, 1.0, 0.0]
+    assert rewards == [1.0, 0.0, 1.0, 0.0]
     log = trainer.state.log_history[0]
     assert log["reward"] == 0.5 and log["rewards/ProbeEnv/mean"] == 0.5
     assert log["tools/failure_frequency"] == 0
     assert all("The episode has ended; no further call" in text for text in trainer.told)
     names = ["perceive_scene", "find_object", "answer_question"]
-    for record in probe.read_records(records):
+    for record in read_records(records / RECORDS):
         assert [step.call.name for step in record.steps] == names
-
-
-def test_rewards_are_the_grades_of_the_records(trained):
-    _, rewards, records = trained
-    assert probe.rescore(records).missing == 0
-    lines = (records / "rows.jsonl").read_text().splitlines()
-    rows = {(row["task"], row["run"]): row["correct"] for row in map(json.loads, lines)}
-    assert len(rows) == 4 and rows == {key: bool(reward) for key, reward in rewards.items()}

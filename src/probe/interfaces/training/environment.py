@@ -41,7 +41,7 @@ def _tool(described: Callable[Concatenate[ProbeEnv, Said], str]) -> Callable[...
     names = list(inspect.signature(described).parameters)[1:]
 
     @wraps(described)
-    def called(env: ProbeEnv, *values: object, **named: object) -> str:
+    def called(env: ProbeEnv, /, *values: object, **named: object) -> str:
         given = dict(zip(names, values, strict=False)) | named
         return env._call(Call.of(described.__name__, given))  # pyright: ignore[reportPrivateUsage]
 
