@@ -38,11 +38,14 @@ if TYPE_CHECKING:
     from probe.api.runs import read_records, run
     from probe.api.scenes import make_scene, photograph, visibility
     from probe.api.suites import build_suite, load_suite, open_library
+    from probe.api.training import training_tables
     from probe.assets.library import Library
     from probe.episodes.noise import Noise
     from probe.episodes.record import EpisodeRecord
     from probe.episodes.turns import Agent, Call, Question, Turn
     from probe.errors import ProbeError
+    from probe.interfaces.training.environment import ProbeEnv
+    from probe.interfaces.training.tables import TrainingTables
     from probe.perception.choice import Perceiver, Perception, enrolled, pointing, segmented
     from probe.perception.things import Thing, Words
     from probe.render.renderer import Renderer
@@ -65,11 +68,14 @@ _HOMES = {
     "api.runs": ("read_records", "run"),
     "api.scenes": ("make_scene", "photograph", "visibility"),
     "api.suites": ("build_suite", "load_suite", "open_library"),
+    "api.training": ("training_tables",),
     "assets.library": ("Library",),
     "episodes.noise": ("Noise",),
     "episodes.record": ("EpisodeRecord",),
     "episodes.turns": ("Agent", "Call", "Question", "Turn"),
     "errors": ("ProbeError",),
+    "interfaces.training.environment": ("ProbeEnv",),
+    "interfaces.training.tables": ("TrainingTables",),
     "perception.choice": ("Perceiver", "Perception", "enrolled", "pointing", "segmented"),
     "perception.things": ("Thing", "Words"),
     "render.renderer": ("Renderer",),
@@ -99,6 +105,7 @@ __all__ = [
     "Perceiver",
     "Perception",
     "Pose",
+    "ProbeEnv",
     "ProbeError",
     "Question",
     "Renderer",
@@ -111,6 +118,7 @@ __all__ = [
     "Task",
     "Thing",
     "ToolResult",
+    "TrainingTables",
     "Turn",
     "Words",
     "WrittenReport",
@@ -135,6 +143,7 @@ __all__ = [
     "run",
     "score",
     "segmented",
+    "training_tables",
     "visibility",
     "write_report",
 ]

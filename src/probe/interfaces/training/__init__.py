@@ -1,0 +1,1 @@
+"""A place at our tables for trainers that learn from rewards. Imports no trainer."""
