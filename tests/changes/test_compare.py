@@ -325,8 +325,9 @@ def test_a_thing_that_fell_flat_has_tipped_though_it_lies_about_where_it_was():
     frame = standing.table
     left, _, right, _ = lid.box
     rise = np.linspace(0, 0.08, right + 1 - left, dtype=np.float32)
-    depth = frame.depth.copy()
-    depth[:, left : right + 1] -= np.where(frame.labels[:, left : right + 1] == 2, rise, 0)
+    depth, labels = frame.depth.copy(), frame.labels
+    assert labels is not None
+    depth[:, left : right + 1] -= np.where(labels[:, left : right + 1] == 2, rise, 0)
     table = replace(frame, depth=depth)
     leaning = replace(standing, table=table, things=sightings(table, Oracle(SPECS).detect(table)))
     assert fates(compare(leaning, look(lid)))["blue book"] == "turned"

@@ -27,7 +27,7 @@ def found_again(
     found = {**again(known, after, held)}
     found |= _by_name(*not_found(before, after, found))
     found |= uncovered(frame, *not_found(before, after, found))
-    return found | _by_looks(frame, *not_found(before, after, found), held)
+    return {**found, **_by_looks(frame, *not_found(before, after, found), held)}
 
 
 def _by_looks(
