@@ -15,7 +15,12 @@ _ENTRY = re.compile(
     r"  point: \[(\d+), (\d+)\]\n  box: \[(\d+), (\d+), (\d+), (\d+)\]\n"
 )
 _RELATION = re.compile(r"- (\d+) ([a-z_]+) (\d+)\n")
-_OBJECTS, _RELATIONS, _CLUTTERED, _CLEAR = "\nobjects:\n", "\nrelations:", "\ncluttered: ", "\nclear: "
+_OBJECTS, _RELATIONS, _CLUTTERED, _CLEAR = (
+    "\nobjects:\n",
+    "\nrelations:",
+    "\ncluttered: ",
+    "\nclear: ",
+)
 
 
 @dataclass(frozen=True)

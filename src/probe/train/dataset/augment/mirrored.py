@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field, replace
+from typing import Any, cast
 
 from probe.episodes.participation import Points
 from probe.episodes.record import EpisodeRecord, Step
@@ -131,18 +132,15 @@ class _Telling:
         return told
 
     def _call(self, call: Call) -> Call:
-        values = call.values
-        if not isinstance(values, dict) or Call.of(call.name, values, call.words) != call:
+        if not isinstance(call.values, dict) or call != Call.of(call.name, call.values, call.words):
             raise NotCertain(self.task, "a call is written in another way")
-        direction = values.get("direction") if call.name == "push" else None
+        said = dict(cast("dict[str, Any]", call.values))
+        direction = str(said.get("direction")) if call.name == "push" else None
         words = mirrored_words(call.words, direction)
         if words is None:
             raise NotCertain(self.task, "its teacher spoke freely")
-        if call.name == "find_object":
+        if call.name == "find_object" or "point" in said:
             return self._pointing(call, words)
-        if call.name == "answer_question" and "point" in values:
-            return self._pointing(call, words)
-        said = {**values}
         if "object_id" in said:
             said["object_id"] = self._with_new_ids(str(said["object_id"]))
         if direction is not None:

@@ -13,7 +13,9 @@ from dataclasses import replace
 from probe.train.dataset.augment.listing import Box, ListedThing, Listing, Place, Relation
 
 _SIDES = {"left_of": "right_of", "right_of": "left_of", "above": "above", "below": "below"}
-_REGIONS = [f"{row} {side}" for row in ("top", "middle", "bottom") for side in ("left", "centre", "right")]
+_REGIONS = [
+    f"{row} {side}" for row in ("top", "middle", "bottom") for side in ("left", "centre", "right")
+]
 _MIRRORED_REGION = {
     region: region.replace("left", "x").replace("right", "left").replace("x", "right")
     for region in _REGIONS
@@ -62,14 +64,14 @@ def level(things: Sequence[ListedThing]) -> list[tuple[ListedThing, ListedThing]
 
 
 def _mirrored_thing(it: ListedThing, side_px: int) -> ListedThing:
-    return replace(
-        it, point=mirrored_place(it.point, side_px), box=mirrored_box(it.box, side_px)
-    )
+    return replace(it, point=mirrored_place(it.point, side_px), box=mirrored_box(it.box, side_px))
 
 
 def _mirrored_relations(relations: Sequence[Relation], place: Mapping[int, int]) -> list[Relation]:
     """Relations by the things' new places: first where they are, then how they meet."""
-    sides = [_ordered(place[a], _SIDES[kind], place[b]) for a, kind, b in relations if kind in _SIDES]
+    sides = [
+        _ordered(place[a], _SIDES[kind], place[b]) for a, kind, b in relations if kind in _SIDES
+    ]
     contacts = [(place[a], kind, place[b]) for a, kind, b in relations if kind not in _SIDES]
     contacts = [
         (min(a, b), kind, max(a, b)) if kind == "touching" else (a, kind, b)

@@ -29,11 +29,11 @@ def mirrored_words(words: str, direction: str | None = None) -> str | None:
     if not words or _are_neutral(words):
         return words
     for pattern in _patterns():
-        found = pattern.fullmatch(words)
-        if found and _DIRECTION in pattern.groupindex and found[_DIRECTION] == direction:
+        if _DIRECTION not in pattern.groupindex or not (found := pattern.fullmatch(words)):
+            continue
+        if found[_DIRECTION] == direction and not has_sides(_slots(found)):
             start, end = found.span(_DIRECTION)
-            if not has_sides(_slots(found)):
-                return f"{words[:start]}{MIRRORED_DIRECTION[direction]}{words[end:]}"
+            return f"{words[:start]}{MIRRORED_DIRECTION[found[_DIRECTION]]}{words[end:]}"
     return None
 
 
