@@ -117,8 +117,7 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         dataset=run.begun.dataset,
         mark=run.begun.dataset_sha256,
         total=manifest.total,
-        objects=objects_told(manifest.objects),
-        augmented=augmented_told(manifest),
+        objects=" ".join(filter(None, [objects_told(manifest.objects), augmented_told(manifest)])),
         counts="\n".join(
             f"| {question_type} | {sum(settings.values()) - settings.get('direct', 0)} "
             f"| {settings.get('direct', 0)} |"
