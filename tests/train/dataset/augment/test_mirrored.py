@@ -12,7 +12,7 @@ from probe.episodes.record import EpisodeRecord, Step, TableState
 from probe.episodes.turns import Call
 from probe.perception.oracle import Oracle
 from probe.scene.setup import UR5_TABLE
-from probe.tasks.suite_file import demo_suite
+from probe.tasks.suite_file import demo_suite, packaged_suite
 from probe.toolshed.result import Answer
 from probe.toolshed.toolshed import Toolshed
 from probe.train.dataset.augment.certain import NotCertain
@@ -113,7 +113,7 @@ def test_mirrored_twice_it_is_the_same_again():
 
 
 def test_marks_in_the_question_are_mirrored():
-    task = next(task for task in demo_suite().tasks if task.question_type == "compare")
+    task = next(it for it in packaged_suite("v1").tasks if it.question_type == "compare")
     record = replace(played(BLOCKS, [LOOK]), task=task.id, question=question_of(task))
     (a, b) = task.marks
     assert f"A at ({a.point[0]}, {a.point[1]})" in task.question

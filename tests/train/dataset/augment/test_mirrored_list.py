@@ -81,7 +81,7 @@ def _contacts(listing):
 
 def test_equally_high_things_change_places():
     # Of odd width, so that the middle column is one.
-    blocks = [Block(1, (100, 100, 140, 190)), Block(2, (145, 100, 185, 190), 0.02)]
+    blocks = [Block(1, (100, 100, 140, 190)), Block(2, (141, 100, 181, 190), 0.02)]
     listing = read_listing(told(blocks))
     assert listing is not None and [it.object_id for it in listing.things] == [
         "object_1", "object_2",
