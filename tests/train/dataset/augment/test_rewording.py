@@ -34,7 +34,7 @@ def test_every_question_of_a_suite_is_asked_otherwise_with_the_same_in_it():
         if task.question_type in ("beneath", "behind"):
             assert f"the {task.subject}" in text.lower().replace("The", "the")
         if task.question_type == "count":
-            assert plural(task.subject) in text
+            assert str(plural(task.subject)) in text
 
 
 def test_slots_are_filled_as_the_generator_fills_them():
