@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from itertools import chain
 from typing import Literal
 
 from probe.api.resources import Pool, opener
@@ -18,9 +19,15 @@ from probe.errors import BadData
 from probe.files import check_new
 from probe.scene.setup import UR5_TABLE
 from probe.train.choose.chosen import LoadedSelection, read_selection
+from probe.train.dataset.augment.augmenting import (
+    Augmentation,
+    AugmentationWay,
+    augmented,
+)
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
 from probe.train.dataset.folder import Form, write_dataset
+from probe.train.dataset.manifest import augmented_told
 from probe.train.dataset.text_only import as_text_only, no_pictures
 from probe.transcripts.prompts import Graphs
 
@@ -36,6 +43,8 @@ def dataset(
     others: bool = True,
     setting: Literal["text-only"] | None = None,
     graphs: Graphs | None = None,
+    augment: list[AugmentationWay] | None = None,
+    seed: int = 0,
     pool: Pool = "procedural-2",
     workers: int = 2,
 ) -> None:
@@ -54,15 +63,20 @@ def dataset(
         setting: Tell the episodes as a student sees them in this setting; by default as the
             teacher did. In text-only there are no pictures.
         graphs: How lists are told in the setting text-only; by default in full.
+        augment: Tell each episode once more in each of these ways, where that is certain: mirrored
+            left to right, or with its question in another wording. Such examples are marked and
+            counted apart. In the setting text-only alone; by default nothing is told again.
+        seed: Chooses the wordings of --augment.
         pool: Where the objects are that appear; all built-in ones by default.
         workers: Processes that draw.
     """
     check_new(out)
     check_numbers({"--workers": workers})
-    _check(side, setting, graphs)
+    _check(side, setting, graphs, augment)
     chosen = read_selection(selected)
     if setting is not None:
         chosen = as_text_only(chosen, graphs or "full")
+    again = augmented(chosen.episodes, augment or [], seed)
     opened = opener(pool)
     things = opened()
     check(chosen.suite, things)
@@ -75,17 +89,24 @@ def dataset(
     counting = points or _points_of(chosen)
     specs = {spec.id: spec for spec in things.specs}
     form = Form(name, counting, side, others)
-    manifest = write_dataset(
-        out, _examples(chosen, worker if setting is None else None, counting), chosen, form, specs
-    )
+    examples = _examples(chosen, worker if setting is None else None, counting)
+    told_again = _told_again(again, counting)
+    manifest = write_dataset(out, chain(examples, told_again), chosen, form, specs, again)
     shutil.rmtree(kept, ignore_errors=True)
     say(
         f"{manifest.total} examples with {manifest.pictures} pictures are in {out}; "
         f"its README.md says what they are."
     )
+    if manifest.augmented:
+        say(augmented_told(manifest))
 
 
-def _check(side: int, setting: str | None, graphs: Graphs | None) -> None:
+def _check(
+    side: int,
+    setting: str | None,
+    graphs: Graphs | None,
+    augment: list[AugmentationWay] | None,
+) -> None:
     """See that each option is in range and does something."""
     whole = UR5_TABLE.picture_px
     if not _SMALLEST_PX <= side <= whole:
@@ -94,6 +115,9 @@ def _check(side: int, setting: str | None, graphs: Graphs | None) -> None:
         raise BadData("--side", f"does nothing with --setting {setting}", "Leave it out")
     if setting is None and graphs is not None:
         raise BadData("--graphs", "does nothing without --setting", "Say --setting text-only, too")
+    if setting is None and augment:
+        reason = "pictures can't be told again, only texts"
+        raise BadData("--augment", reason, "Say --setting text-only, too, or leave it out")
 
 
 def _examples(
@@ -103,6 +127,12 @@ def _examples(
     for task, record in track(chosen.episodes, "Writing"):
         shown = no_pictures(record) if worker is None else pictures_of(worker, record)
         yield example_of(task, record, shown, points)
+
+
+def _told_again(again: Augmentation, points: Points) -> Iterator[TrainingExample]:
+    """Examples of episodes that are told otherwise than they went, which have no pictures."""
+    for way, task, record in again.episodes:
+        yield example_of(task, record, no_pictures(record), points, way)
 
 
 def _points_of(chosen: LoadedSelection) -> Points:

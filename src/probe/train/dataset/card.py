@@ -9,7 +9,7 @@ from importlib.resources import files
 from probe.assets.spec import ObjectSpec
 from probe.scene.setup import UR5_TABLE
 from probe.train.choose.chosen import LoadedSelection
-from probe.train.dataset.manifest import Manifest, objects_told
+from probe.train.dataset.manifest import Manifest, augmented_told, objects_told
 
 _PLACES = {"pixels": "in pixels of a picture 1024 wide and high", "0-1000": "in thousandths"}
 
@@ -29,6 +29,8 @@ def card(
     for folder in ("llamafactory/", "vila/", "images/"):
         if not any(file.startswith(folder) for file in manifest.files):
             words = _without(words, f"| `{folder}`")
+    if not manifest.augmented:
+        words = _without(words, "- **Augmented**")
     document = chosen.document
     return words.format(
         name=name,
@@ -44,6 +46,7 @@ def card(
             f"{question_type} {most}" for question_type, most in sorted(document.limits.items())
         ),
         objects=objects_told(manifest.objects),
+        augmented=augmented_told(manifest),
         licences=_licences(shown_in(chosen), specs),
     )
 

@@ -36,6 +36,8 @@ class TrainingExample:
         letter: The right answer.
         messages: From the rules to the last reply; nothing follows that.
         tools: What may be called, as servers get it; JSON, empty without tools.
+        augmented: How the episode is told otherwise than it went ("mirrored", "wordings"); empty if
+            it is told as it went.
     """
 
     id: str
@@ -44,6 +46,7 @@ class TrainingExample:
     letter: str
     messages: tuple[Message, ...]
     tools: str
+    augmented: str = ""
 
     @property
     def pictures(self) -> tuple[bytes, ...]:
@@ -57,7 +60,11 @@ class TrainingExample:
 
 
 def example_of(
-    task: Task, record: EpisodeRecord, shown: EpisodePictures, points: Points | None = None
+    task: Task,
+    record: EpisodeRecord,
+    shown: EpisodePictures,
+    points: Points | None = None,
+    augmented: str = "",
 ) -> TrainingExample:
     """An episode as an example.
 
@@ -66,6 +73,7 @@ def example_of(
         record: What happened.
         shown: Its pictures.
         points: How places are counted; by default as the teacher did.
+        augmented: As in TrainingExample; its id ends in it.
 
     Raises:
         BadData: The teacher counted places in another way, in which they can't be told.
@@ -82,13 +90,15 @@ def example_of(
         if has_tools(setting)
         else ""
     )
+    id = f"{task.id}-{record.agent}-{setting}-{record.run}".replace("/", "-")
     made = TrainingExample(
-        id=f"{task.id}-{record.agent}-{setting}-{record.run}".replace("/", "-"),
+        id=f"{id}-{augmented}" if augmented else id,
         question_type=task.question_type,
         setting=told_so,
         letter=task.answer,
         messages=tuple(conversation),
         tools=tools,
+        augmented=augmented,
     )
     _check_canary(made)
     return made

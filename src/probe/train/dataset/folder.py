@@ -15,6 +15,7 @@ from probe.assets.spec import ObjectSpec
 from probe.errors import BadData
 from probe.files import check_new, whole_folder, write_bytes, write_text
 from probe.train.choose.chosen import LoadedSelection
+from probe.train.dataset.augment.augmenting import Augmentation
 from probe.train.dataset.card import card, shown_in
 from probe.train.dataset.examples import TrainingExample
 from probe.train.dataset.manifest import Manifest, mark_of, write_manifest
@@ -24,6 +25,8 @@ from probe.train.dataset.table import SHARD_ROWS, table_names, write_table
 CARD = "README.md"
 NAME = "probe"
 """Under which LLaMA-Factory knows it."""
+
+NONE_AGAIN = Augmentation()
 
 _INFO: Row = {
     NAME: {
@@ -71,6 +74,9 @@ class _Written:
     examples: defaultdict[str, Counter[str]] = field(
         default_factory=lambda: defaultdict[str, Counter[str]](Counter)
     )
+    augmented: defaultdict[str, Counter[str]] = field(
+        default_factory=lambda: defaultdict[str, Counter[str]](Counter)
+    )
     pictures: int = 0
     sharegpt: list[Row] = field(default_factory=list[Row])
     vila: list[Row] = field(default_factory=list[Row])
@@ -82,15 +88,18 @@ def write_dataset(
     chosen: LoadedSelection,
     form: Form,
     specs: Mapping[str, ObjectSpec],
+    again: Augmentation = NONE_AGAIN,
 ) -> Manifest:
     """Write a data set.
 
     Args:
         out: A new folder.
-        examples: As many as were chosen, one after another: all of them may not fit into memory.
+        examples: As many as were chosen and told again, one after another: all of them may not fit
+            into memory.
         chosen: What they were made of.
         form: How to write them.
         specs: What the catalogue says of the objects that are shown.
+        again: What of it was told otherwise, too.
 
     Raises:
         BadData: The folder is there already, or there are more or fewer examples.
@@ -101,10 +110,10 @@ def write_dataset(
     with whole_folder(out) as folder:
         written = _Written()
         left = iter(examples)
-        for name in table_names(len(chosen.episodes)):
+        for name in table_names(len(chosen.episodes) + len(again.episodes)):
             some = list(islice(left, SHARD_ROWS))
             _add(folder, name, some, written, others=form.others)
-        _check(written, chosen, out)
+        _check(written, chosen, again, out)
         if form.others:
             _write_others(folder, written)
         files = sorted(path for path in folder.rglob("*") if path.is_file())
@@ -119,6 +128,8 @@ def write_dataset(
             objects={
                 part or "neither": count for part, count in parts_shown(shown_in(chosen)).items()
             },
+            augmented={way: dict(sorted(written.augmented[way].items())) for way in again.left_out},
+            not_augmented={way: dict(some) for way, some in again.left_out.items()},
             files={path.relative_to(folder).as_posix(): mark_of(path) for path in files},
         )
         write_text(folder / CARD, card(form.name, manifest, chosen, specs))
@@ -131,7 +142,10 @@ def _add(
 ) -> None:
     write_table(folder / name, [trl_row(example) for example in examples])
     for example in examples:
-        written.examples[example.question_type][example.setting] += 1
+        if example.augmented:
+            written.augmented[example.augmented][example.question_type] += 1
+        else:
+            written.examples[example.question_type][example.setting] += 1
         written.pictures += len(example.pictures)
         if others:
             paths = [_kept(folder, picture) for picture in example.pictures]
@@ -158,8 +172,13 @@ def _write_others(folder: Path, written: _Written) -> None:
     write_text(folder / "vila/train.json", json.dumps(written.vila, indent=1))
 
 
-def _check(written: _Written, chosen: LoadedSelection, out: Path) -> None:
-    """As many of each type and setting as were chosen."""
+def _check(written: _Written, chosen: LoadedSelection, again: Augmentation, out: Path) -> None:
+    """As many of each type and setting as were chosen, and as many of each way as told again."""
+    wanted = Counter(way for way, _, _ in again.episodes)
+    told = Counter({way: some.total() for way, some in written.augmented.items()})
+    if told != wanted:
+        reason = f"augmented examples are {dict(told)}, but {dict(wanted)} were told"
+        raise BadData(out, reason, "Write the data set again")
     for question_type, settings in chosen.document.examples.items():
         for setting, count in settings.items():
             found = written.examples[question_type][setting]

@@ -30,10 +30,12 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
     Attributes:
         points: How places are counted in its texts.
         side_px: Width and height of its pictures.
-        examples: How many, by type and setting.
+        examples: How many are told as they went, by type and setting.
         pictures: How many are shown in all, each as often as it is.
         objects: How many different ones are on its tables, by what they are for: "train",
             "evaluation", or "neither" (scans, a user's own); empty in older data sets.
+        augmented: How many are told otherwise than they went, by way and type; none in most.
+        not_augmented: How many couldn't be told so for sure, by way and reason.
         files: All others, by their path.
     """
 
@@ -43,12 +45,33 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
     examples: dict[str, dict[str, int]]
     pictures: int
     objects: dict[str, int] = {}
+    augmented: dict[str, dict[str, int]] = {}
+    not_augmented: dict[str, dict[str, int]] = {}
     files: dict[str, FileMark]
 
     @property
     def total(self) -> int:
-        """All examples."""
+        """All examples that are told as they went."""
         return sum(sum(settings.values()) for settings in self.examples.values())
+
+
+def augmented_told(manifest: Manifest) -> str:
+    """A sentence on each way in which a data set's episodes are told again; empty without any."""
+    told = list[str]()
+    for way, by_type in manifest.augmented.items():
+        left_out = manifest.not_augmented.get(way, {})
+        why = "; ".join(f"{count}, as {reason}" for reason, count in sorted(left_out.items()))
+        told.append(
+            f"{sum(by_type.values())} examples more are {_WAYS.get(way, way)}; "
+            f"{sum(left_out.values())} couldn't be told so{f' ({why})' if why else ''}."
+        )
+    return " ".join(told)
+
+
+_WAYS = {
+    "mirrored": "episodes of these, mirrored left to right",
+    "wordings": "episodes of these, asked in other words",
+}
 
 
 def objects_told(objects: Mapping[str, int]) -> str:

@@ -27,6 +27,7 @@ def trl_row(example: TrainingExample) -> Row:
         "type": example.question_type,
         "arm": example.setting,
         "answer": example.letter,
+        "augmented": example.augmented,
         "messages": [_trl_message(message) for message in example.messages],
         "images": [{"bytes": picture, "path": None} for picture in example.pictures],
         "tools": example.tools,

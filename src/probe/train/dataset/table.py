@@ -49,5 +49,5 @@ def _features() -> Any:
         "tool_calls": List(call),
         "tool_call_id": text,
     }
-    columns = dict.fromkeys(("id", "type", "arm", "answer"), text)
+    columns = dict.fromkeys(("id", "type", "arm", "answer", "augmented"), text)
     return Features({**columns, "messages": List(message), "images": List(Image()), "tools": text})

@@ -13,7 +13,7 @@ from typing import Literal
 import pydantic
 
 from probe.files import write_text
-from probe.train.dataset.manifest import Manifest, objects_told
+from probe.train.dataset.manifest import Manifest, augmented_told, objects_told
 from probe.train.tune import libraries
 from probe.train.tune.started import TrainingStart
 from probe.train.tune.training_log import (
@@ -34,7 +34,8 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
 
     Attributes:
         begun: What it was begun with.
-        examples: By type and setting.
+        examples: Those that are told as they went, by type and setting.
+        augmented: Those that are told otherwise, by way and type.
         versions: Of libraries, ours included.
         hardware: What it ran on, in words.
         weights: Type of the numbers that were trained, such as "float32".
@@ -46,6 +47,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
     version: Literal[1] = 1
     begun: TrainingStart
     examples: dict[str, dict[str, int]]
+    augmented: dict[str, dict[str, int]] = {}
     versions: dict[str, str]
     hardware: str
     weights: str
@@ -72,6 +74,7 @@ def write_card(out: Path, begun: TrainingStart, manifest: Manifest, weights: str
     run = Run(
         begun=begun,
         examples=manifest.examples,
+        augmented=manifest.augmented,
         versions={"probe-vqa": version("probe-vqa"), **libraries.versions()},
         hardware=hardware(),
         weights=weights,
@@ -114,7 +117,7 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         dataset=run.begun.dataset,
         mark=run.begun.dataset_sha256,
         total=manifest.total,
-        objects=objects_told(manifest.objects),
+        objects=" ".join(filter(None, [objects_told(manifest.objects), augmented_told(manifest)])),
         counts="\n".join(
             f"| {question_type} | {sum(settings.values()) - settings.get('direct', 0)} "
             f"| {settings.get('direct', 0)} |"

@@ -1,0 +1,95 @@
+"""What the scripted teacher says: which phrases its words are, and of which sides they speak."""
+
+from __future__ import annotations
+
+import re
+import string
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+
+from probe.agents.phrases import phrases
+from probe.train.dataset.augment.certain import has_sides
+
+MIRRORED_DIRECTION = {"left": "right", "right": "left", "up": "up", "down": "down"}
+"""Directions of pushes in a mirrored picture."""
+
+_DIRECTION = "direction"
+
+
+def mirrored_words(words: str, direction: str | None = None) -> str | None:
+    """What the teacher says in a mirrored episode.
+
+    Args:
+        words: What it says along with a call.
+        direction: Of the call, if it is a push.
+
+    Returns:
+        None if the words aren't the scripted teacher's, or name a side that isn't the push's.
+    """
+    if not words or _are_neutral(words):
+        return words
+    for pattern in _patterns():
+        if _DIRECTION not in pattern.groupindex or not (found := pattern.fullmatch(words)):
+            continue
+        if found[_DIRECTION] == direction and not has_sides(_slots(found)):
+            start, end = found.span(_DIRECTION)
+            return f"{words[:start]}{MIRRORED_DIRECTION[found[_DIRECTION]]}{words[end:]}"
+    return None
+
+
+def are_the_teachers(words: str) -> bool:
+    """Whether words are phrases of the scripted teacher, or none."""
+    return not words or _parts(words, _is_phrase)
+
+
+def _are_neutral(words: str) -> bool:
+    """Whether words are one or two phrases that speak of no side."""
+    return _parts(words, _is_neutral)
+
+
+def _parts(words: str, fits: Callable[[str], bool]) -> bool:
+    """Whether words fit, or the parts before and after the end of one of their sentences do."""
+    if fits(words):
+        return True
+    ends = [found.start() for found in re.finditer(r"(?<=[.!?]) ", words)]
+    return any(fits(words[:end]) and fits(words[end + 1 :]) for end in ends)
+
+
+def _is_phrase(text: str) -> bool:
+    return any(pattern.fullmatch(text) for pattern in _patterns())
+
+
+def _is_neutral(text: str) -> bool:
+    return any(
+        _DIRECTION not in pattern.groupindex and not has_sides(_slots(found))
+        for pattern in _patterns()
+        if (found := pattern.fullmatch(text))
+    )
+
+
+def _slots(found: re.Match[str]) -> str:
+    """All that fills a phrase's slots but the direction."""
+    return "\n".join(text for slot, text in found.groupdict().items() if slot != _DIRECTION)
+
+
+@lru_cache(1)
+def _patterns() -> tuple[re.Pattern[str], ...]:
+    return tuple(re.compile(_pattern(text)) for some in phrases().values() for text in some)
+
+
+def _pattern(phrase: str) -> str:
+    return "".join(_pieces(phrase))
+
+
+def _pieces(phrase: str) -> Iterator[str]:
+    known: set[str] = set()
+    for literal, slot, _, _ in string.Formatter().parse(phrase):
+        yield re.escape(literal)
+        if slot in known:
+            yield f"(?P={slot})"
+        elif slot == _DIRECTION:
+            yield rf"(?P<{slot}>{'|'.join(MIRRORED_DIRECTION)})"
+        elif slot is not None:
+            yield f"(?P<{slot}>.+?)"
+        if slot is not None:
+            known.add(slot)

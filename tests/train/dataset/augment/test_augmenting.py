@@ -1,0 +1,116 @@
+"""Augmented examples are marked and counted apart; the rest is left out with a reason."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from lessons import lesson, training_task
+from probe.assets.spec import ObjectSpec
+from probe.cli.dataset import dataset
+from probe.errors import BadData
+from probe.train.choose.chosen import LoadedSelection, read_selection, write_selection
+from probe.train.choose.evaluation import evaluation_of
+from probe.train.choose.selection import Recipe, select
+from probe.train.dataset.augment.augmenting import Augmentation, augmented
+from probe.train.dataset.examples import example_of
+from probe.train.dataset.folder import Form, write_dataset
+from probe.train.dataset.manifest import check_dataset
+from probe.train.dataset.text_only import as_text_only, no_pictures
+
+SHORT = "text-only, short graphs"
+REASON = "its teacher spoke freely, and may have quoted the question"
+
+
+def silent(it):
+    """An episode in which nothing is said, so that another wording contradicts nothing."""
+    steps = tuple(replace(each, call=replace(each.call, words="")) for each in it.record.steps)
+    return replace(it, record=replace(it.record, steps=steps))
+
+
+@pytest.fixture
+def chosen(tmp_path) -> LoadedSelection:
+    tasks = [training_task(n, "count") for n in (1, 2, 3)]
+    lessons = [silent(lesson(tasks[0])), silent(lesson(tasks[1])), lesson(tasks[2])]
+    objects = {it.object_id: (1.0, 2.0) for each in lessons for it in each.task.scene.objects}
+    found = select(lessons, evaluation_of([]), Recipe())
+    write_selection(tmp_path / "selected", found, Recipe(), objects, [], ["v1"])
+    return as_text_only(read_selection(tmp_path / "selected"), "short")
+
+
+def examples_of(chosen, again):
+    for task, record in chosen.episodes:
+        yield example_of(task, record, no_pictures(record))
+    for way, task, record in again.episodes:
+        yield example_of(task, record, no_pictures(record), None, way)
+
+
+def write(out, chosen, again):
+    ids = {it.object_id for task in chosen.suite.tasks for it in task.scene.objects}
+    specs = {
+        id: ObjectSpec(
+            id, "mug", "mug", ("red",), "A mug.", 0.1, 0.5, (0.1, 0.1, 0.1), False,
+            "procedural", "CC0-1.0", "PROBE",
+        )
+        for id in ids
+    }  # fmt: skip
+    form = Form("x", "pixels", 1024)
+    return write_dataset(out, examples_of(chosen, again), chosen, form, specs, again)
+
+
+def test_they_are_marked_and_counted_apart(tmp_path, chosen):
+    from datasets import load_dataset
+
+    again = augmented(chosen.episodes, ["wordings"], 0)
+    write(tmp_path / "data", chosen, again)
+    manifest = check_dataset(tmp_path / "data")
+    assert manifest.total == 3 and manifest.examples == {"count": {SHORT: 3}}
+    assert manifest.augmented == {"wordings": {"count": 2}}
+    assert manifest.not_augmented == {"wordings": {REASON: 1}}
+    rows = load_dataset(
+        str(tmp_path / "data"), split="train", cache_dir=str(tmp_path / "cache")
+    ).to_list()
+    assert [row["augmented"] for row in rows] == ["", "", "", "wordings", "wordings"]
+    assert [row["id"].endswith("-wordings") for row in rows] == [False] * 3 + [True] * 2
+    assert rows[3]["messages"][1] != rows[0]["messages"][1]
+    assert rows[3]["messages"][2:] == rows[0]["messages"][2:]
+    others = json.loads((tmp_path / "data/llamafactory/train.json").read_text())
+    assert [row["id"] for row in others] == [row["id"] for row in rows]
+    card = (tmp_path / "data/README.md").read_text()
+    assert "| count | 3 | 0 |" in card and "2 examples more are episodes of these, asked in" in card
+    assert f"1 couldn't be told so (1, as {REASON})" in card
+
+
+def test_without_augmentation_nothing_is_said_of_it(tmp_path, chosen):
+    manifest = write(tmp_path / "data", chosen, Augmentation())
+    assert manifest.augmented == manifest.not_augmented == {}
+    assert "Augmented" not in (tmp_path / "data/README.md").read_text()
+
+
+def test_the_seed_decides_and_nothing_else(chosen):
+    def questions(seed):
+        again = augmented(chosen.episodes, ["wordings"], seed)
+        return [record.question.text for _, _, record in again.episodes]
+
+    assert questions(1) == questions(1)
+    assert len({tuple(questions(seed)) for seed in range(5)}) > 1
+    # An episode's wording doesn't hang on those beside it.
+    alone = augmented(chosen.episodes[1:2], ["wordings"], 1)
+    assert [record.question.text for _, _, record in alone.episodes] == questions(1)[1:]
+
+
+def test_fewer_than_were_told_is_an_error(tmp_path, chosen):
+    again = augmented(chosen.episodes, ["wordings"], 0)
+    fewer = replace(again, episodes=again.episodes[:1])
+    form = Form("x", "pixels", 1024)
+    with pytest.raises(BadData, match="augmented examples are"):
+        write_dataset(tmp_path / "data", examples_of(chosen, fewer), chosen, form, {}, again)
+    assert not (tmp_path / "data").exists()
+
+
+def test_episodes_with_pictures_are_not_told_again(tmp_path):
+    with pytest.raises(BadData, match=r"--augment: .*Say --setting text-only, too"):
+        dataset(Path("selected"), tmp_path / "out", augment=["mirrored"])
