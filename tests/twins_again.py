@@ -33,11 +33,17 @@ def check_words(task: Task, library: Library) -> None:
     assert texts[task.answer] == (true_name if task.answer != "E" else "None of the above")
 
 
-def check_candidates(made: TaskCandidate, library: Library) -> None:
-    """Each had its turn, and length, width and height tell nothing."""
+def check_turns(made: TaskCandidate) -> None:
+    """Each candidate had its turn."""
     drawn, (target,) = made.task.certificate.candidates, made.task.targets
     assert [twin[target].object_id for twin in made.twins] == list(drawn)
     assert made.task.scene in made.twins
+
+
+def check_candidates(made: TaskCandidate, library: Library) -> None:
+    """Each had its turn, and length, width and height tell nothing."""
+    check_turns(made)
+    drawn = made.task.certificate.candidates
     sizes = [(*sorted(library[it].size[:2]), library[it].size[2]) for it in drawn]
     for sides in zip(*sizes, strict=True):
         assert max(sides) <= 1.1 * min(sides) + 1e-9

@@ -31,8 +31,8 @@ def cast_of(library: Library, seed: int) -> ObjectSelection:
 
 @pytest.mark.slow
 def test_casts_are_of_many_kinds(library: Library):
-    led = Counter(cast_of(library, seed).candidates[0].category for seed in range(12))
-    assert len(led) >= 5 and max(led.values()) <= 5
+    led = Counter(cast_of(library, seed).candidates[0].category for seed in range(6))
+    assert len(led) >= 3 and max(led.values()) <= 3
 
 
 @pytest.mark.parametrize("seed", range(3))
