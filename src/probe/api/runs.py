@@ -53,11 +53,8 @@ def run(
     """
     folder, things = Path(out), everything()
     check_objects(suite, things)
-    if isinstance(noise, Noise):
-        order = RunOrder(agent, runs, noise)
-    else:
-        errors = tool_errors(suite.headline, noise, AS_FROZEN, setting=SETTINGS[agent])
-        order = RunOrder(agent, runs, *errors)
+    errors = tool_errors(suite.headline, noise, AS_FROZEN, setting=SETTINGS[agent])
+    order = RunOrder(agent, runs, *errors)
     setup = WorkerSetup(order, everything, make_agent)
     with (
         begun(folder, suite, order) as start,

@@ -42,10 +42,7 @@ def training_tables(
     """
     check_objects(suite, everything())
     setting = told_with("text-only", graphs)
-    if isinstance(noise, Noise):
-        hand, conditions = noise, AS_FROZEN
-    else:
-        hand, conditions = tool_errors(suite.headline, noise, AS_FROZEN, setting=setting)
+    hand, conditions = tool_errors(suite.headline, noise, AS_FROZEN, setting=setting)
     order = RunOrder(name, noise=hand, conditions=conditions, setting=setting)
     setup = EpisodeWorkerSetup(order, everything, cache_folder())
     return TrainingTables(

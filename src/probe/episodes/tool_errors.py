@@ -26,7 +26,7 @@ that are seen in two, merged 15 with a neighbour, missed none and made none up
 
 def tool_errors(
     headline: HeadlineErrors | None,
-    noise: NoiseChoice,
+    noise: Noise | NoiseChoice,
     conditions: Conditions,
     *,
     setting: str = "",
@@ -36,11 +36,13 @@ def tool_errors(
 
     Args:
         headline: The errors of the suite's headline setting; None if it has none.
-        noise: What was asked for.
+        noise: What was asked for; a Noise is the hand's, whatever the suite says.
         conditions: Likewise; rates of a detector's errors that were asked for stay.
         setting: How the agent may answer; where it has no tools, the headline setting adds nothing.
         oracle: Whether perception is the ideal detector, whose errors are added.
     """
+    if isinstance(noise, Noise):
+        return noise, conditions
     if noise != "own":
         return NOISES[noise], conditions
     if headline is None or not has_tools(setting):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import string
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -14,6 +13,7 @@ from probe.generation.task_writer import asked
 from probe.tasks.task import Task
 from probe.tasks.wordings import Wording, wordings
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.slots import pattern_of
 from probe.train.dataset.augment.teacher_words import are_the_teachers
 from probe.transcripts.messages import PLAIN
 
@@ -78,10 +78,6 @@ def reworded(task: Task, record: EpisodeRecord, rng: np.random.Generator) -> Epi
 
 def _slots(wording: str, task: Task) -> list[dict[str, str]]:
     """What may fill a wording's slots, if the task's question begins with it."""
-    pieces = [
-        re.escape(literal) + (f"(?P<{slot}>.+?)" if slot else "")
-        for literal, slot, _, _ in string.Formatter().parse(wording)
-    ]
-    whole, marks = "".join(pieces), asked("", {}, task.marks)
-    found = re.fullmatch(whole + re.escape(marks), task.question)
+    marks = asked("", {}, task.marks)
+    found = re.fullmatch(pattern_of(wording) + re.escape(marks), task.question)
     return [found.groupdict()] if found else []

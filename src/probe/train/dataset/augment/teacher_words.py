@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-import string
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import lru_cache
 
 from probe.agents.phrases import phrases
 from probe.train.dataset.augment.certain import has_sides
+from probe.train.dataset.augment.slots import pattern_of
 
 MIRRORED_DIRECTION = {"left": "right", "right": "left", "up": "up", "down": "down"}
 """Directions of pushes in a mirrored picture."""
@@ -74,22 +74,7 @@ def _slots(found: re.Match[str]) -> str:
 
 @lru_cache(1)
 def _patterns() -> tuple[re.Pattern[str], ...]:
-    return tuple(re.compile(_pattern(text)) for some in phrases().values() for text in some)
-
-
-def _pattern(phrase: str) -> str:
-    return "".join(_pieces(phrase))
-
-
-def _pieces(phrase: str) -> Iterator[str]:
-    known: set[str] = set()
-    for literal, slot, _, _ in string.Formatter().parse(phrase):
-        yield re.escape(literal)
-        if slot in known:
-            yield f"(?P={slot})"
-        elif slot == _DIRECTION:
-            yield rf"(?P<{slot}>{'|'.join(MIRRORED_DIRECTION)})"
-        elif slot is not None:
-            yield f"(?P<{slot}>.+?)"
-        if slot is not None:
-            known.add(slot)
+    sides = {_DIRECTION: MIRRORED_DIRECTION}
+    return tuple(
+        re.compile(pattern_of(text, sides)) for some in phrases().values() for text in some
+    )
