@@ -52,12 +52,21 @@ class LikeCovers:
         """What has come to light where covers are or were, and can be named."""
         return newcomers(self.search.graph, self.known, self.places)
 
-    def clear_next(self, why: Reason) -> Plan[bool]:
-        """Clear the next one away and look again; False if none is left, or no manipulation."""
-        left = self.left
-        if not left or self.search.spent >= self.search.budget:
+    @property
+    def first(self) -> Seen | None:
+        """The one that comes first; None if none is left."""
+        return min(self.left, key=_place, default=None)
+
+    def clear_next(self, why: Reason, chosen: Seen | None = None) -> Plan[bool]:
+        """Clear one away and look again; False if none is left, or no manipulation.
+
+        Args:
+            why: What for.
+            chosen: One of those that are left; None for the one that comes first.
+        """
+        left, chosen = self.left, chosen or self.first
+        if chosen is None or self.search.spent >= self.search.budget:
             return False
-        chosen = min(left, key=_place)
         if not self.search.may_clear(chosen):
             # What withstood goes by the same name, but nothing else is worth a try.
             self.search = _search(self.asked, self.search.graph, self.search.spent)

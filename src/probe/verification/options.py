@@ -71,13 +71,15 @@ def _numbers(task: Task) -> Iterator[str]:
 
 
 def _candidates(task: Task, library: Library) -> Iterator[str]:
-    """Only the hidden candidate is on the table, unless rivals may be; all could be it."""
+    """Only the hidden candidate is on the table, unless others may be; all could be it."""
     rules, drawn = rules_of(task.question_type), task.certificate.candidates
     specs = [library[object_id] for object_id in drawn]
     there = [o.instance for o in task.scene.objects if o.object_id in drawn]
     if rules.rivals and (task.targets[0] not in there or not {*there} <= {*task.targets}):
         yield f"of its candidates, objects {there} are on the table; its targets are {task.targets}"
-    if not rules.rivals and there != list(task.targets):
+    if rules.bystander and (task.targets[0] not in there or len(there) != 2):
+        yield f"of its candidates, objects {there} are on the table, not two with its answer"
+    if not (rules.rivals or rules.bystander) and there != list(task.targets):
         yield f"of its candidates, objects {there} are on the table, not {list(task.targets)} alone"
     if not told_apart(specs):
         yield "two candidates share a name, or category and main colour"
