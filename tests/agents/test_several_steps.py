@@ -142,6 +142,50 @@ def test_ranked_says_nothing_before_it_has_seen_all_three(play):
     assert record.answer is None
 
 
+RING = [
+    Block(number, (left, top, left + 199, top + 199), 0.08, (30, 60, 150))
+    for number, (left, top) in zip((1, 8, 9), ((400, 50), (700, 600), (100, 600)), strict=True)
+]
+"""Three like bowls: at the top, right and left, in clockwise order."""
+
+
+def in_ring(place: int, instance: int) -> Block:
+    """Something under one of the bowls of the ring."""
+    left, top, *_ = RING[place].box
+    return Block(instance, (left + 70, top + 70, left + 129, top + 129), 0.02)
+
+
+@pytest.mark.parametrize(
+    ("start", "form", "letter", "lifted"),
+    [
+        (0, "clockwise", "A", 3),
+        (0, "anticlockwise", "E", 2),
+        # The named thing isn't seen: it is where neither of the two others is.
+        (1, "clockwise", "A", 2),
+        (2, "anticlockwise", "E", 2),
+    ],
+)
+def test_relation_lifts_what_it_has_to_and_names_what_is_next(play, start, form, letter, lifted):
+    step = 1 if form == "clockwise" else -1
+    asked, third = ((start + step) % 3, (start - step) % 3)
+    answer, other = (2, 5) if letter == "A" else (5, 2)
+    hidden = [in_ring(start, 3), in_ring(asked, answer), in_ring(third, other)]
+    skills, text = Obedient(), f"Going {form}, what is next to the yellow duck?"
+    ring = agent("relation", "blue bowl", form=form)
+    record = play(ring, OPTIONS, SPECS, [*RING, *hidden], skills, text=text)
+    assert record.answer and record.answer.choice == letter
+    assert ways(skills) == ["grasp"] * lifted
+
+
+def test_relation_says_nothing_before_it_has_seen_what_is_next(play):
+    hidden = [in_ring(0, 3), in_ring(1, 2), in_ring(2, 5)]
+    ring = agent("relation", "blue bowl", form="clockwise")
+    text = "What is next to the yellow duck?"
+    blocks = [*RING, *hidden]
+    record = play(ring, OPTIONS, SPECS, blocks, Obedient("blocked"), text=text)
+    assert record.answer is None
+
+
 @pytest.mark.parametrize("first", ["grasp", "push"])
 @pytest.mark.parametrize(("hidden", "letter"), [(2, "A"), (3, "E")])
 def test_exact_lifts_what_is_named_and_nothing_else(play, first, hidden, letter):

@@ -15,8 +15,8 @@ from probe.tasks.type_rules import Form
 RING = 3
 """Covers in a ring."""
 
-LEAST_ANGLE = math.radians(75)
-"""Between neighbours of a ring, as seen from its middle: which is the next one is then clear."""
+MOST_ANGLE = math.radians(150)
+"""Between neighbours of a ring, as seen from its middle: in a row it would be 180 degrees."""
 
 
 def clockwise(points: Mapping[int, tuple[float, float]]) -> tuple[int, ...]:
@@ -36,7 +36,7 @@ def clockwise(points: Mapping[int, tuple[float, float]]) -> tuple[int, ...]:
         (angles[after] - angles[before]) % math.tau
         for before, after in zip(order, [*order[1:], order[0]], strict=True)
     ]
-    if min(steps) < LEAST_ANGLE:
+    if max(steps) > MOST_ANGLE:
         raise ValueError("The covers don't stand in a ring.")
     return tuple(order)
 
