@@ -29,7 +29,7 @@ def makeup_problems(task: Task, library: Library) -> Iterator[str]:
         yield f"what it names isn't what {task.question_type} names"
     if task.manipulations != makeup.manipulations:
         yield f"it allows {task.manipulations} manipulations, not {makeup.manipulations}"
-    yield from _marks(task, paired=makeup.targets == len(PAIR))
+    yield from _marks(task, paired=rules_of(task.question_type).paired)
     unknown = list(_unknown(task, library))
     yield from unknown
     if not unknown:
