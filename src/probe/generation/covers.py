@@ -27,6 +27,7 @@ FLAT_THICKNESS = 0.05
 SLAB_THICKNESS = 0.04
 SMALLEST_SLAB = 0.085, 0.13
 TOPPING = 0.05, 0.10
+_TOPPING_SHARE = 0.8
 SMALLEST_COVER = 0.07
 _DEEP = 0.03
 _WIDER = 1.2
@@ -198,10 +199,20 @@ def draw_topping(
     The items don't matter: it only lies on top of what hides them.
     """
     for spec in in_turn(specs, library.leads, rng):
-        x, y, z = spec.size
-        if z <= min(x, y) <= GRASP_WIDTH and TOPPING[0] <= max(x, y) <= TOPPING[1]:
+        if _lies_still(spec):
             return Cover(spec, (1.0, 0.0, 0.0, 0.0), spec.size, (0.0, 0.0), 0.0, 0.0)
     return None
+
+
+def can_top(spec: ObjectSpec, cover: Cover) -> bool:
+    """Whether something stays where it is laid on a cover and leaves much of it in view."""
+    return _lies_still(spec) and max(spec.size) <= _TOPPING_SHARE * min(cover.extent[:2])
+
+
+def _lies_still(spec: ObjectSpec) -> bool:
+    """Whether something is small and flat, and can be grasped."""
+    x, y, z = spec.size
+    return z <= min(x, y) <= GRASP_WIDTH and TOPPING[0] <= max(x, y) <= TOPPING[1]
 
 
 def lies_on_side(spec: ObjectSpec) -> bool:

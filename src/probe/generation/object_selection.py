@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,8 +42,9 @@ class ObjectSelection:
         candidates: Of which one is on the table.
         eligible: Indices of those of which that one is drawn; all, or those that lead.
         covers: The lowest first; at least one.
-        others: The crowd.
+        others: The crowd, and last what lies on covers.
         beneath: What lies under further covers.
+        topped: Covers, by number from 0, that each of the last of the others lies on.
     """
 
     candidates: tuple[ObjectSpec, ...]
@@ -51,6 +52,7 @@ class ObjectSelection:
     covers: tuple[Cover, ...]
     others: tuple[ObjectSpec, ...]
     beneath: tuple[ObjectSpec, ...] = ()
+    topped: tuple[int, ...] = ()
 
     def draw_true(self, rng: np.random.Generator) -> int:
         """Index of the candidate that is on the table."""
@@ -76,8 +78,15 @@ class ObjectSelection:
 
     @property
     def crowd(self) -> tuple[int, ...]:
-        """The others' instances on a stage."""
-        return tuple(range(self.covering[-1] + 1, len(self.specs) + 1))
+        """The crowd's instances on a stage."""
+        return tuple(range(self.covering[-1] + 1, len(self.specs) - len(self.topped) + 1))
+
+    @property
+    def toppings(self) -> Mapping[int, int]:
+        """What lies on covers, and on which: instances on a stage."""
+        first = len(self.specs) - len(self.topped) + 1
+        under = (self.covering[number] for number in self.topped)
+        return dict(zip(range(first, len(self.specs) + 1), under, strict=True))
 
 
 def hideable(library: Library, largest: float = LARGEST) -> list[ObjectSpec]:

@@ -53,6 +53,9 @@ ERROR_RULES: RulesVersion = 3
 SIX_RULES: RulesVersion = 3
 """Since these, Count goes up to six, and numbers are offered on one side of those that could be."""
 
+PILE_RULES: RulesVersion = 3
+"""Since these, things may lie on a cover, and count as what hides with it."""
+
 NEWEST_RULES: RulesVersion = 3
 
 

@@ -20,6 +20,7 @@ from probe.generation.object_selection import (
 )
 from probe.generation.result import Rejected
 from probe.generation.task_plan import TaskPlan
+from probe.generation.toppings import is_topped, with_toppings
 from probe.tasks.options import CANDIDATES
 from probe.types import Pose
 
@@ -62,7 +63,8 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
             continue
         free = unlike(free, [cover.spec for cover in covers])
         others = draw_crowd(free, count - 1 - len(covers), rng)
-        return ObjectSelection(candidates, eligible, covers, others)
+        cast = ObjectSelection(candidates, eligible, covers, others)
+        return with_toppings(library, cast, [len(covers) - 1], rng) if is_topped(plan) else cast
     raise failure
 
 

@@ -21,6 +21,7 @@ from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
+from probe.generation.toppings import TOPPED, keep_off
 from probe.generation.twins import draw_twins
 from probe.question_types.ranked.casting import draw_companions, select_ranked
 from probe.question_types.ranked.judge import RankedJudge
@@ -46,7 +47,7 @@ def generate_ranked(
     """
     rng = generator(seed, "ranked")
     cast = select_ranked(library, plan, rng)
-    posts = draw_posts(cast.covers, _KEEP_OFF, rng)
+    posts = draw_posts(cast.covers, keep_off(plan, _KEEP_OFF), rng)
     stage = Stage(cast.specs, library, posts, plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     # Candidates lie beside each other here, so that each needs a number of its own.
@@ -103,4 +104,5 @@ GENERATOR = TaskGenerator(
         f"{NEEDS_LADDER}; over any of them {NEEDS_COVER}, which can be lifted, be counted and is "
         "hollow enough to stand on the table"
     ),
+    turns=(TOPPED,),
 )

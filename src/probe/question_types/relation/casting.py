@@ -13,6 +13,7 @@ from probe.generation.covers import Cover, draw_cover, footprint_of
 from probe.generation.object_selection import LARGEST, ObjectSelection, hideable, needs_alike
 from probe.generation.side_by_side import Hidden, liftable, select
 from probe.generation.task_plan import TaskPlan
+from probe.generation.toppings import is_topped, some_of, with_toppings
 from probe.question_types.relation.truth import RING
 from probe.tasks.english import plural
 from probe.tasks.options import CANDIDATES
@@ -36,7 +37,8 @@ def select_relation(library: Library, plan: TaskPlan, rng: np.random.Generator) 
         cover = draw_cover(library, countable, hidden.room, rng)
         return [cover] * RING if cover else []
 
-    return select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, _hidden)
+    cast = select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, _hidden)
+    return with_toppings(library, cast, some_of(RING, rng), rng) if is_topped(plan) else cast
 
 
 def draw_bystanders(rng: np.random.Generator) -> tuple[int, ...]:
