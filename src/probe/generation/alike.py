@@ -25,7 +25,10 @@ LOOSE_TOLERANCE = 0.25
 FREQUENCY_RATIO = 6.0
 """Most that the sizes of candidates' categories differ by; most small scans are one of a kind."""
 
-_TRIES = 10
+MOST_OF_A_KIND = 2
+"""Things of one category in a set, if that can be: four balls that differ in colour say little."""
+
+_TRIES, _VARIED_TRIES = 10, 30
 
 _ENOUGH_LEADING = 3
 """Among things of which some lead, a set with so many of those is taken at once."""
@@ -66,7 +69,8 @@ def draw_alike(
     """Draw objects alike in size and in how common their category is.
 
     They come in random order, those that lead first; of several sets that with most of them is
-    taken.
+    taken. Where their sides are to be alike, a set with at most MOST_OF_A_KIND of one category is
+    looked for first.
 
     Args:
         pool: Those that qualify.
@@ -92,8 +96,11 @@ def draw_alike(
         return _alike(specs, tolerance, common) and not (one_colour and _colours_differ(specs))
 
     drawn, best = list[ObjectSpec](), list[ObjectSpec]()
-    for _ in range(_TRIES):
-        drawn = _grown(in_turn(pool, leads, rng), count, go_together)
+    limits = (
+        [count] * _TRIES if sides is None else [MOST_OF_A_KIND] * _VARIED_TRIES + [count] * _TRIES
+    )
+    for most in limits:
+        drawn = _grown(in_turn(pool, leads, rng), count, most, go_together)
         if len(drawn) == count and (not best or sum(map(leads, drawn)) > sum(map(leads, best))):
             best = drawn
         if best and sum(map(leads, best)) >= enough:
@@ -105,15 +112,19 @@ def draw_alike(
 
 
 def _grown(
-    order: Sequence[ObjectSpec], count: int, go_together: Callable[[Sequence[ObjectSpec]], bool]
+    order: Sequence[ObjectSpec],
+    count: int,
+    most: int,
+    go_together: Callable[[Sequence[ObjectSpec]], bool],
 ) -> list[ObjectSpec]:
-    """The first that go together, so many at most."""
-    drawn: list[ObjectSpec] = []
+    """The first that go together, so many at most, and at most so many of one category."""
+    drawn, kinds = list[ObjectSpec](), Counter[str]()
     for spec in order:
         if len(drawn) == count:
             break
-        if go_together([*drawn, spec]):
+        if kinds[spec.category] < most and go_together([*drawn, spec]):
             drawn.append(spec)
+            kinds[spec.category] += 1
     return drawn
 
 

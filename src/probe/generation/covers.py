@@ -27,7 +27,7 @@ FLAT_THICKNESS = 0.05
 SLAB_THICKNESS = 0.04
 SMALLEST_SLAB = 0.085, 0.13
 TOPPING = 0.05, 0.10
-_TOPPING_SHARE = 0.8
+_TOPPING_SHARE, _TOPPING_FLATNESS = 0.65, 0.6
 SMALLEST_COVER = 0.07
 _DEEP = 0.03
 _WIDER = 1.2
@@ -206,7 +206,8 @@ def draw_topping(
 
 def can_top(spec: ObjectSpec, cover: Cover) -> bool:
     """Whether something stays where it is laid on a cover and leaves much of it in view."""
-    return _lies_still(spec) and max(spec.size) <= _TOPPING_SHARE * min(cover.extent[:2])
+    flat = spec.size[2] <= _TOPPING_FLATNESS * min(spec.size[:2])
+    return flat and _lies_still(spec) and max(spec.size) <= _TOPPING_SHARE * min(cover.extent[:2])
 
 
 def _lies_still(spec: ObjectSpec) -> bool:

@@ -30,7 +30,7 @@ from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.toppings import TOPPED, is_topped, keep_off, some_of, with_toppings
+from probe.generation.toppings import TOPPED, is_topped, some_of, with_toppings
 from probe.generation.twins import draw_twins
 from probe.question_types.decoys.truth import which_under_any
 from probe.render.renderer import Renderer
@@ -52,7 +52,7 @@ def generate_decoys(
     """
     rng = generator(seed, "decoys")
     cast = select_decoys(library, plan, rng)
-    posts = draw_posts(cast.covers, keep_off(plan, _KEEP_OFF), rng)
+    posts = draw_posts(cast.covers, _KEEP_OFF, rng)
     stage = Stage(cast.specs, library, posts, plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)

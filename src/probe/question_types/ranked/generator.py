@@ -21,7 +21,7 @@ from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.toppings import TOPPED, keep_off
+from probe.generation.toppings import TOPPED
 from probe.generation.twins import draw_twins
 from probe.question_types.ranked.casting import draw_companions, select_ranked
 from probe.question_types.ranked.judge import RankedJudge
@@ -47,7 +47,7 @@ def generate_ranked(
     """
     rng = generator(seed, "ranked")
     cast = select_ranked(library, plan, rng)
-    posts = draw_posts(cast.covers, keep_off(plan, _KEEP_OFF), rng)
+    posts = draw_posts(cast.covers, _KEEP_OFF, rng)
     stage = Stage(cast.specs, library, posts, plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     # Candidates lie beside each other here, so that each needs a number of its own.

@@ -23,7 +23,7 @@ from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.toppings import TOPPED, keep_off
+from probe.generation.toppings import TOPPED
 from probe.generation.twins import Twin, draw_twins
 from probe.question_types.relation.casting import NEEDS, draw_bystanders, select_relation
 from probe.question_types.relation.truth import clockwise, next_along, next_beneath
@@ -46,7 +46,7 @@ def generate_relation(
     """
     rng = generator(seed, "relation")
     cast = select_relation(library, plan, rng)
-    posts = draw_posts(cast.covers, keep_off(plan, _KEEP_OFF), rng)
+    posts = draw_posts(cast.covers, _KEEP_OFF, rng)
     stage = Stage(cast.specs, library, posts, plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     # Two candidates lie on the table, so that each needs a number of its own.
