@@ -96,10 +96,8 @@ def draw_alike(
         return _alike(specs, tolerance, common) and not (one_colour and _colours_differ(specs))
 
     drawn, best = list[ObjectSpec](), list[ObjectSpec]()
-    limits = (
-        [count] * _TRIES if sides is None else [MOST_OF_A_KIND] * _VARIED_TRIES + [count] * _TRIES
-    )
-    for most in limits:
+    varied = 0 if sides is None else _VARIED_TRIES
+    for most in [MOST_OF_A_KIND] * varied + [count] * _TRIES:
         drawn = _grown(in_turn(pool, leads, rng), count, most, go_together)
         if len(drawn) == count and (not best or sum(map(leads, drawn)) > sum(map(leads, best))):
             best = drawn
