@@ -194,7 +194,7 @@ class Stage:
         low = poses[beneath].apply(self._corners[beneath])
         edges = ConvexHull(low[:, :2]).equations
         outside = (high[:, :2] @ edges[:, :2].T + edges[:, 2]).max(axis=1)
-        return float((outside <= 0).mean()) >= ON_SHARE and high[:, 2].max() > low[:, 2].max()
+        return bool((outside <= 0).mean() >= ON_SHARE and high[:, 2].max() > low[:, 2].max())
 
     def settle(self, poses: Poses) -> Poses:
         """Put things exactly here and let them come to rest by the rules of a scene.
