@@ -53,6 +53,10 @@ ERROR_RULES: RulesVersion = 3
 SIX_RULES: RulesVersion = 3
 """Since these, Count goes up to six, and numbers are offered on one side of those that could be."""
 
+AIM_RULES: RulesVersion = 3
+"""Since these, covers of marked things have no holes, and Compare's are aimed by what they leave in
+view; several casts may be tried."""
+
 NEWEST_RULES: RulesVersion = 3
 
 

@@ -6,9 +6,6 @@ By newer rules both lie open in a quarter of the tasks, and what shows does tell
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
-
-import numpy as np
 
 from probe.assets.library import Library
 from probe.generation.covers import NEEDS_SHIELD
@@ -18,26 +15,29 @@ from probe.generation.marked import (
     MarkedSelection,
     MarkedStage,
     build_set,
-    cast_marked,
     draw_marks,
-    markable,
     settle_around,
     settle_open,
 )
-from probe.generation.paint_twins import PaintTwins, paint_twins
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import CROSSED, MORE_CUES, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.twin_pairs import ColourQuestion, draw_duels
-from probe.generation.twin_placement import check_unpainted, draw_unpainted
+from probe.generation.twin_pairs import ColourQuestion
+from probe.generation.twin_placement import check_unpainted
 from probe.generation.twin_worlds import CompareQuestion, look_at_open_worlds, look_at_worlds
 from probe.generation.visibility_rules import is_clear
+from probe.question_types.compare.casting import (
+    draw_covered,
+    more_of_a,
+    select_compare,
+    twins_of,
+)
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
-from probe.tasks.task import PAIR, Mark
+from probe.tasks.task import Mark
 from probe.types import Array
 
 
@@ -54,19 +54,28 @@ def generate_compare(
         Rejected: It failed a check.
     """
     rng = generator(seed, "compare")
-    asked, cast = select_compare(library, plan, rng)
     lie_open = is_open(plan, OPEN_QUARTER)
-    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup, keep_off=not lie_open)
-    scene = settle_open(made, rng) if lie_open else _hidden(made, asked, plan, library, rng)
+
+    def stage(cast: MarkedSelection) -> MarkedStage:
+        hidden = not lie_open
+        return build_set(cast, seed, library, renderer, tables, rng, plan.setup, keep_off=hidden)
+
+    if lie_open:
+        asked, cast = select_compare(library, plan, rng)
+        made = stage(cast)
+        scene = settle_open(made, rng)
+    else:
+        asked, made, nests = draw_covered(library, plan, rng, stage)
+        scene = settle_around(made, nests, rng)
     labels = made.view.labels(scene)
-    reference = made.frame.number_of[len(cast.specs)] if asked.reference else None
-    matter = CompareQuestion(plan.form, made.marked, _twins(asked), asked.word, reference)
+    reference = made.frame.number_of[len(made.cast.specs)] if asked.reference else None
+    matter = CompareQuestion(plan.form, made.marked, twins_of(asked), asked.word, reference)
     _check_reference(made.view, scene, labels, reference)
     marks = draw_marks(made, labels)
     if lie_open:
         measures = look_at_open_worlds(matter, scene, labels, asked.right, library, renderer)
     else:
-        check_unpainted(made, scene, labels, matter.twins, library, _more_of_a(plan))
+        check_unpainted(made, scene, labels, matter.twins, library, more_of_a(plan))
         measures = look_at_worlds(matter, scene, labels, asked.right, library, renderer)
         if (measures["patch_lead"] > 0) != CROSSED.of(plan)[1]:
             raise Rejected("cues", "in the picture, the other patch fits better")
@@ -96,58 +105,6 @@ def _draft(
         measures=measures,
         drawn_from=tuple(spec.id for spec in (*asked.marked, *asked.twins)),
     )
-
-
-def _hidden(
-    made: MarkedStage,
-    asked: ColourQuestion,
-    plan: TaskPlan,
-    library: Library,
-    rng: np.random.Generator,
-) -> Scene:
-    """A scene in which nothing shows of either thing but what its paint twin shares."""
-    nests = draw_unpainted(made, _twins(asked), library, asked.facing, _more_of_a(plan), rng)
-    return settle_around(made, nests, rng)
-
-
-def _twins(asked: ColourQuestion) -> tuple[str, str]:
-    a, b = asked.twins
-    return a.id, b.id
-
-
-def _more_of_a(plan: TaskPlan) -> bool:
-    """Whether more pixels of A are to show than of B."""
-    return CROSSED.of(plan)[2] == (plan.letter == PAIR[0])
-
-
-def select_compare(
-    library: Library, plan: TaskPlan, rng: np.random.Generator
-) -> tuple[ColourQuestion, MarkedSelection]:
-    """What is asked, and who plays.
-
-    Raises:
-        Rejected: The library has no paint twins that do, nothing to cover them, or no crowd.
-    """
-    twins, uncovered = paint_twins_of(library), False
-    if len({each.pair[0].category for each in twins}) < len(PAIR):
-        mine = " of your own" if library.leading else ""
-        raise Rejected("paint twins", f"{len(twins)} pairs of things{mine} differ in paint alone")
-    for duel in draw_duels(library, twins, plan.form, rng):
-        asked = duel.asked(plan)
-        needed = [asked.reference] if asked.reference else []
-        if cast := cast_marked(library, asked.marked, needed, rng, unlike_too=asked.twins):
-            return asked, cast
-        uncovered = True
-    if uncovered:
-        raise Rejected("cover", "no two things cover any pair that could be asked about")
-    raise Rejected("candidates", f"no pair can be asked about in the form {plan.form!r}")
-
-
-@lru_cache(maxsize=4)
-def paint_twins_of(library: Library) -> tuple[PaintTwins, ...]:
-    """All paint twins among what may be marked; where things lead, among those alone."""
-    pool = markable(library)
-    return paint_twins(library, filter(library.leads, pool) if library.leading else pool)
 
 
 def _check_reference(view: SceneView, scene: Scene, labels: Array, reference: int | None) -> None:
