@@ -23,6 +23,9 @@ Fit = Callable[[int, CoveredThing], int]
 it is too little, 1 if it is too much, 0 if it will do."""
 
 _WAYS = 8
+_WAYS_WITHOUT = 3
+"""After so many ways without any pair that does, no more are tried: another cast is cheaper."""
+
 _BISECTIONS = 7
 _CHOICES = 3
 
@@ -51,11 +54,13 @@ def draw_aimed(
         Rejected: Nothing that was tried does, or stays.
     """
     found: tuple[list[CoveredThing], list[CoveredThing]] = ([], [])
-    for _ in range(_WAYS):
+    for number in range(_WAYS):
         for place in (0, 1):
             side = float(rng.choice(facing[place]))
             found[place].extend(_fitting(made, place, fit, side, more_of_a == (place == 0), rng))
         pairs = [(a, b) for a, b in product(*found) if _ratio(a, b, more_of_a) >= _LEAST_RATIO]
+        if not pairs and number + 1 >= _WAYS_WITHOUT:
+            break
         pairs.sort(key=lambda pair: abs(_ratio(*pair, more_of_a) - _RATIO))
         for first, second in pairs[:_CHOICES]:
             a, b = at_rest(made, 0, first), at_rest(made, 1, second)

@@ -54,8 +54,8 @@ SIX_RULES: RulesVersion = 3
 """Since these, Count goes up to six, and numbers are offered on one side of those that could be."""
 
 AIM_RULES: RulesVersion = 3
-"""Since these, covers of marked things have no holes, and Compare's are aimed by what they leave in
-view; several casts may be tried."""
+"""Since these, covers of marked things have no holes. Compare's are aimed by what is wrong with
+what shows, several casts may be tried, and colours are compared of what has one main colour."""
 
 NEWEST_RULES: RulesVersion = 3
 

@@ -17,13 +17,14 @@ from probe.generation.marked import (
     markable,
 )
 from probe.generation.paint_twins import PaintTwins, paint_twins
+from probe.generation.palettes import has_one_main_colour
 from probe.generation.result import Rejected
 from probe.generation.task_plan import CROSSED, TaskPlan
 from probe.generation.twin_pairs import ColourQuestion, draw_duels
 from probe.generation.twin_placement import aim_unpainted, draw_unpainted
 from probe.tasks.task import AIM_RULES, PAIR
 
-_CASTS = 4
+_CASTS = 6
 """How many an attempt tries, at most."""
 
 
@@ -42,16 +43,18 @@ def _casts(
     library: Library, plan: TaskPlan, rng: np.random.Generator
 ) -> Iterator[tuple[ColourQuestion, MarkedSelection]]:
     """All that come to mind; see select_compare()."""
-    twins, closed = paint_twins_of(library), plan.rules >= AIM_RULES
+    twins, aims = paint_twins_of(library), plan.rules >= AIM_RULES
     covered = uncovered = False
     if len({each.pair[0].category for each in twins}) < len(PAIR):
         mine = " of your own" if library.leading else ""
         raise Rejected("paint twins", f"{len(twins)} pairs of things{mine} differ in paint alone")
     for duel in draw_duels(library, twins, plan.form, rng):
         asked = duel.asked(plan)
-        needed = [asked.reference] if asked.reference else []
-        too = asked.twins
-        if cast := cast_marked(library, asked.marked, needed, rng, unlike_too=too, closed=closed):
+        needed, too = [asked.reference] if asked.reference else [], asked.twins
+        shown = (*asked.marked, *too, *needed)
+        if aims and not all(has_one_main_colour(library, spec.id) for spec in shown):
+            continue
+        if cast := cast_marked(library, asked.marked, needed, rng, unlike_too=too, closed=aims):
             covered = True
             yield asked, cast
         uncovered = True
