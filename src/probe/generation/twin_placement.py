@@ -22,6 +22,9 @@ from probe.types import Array
 _ROOM_PX = 1.2 * INSIDE_PX
 """Some of it may be lost to the crowd."""
 
+_AIMED = 0.98
+"""Least share of what shows that is alike in paint where it is aimed at; ALIKE in the end."""
+
 
 def draw_unpainted(
     made: MarkedStage,
@@ -73,7 +76,7 @@ def aim_unpainted(
         seen = nest.seen
         if seen.fraction < LITTLE[0] or seen.visible_px < LITTLE_PX:
             return -1
-        if seen.fraction > MOST or _share(made, place, nest, twins, library) < ALIKE:
+        if seen.fraction > MOST or _share(made, place, nest, twins, library) < _AIMED:
             return 1
         return 0 if _has_room(made, place, nest) else -1
 

@@ -7,11 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from probe.assets.library import Library
 from probe.generation.covers import NEEDS_SHIELD
 from probe.generation.in_view import OPEN_QUARTER, is_open
 from probe.generation.marked import (
     MARKABLE,
+    CoveredThing,
     MarkedSelection,
     MarkedStage,
     build_set,
@@ -20,7 +23,6 @@ from probe.generation.marked import (
     settle_open,
 )
 from probe.generation.result import Rejected, TaskCandidate
-from probe.generation.scene_view import SceneView
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import CROSSED, MORE_CUES, TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -37,8 +39,10 @@ from probe.question_types.compare.casting import (
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
-from probe.tasks.task import Mark
-from probe.types import Array
+from probe.tasks.task import AIM_RULES, Mark
+
+_CROWDS = 3
+"""How often the others are thrown, at most."""
 
 
 def generate_compare(
@@ -64,18 +68,15 @@ def generate_compare(
         asked, cast = select_compare(library, plan, rng)
         made = stage(cast)
         scene = settle_open(made, rng)
+        marks = _marks(made, asked, scene)
     else:
         asked, made, nests = draw_covered(library, plan, rng, stage)
-        scene = settle_around(made, nests, rng)
-    labels = made.view.labels(scene)
-    reference = made.frame.number_of[len(made.cast.specs)] if asked.reference else None
+        scene, marks = _among_others(made, asked, nests, plan, library, rng)
+    labels, reference = made.view.labels(scene), _reference(made, asked)
     matter = CompareQuestion(plan.form, made.marked, twins_of(asked), asked.word, reference)
-    _check_reference(made.view, scene, labels, reference)
-    marks = draw_marks(made, labels)
     if lie_open:
         measures = look_at_open_worlds(matter, scene, labels, asked.right, library, renderer)
     else:
-        check_unpainted(made, scene, labels, matter.twins, library, more_of_a(plan))
         measures = look_at_worlds(matter, scene, labels, asked.right, library, renderer)
         if (measures["patch_lead"] > 0) != CROSSED.of(plan)[1]:
             raise Rejected("cues", "in the picture, the other patch fits better")
@@ -107,12 +108,54 @@ def _draft(
     )
 
 
-def _check_reference(view: SceneView, scene: Scene, labels: Array, reference: int | None) -> None:
-    if reference is None:
-        return
-    seen = view.visibility(scene, labels, [reference])[reference]
-    if not is_clear(seen):
-        raise Rejected("reference", f"only {seen.fraction:.0%} of what it is compared with show")
+def _among_others(
+    made: MarkedStage,
+    asked: ColourQuestion,
+    nests: tuple[CoveredThing, CoveredThing],
+    plan: TaskPlan,
+    library: Library,
+    rng: np.random.Generator,
+) -> tuple[Scene, tuple[Mark, Mark]]:
+    """The scene with all others around both nests, and its marks.
+
+    By newer rules the others are thrown anew where they cover too much.
+
+    Raises:
+        Rejected: They always do, or don't come to rest.
+    """
+    for left in reversed(range(_CROWDS if plan.rules >= AIM_RULES else 1)):
+        try:
+            scene = settle_around(made, nests, rng)
+            marks = _marks(made, asked, scene)
+            labels = made.view.labels(scene)
+            check_unpainted(made, scene, labels, twins_of(asked), library, more_of_a(plan))
+        except Rejected:
+            if not left:
+                raise
+        else:
+            return scene, marks
+    raise AssertionError("the last one returns or raises")
+
+
+def _marks(made: MarkedStage, asked: ColourQuestion, scene: Scene) -> tuple[Mark, Mark]:
+    """The marks of a scene.
+
+    Raises:
+        Rejected: One has no room, or what colours are compared with isn't clear.
+    """
+    labels, reference = made.view.labels(scene), _reference(made, asked)
+    if reference is not None:
+        seen = made.view.visibility(scene, labels, [reference])[reference]
+        if not is_clear(seen):
+            raise Rejected(
+                "reference", f"only {seen.fraction:.0%} of what it is compared with show"
+            )
+    return draw_marks(made, labels)
+
+
+def _reference(made: MarkedStage, asked: ColourQuestion) -> int | None:
+    """The scene's number of what colours are compared with, the last of the cast; or None."""
+    return made.frame.number_of[len(made.cast.specs)] if asked.reference else None
 
 
 GENERATOR = TaskGenerator(
