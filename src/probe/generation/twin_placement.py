@@ -19,7 +19,8 @@ from probe.perception.outline import deepest_inside
 from probe.scene.scene import Scene
 from probe.types import Array
 
-_ROOM_PX = 1.2 * INSIDE_PX
+_ROOM = 1.2
+_ROOM_PX = _ROOM * INSIDE_PX
 """Some of it may be lost to the crowd."""
 
 _AIMED = 0.98
@@ -74,7 +75,7 @@ def aim_unpainted(
 
     def fit(place: int, nest: CoveredThing) -> int:
         seen = nest.seen
-        if seen.fraction < LITTLE[0] or seen.visible_px < LITTLE_PX:
+        if seen.fraction < _ROOM * LITTLE[0] or seen.visible_px < _ROOM * LITTLE_PX:
             return -1
         if seen.fraction > MOST or _share(made, place, nest, twins, library) < _AIMED:
             return 1
