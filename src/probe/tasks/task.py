@@ -55,6 +55,9 @@ SIX_RULES: RulesVersion = 3
 
 PILE_RULES: RulesVersion = 3
 """Since these, things may lie on a cover, and count as what hides with it."""
+AIM_RULES: RulesVersion = 3
+"""Since these, covers of marked things have no holes. Compare's are aimed by what is wrong with
+what shows, several casts may be tried, and colours are compared of what has one main colour."""
 
 NEWEST_RULES: RulesVersion = 3
 
