@@ -114,7 +114,7 @@ class Task:
         targets: Instances that decide: the hidden one, all that are counted, or the two that are
             marked.
         cover: Instance of the one thing that the question names and that hides the target, or None.
-        named: Instances that Reduce wants removed, else empty.
+        named: Instances that Reduce, Exact and Memory want removed, else empty.
         marks: Of Compare and Size, else empty.
         certificate: What was measured when it was made: visibilities, candidates, margins.
         camera: Which of the set-up's cameras shows it.
