@@ -58,7 +58,8 @@ def generate_memory(
 
     twins = draw_twins(cast, stage, partial(nests.nest, rng=rng), judge.check, frame, rng)
     true = cast.draw_true(rng)
-    asked, order = cast.covers[places[0]].spec.name, rng.permutation(COVERS).tolist()
+    asked = cast.covers[places[0]].spec.name
+    order: list[int] = rng.permutation(COVERS).tolist()
     covers = {cast.covers[it].spec.name: frame.number_of[cast.covering[it]] for it in order}
     draft = _draft(cast, twins[true].scene, view, covers, asked, judge.measures[true])
     task = with_necessary(write_task(draft, plan, view), view, library)
