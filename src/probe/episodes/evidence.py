@@ -76,6 +76,11 @@ def like_covers(task: Task, viewpoint: TableSight) -> set[int]:
     return set() if task.cover is None else set(task.scene.like(task.cover))
 
 
+def all_named(task: Task, viewpoint: TableSight) -> set[int]:
+    """All that a question wants removed."""
+    return set(task.named)
+
+
 def over_marked(task: Task, viewpoint: TableSight) -> set[int]:
     """All that lies over a marked thing."""
     return viewpoint.over(set(task.targets), set(task.targets))

@@ -11,7 +11,7 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import SIDES_TOLERANCE, TWIN_TOLERANCE, draw_alike, unlike
-from probe.generation.covers import GRASP_WIDTH, Cover, Footprint, footprint_of
+from probe.generation.covers import GRASP_WIDTH, Cover, Footprint, draw_cover, footprint_of
 from probe.generation.object_selection import (
     CAST_TRIES,
     LARGEST,
@@ -53,8 +53,13 @@ class Hidden:
     room: tuple[Footprint, ...]
 
     @staticmethod
-    def drawn(library: Library, rng: np.random.Generator) -> Hidden:
+    def drawn(library: Library, rng: np.random.Generator, secrets: int = COVERS - 1) -> Hidden:
         """Draw things that are alike in length, width and height.
+
+        Args:
+            library: To choose from.
+            rng: Draws them.
+            secrets: How many are drawn beside the candidates.
 
         Raises:
             Rejected: The library has too few.
@@ -63,7 +68,7 @@ class Hidden:
             hideable(library),
             library.specs,
             TWIN_TOLERANCE,
-            CANDIDATES + COVERS - 1,
+            CANDIDATES + secrets,
             rng,
             sides=SIDES_TOLERANCE,
             leads=library.leads,
@@ -108,6 +113,18 @@ def select(
         others = draw_crowd(unlike(free, [cover.spec for cover in covers]), crowd, rng)
         return ObjectSelection(hidden.candidates, eligible, tuple(covers), others, hidden.secrets)
     raise failure
+
+
+def draw_unlike_covers(
+    library: Library, free: Sequence[ObjectSpec], hidden: Hidden, rng: np.random.Generator
+) -> Sequence[Cover]:
+    """Covers of several names and looks, which the hand can lift; fewer than COVERS if need be."""
+    covers: list[Cover] = []
+    for _ in range(COVERS):
+        others = unlike(liftable(free), [cover.spec for cover in covers])
+        if cover := draw_cover(library, others, hidden.room, rng):
+            covers.append(cover)
+    return covers
 
 
 def liftable(specs: Sequence[ObjectSpec]) -> list[ObjectSpec]:

@@ -55,6 +55,7 @@ SIX_RULES: RulesVersion = 3
 
 PILE_RULES: RulesVersion = 3
 """Since these, things may lie on a cover, and count as what hides with it."""
+
 AIM_RULES: RulesVersion = 3
 """Since these, covers of marked things have no holes. Compare's are aimed by what is wrong with
 what shows, several casts may be tried, and colours are compared of what has one main colour."""
@@ -120,7 +121,7 @@ class Task:
         targets: Instances that decide: the hidden one, all that are counted, or the two that are
             marked.
         cover: Instance of the one thing that the question names and that hides the target, or None.
-        named: Instances that Reduce wants removed, else empty.
+        named: Instances that Reduce, Exact and Memory want removed, else empty.
         marks: Of Compare and Size, else empty.
         certificate: What was measured when it was made: visibilities, candidates, margins.
         camera: Which of the set-up's cameras shows it.
