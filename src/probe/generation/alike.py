@@ -64,13 +64,13 @@ def draw_alike(
     *,
     one_colour: bool = False,
     sides: float | None = None,
+    varied: bool = False,
     leads: Leads = nobody,
 ) -> tuple[ObjectSpec, ...]:
     """Draw objects alike in size and in how common their category is.
 
     They come in random order, those that lead first; of several sets that with most of them is
-    taken. Where their sides are to be alike, a set with at most MOST_OF_A_KIND of one category is
-    looked for first.
+    taken.
 
     Args:
         pool: Those that qualify.
@@ -80,6 +80,7 @@ def draw_alike(
         rng: Draws them.
         one_colour: Whether their names are to say the same colours, or none.
         sides: Of length, width and height as they stand, as a share; None for any.
+        varied: Whether a set with at most MOST_OF_A_KIND of one category is looked for first.
         leads: Which are to be drawn wherever they can.
 
     Raises:
@@ -96,8 +97,8 @@ def draw_alike(
         return _alike(specs, tolerance, common) and not (one_colour and _colours_differ(specs))
 
     drawn, best = list[ObjectSpec](), list[ObjectSpec]()
-    varied = 0 if sides is None else _VARIED_TRIES
-    for most in [MOST_OF_A_KIND] * varied + [count] * _TRIES:
+    limits = [MOST_OF_A_KIND] * _VARIED_TRIES if varied else []
+    for most in [*limits, *[count] * _TRIES]:
         drawn = _grown(in_turn(pool, leads, rng), count, most, go_together)
         if len(drawn) == count and (not best or sum(map(leads, drawn)) > sum(map(leads, best))):
             best = drawn

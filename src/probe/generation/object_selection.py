@@ -20,8 +20,9 @@ from probe.tasks.options import CANDIDATES
 SMALLEST, LARGEST = 0.025, 0.09
 """Longest side in metres of what may be hidden beneath a single thing."""
 
-CAST_TRIES = 8
-"""Sets of alike things that are drawn until something covers each of them."""
+CAST_TRIES, VARIED_TRIES = 8, 4
+"""Sets of alike things that are drawn until something covers each of them, and how many of these
+are of several categories where that can be."""
 
 LEADING = "own things"
 """Name of the check that things which are to play the parts do."""
@@ -133,7 +134,7 @@ def draw_cast(
         Rejected: The library has no such set.
     """
     pool, failure = hideable(library, largest), Rejected("cover", "nothing was drawn")
-    for _ in range(CAST_TRIES):
+    for number in range(CAST_TRIES):
         candidates = draw_alike(
             pool,
             library.specs,
@@ -142,6 +143,7 @@ def draw_cast(
             rng,
             one_colour=one_colour,
             sides=sides,
+            varied=sides is not None and number < VARIED_TRIES,
             leads=library.leads,
         )
         free = unlike(library.specs, candidates)

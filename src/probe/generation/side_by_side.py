@@ -71,6 +71,7 @@ class Hidden:
             CANDIDATES + secrets,
             rng,
             sides=SIDES_TOLERANCE,
+            varied=True,
             leads=library.leads,
         )
         room = tuple(footprint_of(library, spec.id) for spec in specs)

@@ -12,6 +12,7 @@ from probe.generation.alike import SIDES_TOLERANCE, TWIN_TOLERANCE, draw_alike, 
 from probe.generation.covers import Cover, Footprint, draw_cover, footprint_of
 from probe.generation.object_selection import (
     CAST_TRIES,
+    VARIED_TRIES,
     ObjectSelection,
     draw_crowd,
     hideable,
@@ -40,7 +41,7 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
     """
     count = int(rng.integers(_FEWEST, _MOST + 1))
     failure = Rejected("cover", "nothing was drawn")
-    for _ in range(CAST_TRIES):
+    for number in range(CAST_TRIES):
         candidates = draw_alike(
             hideable(library, LARGEST),
             library.specs,
@@ -48,6 +49,7 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
             CANDIDATES,
             rng,
             sides=SIDES_TOLERANCE,
+            varied=number < VARIED_TRIES,
             leads=library.leads,
         )
         room = [footprint_of(library, spec.id) for spec in candidates]
