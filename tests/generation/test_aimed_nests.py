@@ -10,7 +10,7 @@ import pytest
 
 from probe.generation import aimed_nests
 from probe.generation.aimed_nests import draw_aimed
-from probe.generation.marked import CoveredThing, WayOut
+from probe.generation.marked import CoveredThing, LyingOut
 from probe.generation.result import Rejected
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
@@ -32,11 +32,11 @@ def nest(pixels: float) -> CoveredThing:
 @pytest.fixture
 def table(monkeypatch: pytest.MonkeyPatch):
     """A table on which a thing shows the more the further out it is, and nothing slides."""
-    monkeypatch.setattr(aimed_nests, "draw_way_out", lambda *_: WayOut(np.zeros(2), 0.0))
+    monkeypatch.setattr(aimed_nests, "draw_way_out", lambda *_: LyingOut(np.zeros(2), 0.0))
     monkeypatch.setattr(aimed_nests, "furthest_out", lambda *_: REACH)
     monkeypatch.setattr(aimed_nests, "at_rest", lambda made, place, it: it)
 
-    def moved_out(made: object, place: int, way: WayOut, distance: float) -> CoveredThing:
+    def moved_out(made: object, place: int, way: LyingOut, distance: float) -> CoveredThing:
         return nest(ALONE_PX * distance / REACH)
 
     monkeypatch.setattr(aimed_nests, "moved_out", moved_out)

@@ -79,7 +79,7 @@ class CoveredThing:
 
 
 @dataclass(frozen=True, eq=False)
-class WayOut:
+class LyingOut:
     """Which way a marked thing is moved out from under its cover, and how both lie.
 
     Attributes:
@@ -221,7 +221,7 @@ def peeks(
 
 def draw_way_out(
     made: MarkedStage, place: int, rng: np.random.Generator, facing: float | None = None
-) -> WayOut:
+) -> LyingOut:
     """A way out from under a thing's cover; see peeks()."""
     cover, post = made.cast.covers[place], made.posts[place]
     turn = float(rng.uniform(0, 2 * math.pi))
@@ -229,7 +229,7 @@ def draw_way_out(
     towards = math.atan2(post.y, post.x) + float(rng.uniform(-_ASIDE, _ASIDE))
     if facing is not None:
         turn = made.stage.turn_under(place + 1, cover, towards - facing)
-    return WayOut(np.array([math.cos(towards), math.sin(towards)]), turn)
+    return LyingOut(np.array([math.cos(towards), math.sin(towards)]), turn)
 
 
 def furthest_out(made: MarkedStage, place: int) -> float:
@@ -237,7 +237,7 @@ def furthest_out(made: MarkedStage, place: int) -> float:
     return made.cast.covers[place].reach + max(made.cast.marked[place].size) / 2
 
 
-def moved_out(made: MarkedStage, place: int, way: WayOut, distance: float) -> CoveredThing:
+def moved_out(made: MarkedStage, place: int, way: LyingOut, distance: float) -> CoveredThing:
     """A thing so many metres out from under the middle of its cover; not yet at rest.
 
     The cover is laid over it there, and it may be jammed.

@@ -23,6 +23,7 @@ from probe.generation.object_selection import (
 )
 from probe.generation.result import Rejected
 from probe.tasks.options import CANDIDATES
+from probe.tasks.task import KIND_RULES, RulesVersion
 from probe.types import Array
 from probe.world.model import Post
 
@@ -53,12 +54,18 @@ class Hidden:
     room: tuple[Footprint, ...]
 
     @staticmethod
-    def drawn(library: Library, rng: np.random.Generator, secrets: int = COVERS - 1) -> Hidden:
+    def drawn(
+        library: Library,
+        rng: np.random.Generator,
+        rules: RulesVersion,
+        secrets: int = COVERS - 1,
+    ) -> Hidden:
         """Draw things that are alike in length, width and height.
 
         Args:
             library: To choose from.
             rng: Draws them.
+            rules: By which the task is made.
             secrets: How many are drawn beside the candidates.
 
         Raises:
@@ -71,7 +78,7 @@ class Hidden:
             CANDIDATES + secrets,
             rng,
             sides=SIDES_TOLERANCE,
-            varied=True,
+            varied=rules >= KIND_RULES,
             leads=library.leads,
         )
         room = tuple(footprint_of(library, spec.id) for spec in specs)
@@ -90,7 +97,7 @@ def select(
     draw: DrawCovers,
     crowd: int,
     rng: np.random.Generator,
-    hide: DrawHidden = Hidden.drawn,
+    hide: DrawHidden,
 ) -> ObjectSelection:
     """Who plays, with a crowd of so many.
 

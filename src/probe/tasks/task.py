@@ -56,6 +56,9 @@ SIX_RULES: RulesVersion = 3
 PILE_RULES: RulesVersion = 3
 """Since these, things may lie on a cover, and count as what hides with it."""
 
+KIND_RULES: RulesVersion = 3
+"""Since these, candidates are of several categories where that can be."""
+
 AIM_RULES: RulesVersion = 3
 """Since these, covers of marked things have no holes. Compare's are aimed by what is wrong with
 what shows, several casts may be tried, and colours are compared of what has one main colour."""

@@ -95,7 +95,8 @@ def select_decoys(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
         cover = draw_cover(library, countable, hidden.room, rng)
         return [cover] * COVERS if cover else []
 
-    cast = select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng)
+    hide = partial(Hidden.drawn, rules=plan.rules)
+    cast = select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, hide)
     return with_toppings(library, cast, some_of(COVERS, rng), rng) if is_topped(plan) else cast
 
 

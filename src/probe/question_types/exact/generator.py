@@ -97,7 +97,8 @@ def select_exact(library: Library, plan: TaskPlan, rng: np.random.Generator) -> 
     def draw(free: Sequence[ObjectSpec], hidden: Hidden) -> Sequence[Cover]:
         return draw_unlike_covers(library, free, hidden, rng)
 
-    return select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng)
+    hide = partial(Hidden.drawn, rules=plan.rules)
+    return select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, hide)
 
 
 GENERATOR = TaskGenerator(

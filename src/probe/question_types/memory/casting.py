@@ -37,4 +37,5 @@ def select_memory(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
         return covers if len(covers) == COVERS else []
 
     crowd = int(rng.integers(_FEWEST, _MOST + 1))
-    return select(library, draw, crowd, rng, partial(Hidden.drawn, secrets=0))
+    hide = partial(Hidden.drawn, rules=plan.rules, secrets=0)
+    return select(library, draw, crowd, rng, hide)

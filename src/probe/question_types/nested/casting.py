@@ -23,6 +23,7 @@ from probe.generation.result import Rejected
 from probe.generation.task_plan import TaskPlan
 from probe.generation.toppings import is_topped, with_toppings
 from probe.tasks.options import CANDIDATES
+from probe.tasks.task import KIND_RULES
 from probe.types import Pose
 
 LARGEST = 0.07
@@ -49,7 +50,7 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
             CANDIDATES,
             rng,
             sides=SIDES_TOLERANCE,
-            varied=number < VARIED_TRIES,
+            varied=plan.rules >= KIND_RULES and number < VARIED_TRIES,
             leads=library.leads,
         )
         room = [footprint_of(library, spec.id) for spec in candidates]

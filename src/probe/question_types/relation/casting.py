@@ -41,6 +41,6 @@ def select_relation(library: Library, plan: TaskPlan, rng: np.random.Generator) 
         cover = draw_cover(library, countable, hidden.room, rng)
         return [cover] * RING if cover else []
 
-    hide = partial(Hidden.drawn, secrets=NAMED)
+    hide = partial(Hidden.drawn, rules=plan.rules, secrets=NAMED)
     cast = select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, hide)
     return with_toppings(library, cast, some_of(RING, rng), rng) if is_topped(plan) else cast
