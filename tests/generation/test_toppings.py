@@ -9,6 +9,7 @@ import pytest
 
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
+from probe.episodes.oracle_view import oracle_view
 from probe.generation.attempt import Attempt
 from probe.generation.build_folder import TaskSlot
 from probe.generation.covers import can_top, cover_of
@@ -149,3 +150,16 @@ def test_what_lies_on_a_cover_is_no_excuse_for_what_else_hides(
 def moved(scene: Scene, instance: int, pose: Pose) -> Scene:
     objects = (replace(it, pose=pose) if it.instance == instance else it for it in scene.objects)
     return replace(scene, objects=tuple(objects))
+
+
+@pytest.mark.slow
+def test_what_lies_on_the_cover_vanishes_with_it_from_the_oracles_picture(
+    made: Task, library: Library, renderer: Renderer
+):
+    load_scene(renderer, made.scene, library)
+    (topping, _), _ = steps(made, library, renderer)
+    assert made.cover is not None
+    shown = oracle_view(made, library, renderer)
+    assert shown.removed == tuple(sorted({topping, made.cover}))
+    older = oracle_view(replace(made, version=2), library, renderer)
+    assert older.removed == (made.cover,)

@@ -10,6 +10,7 @@ import pytest
 
 from probe.assets.library import Library
 from probe.render.renderer import Renderer
+from probe.tasks.english import listed
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
 from probe.verification.check import CheckDepth, check
@@ -20,13 +21,16 @@ Mutation = Callable[[Task], Task]
 
 
 def about_another(task: Task, library: Library, number: int) -> Task:
-    """Asks about another of the three covers, in its words as well, which list all three first."""
+    """Asks about another of the three covers, in its words as well; the list of all stays."""
     names = {it: library[task.scene[it].object_id].name for it in task.named}
     cover = [it for it in task.named if it != task.cover][number]
     asked, other = task.subject.split(", ")[0], names[cover]
-    before, _, after = task.question.rpartition(asked)
+    listing = listed(list(names.values()))
+    assert task.question.count(listing) == 1
+    question = task.question.replace(listing, "<all>").replace(asked, other)
     subject = ", ".join([other, *(name for name in names.values() if name != other)])
-    return replace(task, question=f"{before}{other}{after}", cover=cover, subject=subject)
+    question = question.replace("<all>", listing)
+    return replace(task, question=question, cover=cover, subject=subject)
 
 
 def bystanders(task: Task) -> list[int]:
