@@ -211,6 +211,53 @@ def test_exact_never_pushes_nor_clears_what_lies_on_top(play, status):
     assert any(placed.instance == 4 for placed in record.scenes[-1].objects)
 
 
+UNLIKE = [
+    Block(number, (left, 100, left + 199, 299), 0.08, colour)
+    for number, left, colour in zip(
+        (7, 4, 1), PLACES, ((120, 120, 120), (40, 120, 50), (30, 60, 150)), strict=True
+    )
+]
+"""A tray, a book and a bowl, from left to right."""
+
+THREE_THERE = ["red die", "yellow duck", "white egg", "gray tin", NONE]
+"""What lies under the tray, the book and the bowl, in this order, and something else."""
+
+
+@pytest.mark.parametrize("first", ["grasp", "push"])
+@pytest.mark.parametrize(
+    ("subject", "letter"),
+    [
+        ("gray tray, green book, blue bowl", "A"),
+        ("green book, gray tray, blue bowl", "B"),
+        ("blue bowl, green book, gray tray", "C"),
+    ],
+)
+def test_memory_names_what_was_under_the_cover_that_is_asked_about(play, first, subject, letter):
+    skills = Obedient()
+    blocks = [*UNLIKE, under(0, 2), under(1, 3), under(2, 5), BOX]
+    record = play(agent("memory", subject, first), THREE_THERE, SPECS, blocks, skills)
+    assert record.answer and record.answer.choice == letter
+    assert ways(skills) == ["grasp"] * 3
+    assert {placed.instance for placed in record.scenes[-1].objects} == {2, 3, 5, 6}
+
+
+def test_memory_does_not_take_what_another_cover_hid_for_the_answer(play):
+    blocks = [*UNLIKE, under(0, 10), under(1, 3), under(2, 5), BOX]
+    asked = agent("memory", "gray tray, green book, blue bowl")
+    record = play(asked, THREE_THERE, SPECS, blocks)
+    assert record.answer and record.answer.choice == "E"
+
+
+@pytest.mark.parametrize("status", ["blocked", "no_candidate"])
+def test_memory_says_nothing_before_all_that_is_named_is_gone(play, status):
+    skills = Obedient(status)
+    blocks = [*UNLIKE, under(0, 2), under(1, 3), under(2, 5)]
+    asked = agent("memory", "gray tray, green book, blue bowl")
+    record = play(asked, THREE_THERE, SPECS, blocks, skills)
+    assert record.answer is None
+    assert set(ways(skills)) == {"grasp"}
+
+
 LARGE = [
     Block(number, (left, 100, left + 249, 349), 0.08, (30, 60, 150))
     for number, left in ((1, 30), (6, 330), (7, 630))

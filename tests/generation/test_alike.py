@@ -45,6 +45,17 @@ def test_five_of_one_colour_are_told_apart_by_category(seed):
     assert len({one.category for one in drawn}) == 5
 
 
+def test_where_sides_are_alike_several_categories_are_preferred():
+    balls = [spec(f"{colour} ball", "ball", colour, 0.04) for colour in "abcdef"]
+    few = [spec(f"{kind} thing", kind, "red", 0.04) for kind in ("egg", "cork", "soap")]
+    for seed in range(30):
+        rng = np.random.default_rng(seed)
+        drawn = draw_alike([*balls, *few], [*balls, *few], 0.1, 5, rng, sides=0.1, varied=True)
+        kinds = Counter(one.category for one in drawn)
+        assert kinds == {"ball": 2, "egg": 1, "cork": 1, "soap": 1}
+        assert len(draw_alike(balls, balls, 0.1, 5, rng, sides=0.1, varied=True)) == 5
+
+
 def test_two_colours_are_not_one():
     pool = [spec(f"red and {o} {k}", k, "red", 0.04) for o in ("blue", "white") for k in "abc"]
     with pytest.raises(Rejected):

@@ -4,7 +4,15 @@ import numpy as np
 import pytest
 
 from probe.assets.library import Library
-from probe.generation.covers import Cover, Footprint, cover_of, draw_cover, draw_lean, footprint_of
+from probe.generation.covers import (
+    Cover,
+    Footprint,
+    cover_of,
+    draw_cover,
+    draw_lean,
+    draw_shield,
+    footprint_of,
+)
 from probe.types import Pose
 
 MUG, BOOK, CAN, LIME = "proc_red_mug", "proc_blue_paperback", "proc_corn_can", "proc_lime"
@@ -72,3 +80,18 @@ def test_covers_are_drawn_among_those_that_hide_everything(library: Library):
 def test_what_leans_is_flat(library: Library):
     lean = draw_lean(library, library.specs, [Footprint(0.06, 0.05)], np.random.default_rng(3))
     assert lean is not None and lean.depth == 0
+
+
+BELT = "proc_black_rolled_belt"
+
+
+def test_a_rolled_belt_shows_what_lies_beneath_it(library: Library):
+    assert not found(library, BELT).closed
+    assert found(library, BOOK).closed
+
+
+def test_a_rolled_belt_shields_only_what_may_show_through(library: Library):
+    specs, room, rng = [library[BELT]], [Footprint(0.05, 0.02)], np.random.default_rng(0)
+    drawn = draw_shield(library, specs, room, rng)
+    assert drawn is not None and drawn.spec.id == BELT
+    assert draw_shield(library, specs, room, rng, closed=True) is None

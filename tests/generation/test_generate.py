@@ -18,6 +18,7 @@ from probe.generation.generate import generate
 from probe.generation.plan import ATTEMPTS, plan
 from probe.generation.result import TaskCandidate
 from probe.generation.task_plan import CROSSED, MORE_CUES
+from probe.generation.toppings import TOPPED
 from probe.question_types.count.generator import instances
 from probe.question_types.find.generator import PARTLY_SEEN
 from probe.question_types.reduce.generator import REMOVALS
@@ -78,7 +79,8 @@ def check_certificate(task: Task, measured: dict[int, tuple[float, int]]) -> Non
 
 
 def test_beneath(library: Library, renderer: Renderer):
-    candidate = first_kept("beneath", 2, library, renderer)
+    bare = (e for e in itertools.count() if not TOPPED.of(plan("beneath", e * ATTEMPTS)))
+    candidate = first_kept("beneath", next(bare), library, renderer)
     task = candidate.task
     (target,), cover = task.targets, task.cover
     assert cover is not None

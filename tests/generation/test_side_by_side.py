@@ -50,7 +50,7 @@ def test_what_lies_beneath_the_covers_is_alike_and_can_be_told_apart(
     assert len(kinds) == (1 if question_type == "decoys" else COVERS)
     names = [it.name for it in cast.specs]
     assert len(set(names)) == len(names) - (COVERS - len(kinds))
-    numbers = (*range(1, 6), *cast.secrets, *cast.covering, *cast.crowd)
+    numbers = (*range(1, 6), *cast.secrets, *cast.covering, *cast.crowd, *cast.toppings)
     assert numbers == tuple(range(1, len(cast.specs) + 1))
     for number, it in zip(cast.covering, cast.covers, strict=True):
         assert cast.specs[number - 1] is it.spec

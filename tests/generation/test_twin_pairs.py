@@ -14,7 +14,7 @@ from probe.generation.palettes import main_colour
 from probe.generation.plan import plan
 from probe.generation.task_plan import CROSSED
 from probe.generation.twin_pairs import TwinPair, TwinSide, draw_duels
-from probe.question_types.compare.generator import paint_twins_of
+from probe.question_types.compare.casting import paint_twins_of
 from probe.scene.seeds import generator
 from probe.tasks.task import Letter
 from tabletops import spec

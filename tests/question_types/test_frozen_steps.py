@@ -28,7 +28,7 @@ from probe.verification.check import CheckDepth, check, rebuild_problem
 from probe.verification.text import read_anew
 
 HERE = Path(__file__).parent
-TYPES = ("nested", "exact", "decoys", "ranked", "budgeted", "relation")
+TYPES = ("nested", "exact", "decoys", "ranked", "budgeted", "relation", "memory")
 
 
 def suite(question_type: str) -> Suite:
@@ -74,7 +74,7 @@ def test_what_they_ask_is_checked_against_the_table(library: Library, name: str)
     assert read_anew(unstated, library) == (f"its certificate doesn't state {NECESSARY}",)
 
 
-@pytest.mark.parametrize("name", ["nested", "exact", "decoys", "relation"])
+@pytest.mark.parametrize("name", ["nested", "exact", "decoys", "relation", "memory"])
 def test_candidates_of_unlike_height_are_refused(library: Library, name: str):
     task = TASKS[name]
     tall = max(library.specs, key=lambda it: it.size[2]).id
@@ -137,14 +137,14 @@ def test_the_oracle_view_takes_away_all_that_is_necessary(
 def test_the_inner_cover_has_to_be_movable_too(library: Library, renderer: Renderer):
     task = TASKS["nested"]
     load_scene(renderer, task.scene, library)
-    (outer, before), (inner, after) = steps(task, renderer)
+    (outer, before), (inner, after) = steps(task, library, renderer)
     assert (outer, tuple(before)) == (task.cover, ())
     assert {outer, inner} == set(necessary_removals(task, library, renderer) or ())
     assert tuple(after) == (outer,)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["nested", "exact", "decoys", "ranked", "relation"])
+@pytest.mark.parametrize("name", ["nested", "exact", "decoys", "ranked", "relation", "memory"])
 def test_a_task_comes_out_of_its_seed_again(library: Library, renderer: Renderer, name: str):
     assert rebuild_problem(TASKS[name], library, renderer, table_ids(None)) is None
 

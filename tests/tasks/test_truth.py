@@ -8,7 +8,9 @@ from probe.tasks.truth import (
     Extent,
     Silhouette,
     how_many,
+    lies_on,
     lies_under,
+    on_top,
     which_beneath,
     which_darker,
     which_like,
@@ -57,6 +59,20 @@ def test_anything_but_one_is_ambiguous(on_table):
 )
 def test_lies_under(item, cover, under):
     assert lies_under(item, cover) is under
+
+
+@pytest.mark.parametrize(
+    ("item", "cover", "on"),
+    [
+        (strip(20, 30, 0.09), strip(10, 40, 0.08), True),
+        (strip(20, 30, 0.07), strip(10, 40, 0.08), False),  # not higher
+        (strip(5, 15, 0.09), strip(10, 40, 0.08), True),  # exactly half
+        (strip(4, 14, 0.09), strip(10, 40, 0.08), False),  # 40 %
+    ],
+)
+def test_lies_on(item, cover, on):
+    assert lies_on(item, cover) is on
+    assert on_top(1, {1: cover, 2: item}) == ((2,) if on else ())
 
 
 def test_beneath_names_the_candidate_under_the_cover_and_no_other():

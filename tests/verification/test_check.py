@@ -149,3 +149,20 @@ def test_histories_leave_every_grade_as_it_was(library, renderer):
     task = demo("count")
     verdict = check(task, library, renderer, CheckDepth(solve=False, history=True))
     assert verdict.holds and verdict.histories == 3
+
+
+@pytest.mark.parametrize(("noted", "rules"), [(True, 2), (False, 2), (True, 3)])
+def test_what_an_older_hand_solved_holds_though_none_of_today_does(
+    library, renderer, monkeypatch, noted, rules
+):
+    task = demo("beneath")
+    monkeypatch.setattr("probe.verification.check.solves_as_noted", lambda *_: False)
+    monkeypatch.setattr("probe.verification.check.trials", lambda *_: ())
+    measures = {"necessary": 1.0}
+    if noted:
+        measures |= {"solved_attempt": 0.0, "solved_by_pushing_first": 0.0}
+    task = replace(task, version=rules, certificate=replace(task.certificate, measures=measures))
+    verdict = check(task, library, renderer, CheckDepth(solve=True))
+    holds = noted and rules == 2
+    assert verdict.outgrown is holds
+    assert verdict.problems.get("solvable", ()) == (() if holds else ("none of 0 attempts",))

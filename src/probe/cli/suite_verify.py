@@ -184,7 +184,10 @@ def _print(
     suite: Suite, verdicts: Sequence[TaskVerdict], changed: dict[str, str], rebuilt: int
 ) -> None:
     _table(suite.name, verdicts).show()
-    told = (_failures(verdicts), _balance_lines(suite), _history_lines(verdicts))
+    told = (
+        *(_failures(verdicts), _outgrown_lines(verdicts)),
+        *(_balance_lines(suite), _history_lines(verdicts)),
+    )
     for line in (*chain(*told), *_observer_lines(verdicts)):
         say(line)
     if rebuilt:
@@ -215,6 +218,15 @@ def _failures(verdicts: Sequence[TaskVerdict]) -> Iterator[str]:
         for name, problems in verdict.problems.items():
             for problem in problems:
                 yield f"{verdict.task}: {name}: {problem}"
+
+
+def _outgrown_lines(verdicts: Sequence[TaskVerdict]) -> Iterator[str]:
+    for verdict in verdicts:
+        if verdict.outgrown:
+            yield (
+                f"{verdict.task}: solvable: today's scripted agents and tools don't solve it; "
+                "with the tools that it was made with an attempt did, by its certificate."
+            )
 
 
 def _balance_lines(suite: Suite) -> Iterator[str]:

@@ -13,6 +13,7 @@ from probe.render.photograph import labels_of
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.tasks.task import Task
+from probe.tasks.truth import ON_SHARE
 from probe.types import Array, Camera
 
 _HIDES_PX = 30
@@ -59,6 +60,26 @@ class TableSight:
                 return found
             found |= over
 
+    def on_top(self, gone: Collection[int]) -> set[int]:
+        """What lies on things that vanish and would stay in the air.
+
+        Half or more of its outline is within that of such a thing, and there it is in front.
+        """
+        return {
+            item
+            for below in gone
+            for item in self.outlines
+            if item not in gone and self._is_on(item, below)
+        }
+
+    def _is_on(self, item: int, below: int) -> bool:
+        mask = self.outlines[item]
+        both = mask & self.outlines[below]
+        if not mask.any() or both.sum() < ON_SHARE * mask.sum():
+            return False
+        alone = self.labels([n for n in self.outlines if n not in (item, below)])
+        return bool((alone[both] == item).mean() > 1 / 2)
+
 
 @dataclass(frozen=True)
 class OracleRule:
@@ -74,6 +95,11 @@ class OracleRule:
 def like_covers(task: Task, viewpoint: TableSight) -> set[int]:
     """All copies of the cover that a question names."""
     return set() if task.cover is None else set(task.scene.like(task.cover))
+
+
+def all_named(task: Task, viewpoint: TableSight) -> set[int]:
+    """All that a question wants removed."""
+    return set(task.named)
 
 
 def over_marked(task: Task, viewpoint: TableSight) -> set[int]:

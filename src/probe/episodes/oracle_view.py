@@ -16,7 +16,7 @@ from probe.render.renderer import Renderer
 from probe.scene.viewpoint import Viewpoint
 from probe.tasks.marks import drawn
 from probe.tasks.registry import part_of
-from probe.tasks.task import Task
+from probe.tasks.task import PILE_RULES, Task
 from probe.types import Camera, Frame
 
 
@@ -61,4 +61,8 @@ def oracle_view(
 def vanishing(task: Task, renderer: Renderer, camera: Camera | None = None) -> set[int]:
     """Instances without which a task's evidence shows; the renderer must have them loaded."""
     rule = part_of(task.question_type, "oracle_view", OracleRule)
-    return rule.vanishing(task, TableSight(task.scene, renderer, camera or task.viewpoint.camera))
+    sight = TableSight(task.scene, renderer, camera or task.viewpoint.camera)
+    gone = rule.vanishing(task, sight)
+    if task.version < PILE_RULES:
+        return gone
+    return gone | (sight.on_top(gone) - set(task.targets))

@@ -25,7 +25,10 @@ LOOSE_TOLERANCE = 0.25
 FREQUENCY_RATIO = 6.0
 """Most that the sizes of candidates' categories differ by; most small scans are one of a kind."""
 
-_TRIES = 10
+MOST_OF_A_KIND = 2
+"""Things of one category in a set, if that can be: four balls that differ in colour say little."""
+
+_TRIES, _VARIED_TRIES = 10, 30
 
 _ENOUGH_LEADING = 3
 """Among things of which some lead, a set with so many of those is taken at once."""
@@ -61,6 +64,7 @@ def draw_alike(
     *,
     one_colour: bool = False,
     sides: float | None = None,
+    varied: bool = False,
     leads: Leads = nobody,
 ) -> tuple[ObjectSpec, ...]:
     """Draw objects alike in size and in how common their category is.
@@ -76,6 +80,7 @@ def draw_alike(
         rng: Draws them.
         one_colour: Whether their names are to say the same colours, or none.
         sides: Of length, width and height as they stand, as a share; None for any.
+        varied: Whether a set with at most MOST_OF_A_KIND of one category is looked for first.
         leads: Which are to be drawn wherever they can.
 
     Raises:
@@ -92,8 +97,9 @@ def draw_alike(
         return _alike(specs, tolerance, common) and not (one_colour and _colours_differ(specs))
 
     drawn, best = list[ObjectSpec](), list[ObjectSpec]()
-    for _ in range(_TRIES):
-        drawn = _grown(in_turn(pool, leads, rng), count, go_together)
+    limits = [MOST_OF_A_KIND] * _VARIED_TRIES if varied else []
+    for most in [*limits, *[count] * _TRIES]:
+        drawn = _grown(in_turn(pool, leads, rng), count, most, go_together)
         if len(drawn) == count and (not best or sum(map(leads, drawn)) > sum(map(leads, best))):
             best = drawn
         if best and sum(map(leads, best)) >= enough:
@@ -105,15 +111,19 @@ def draw_alike(
 
 
 def _grown(
-    order: Sequence[ObjectSpec], count: int, go_together: Callable[[Sequence[ObjectSpec]], bool]
+    order: Sequence[ObjectSpec],
+    count: int,
+    most: int,
+    go_together: Callable[[Sequence[ObjectSpec]], bool],
 ) -> list[ObjectSpec]:
-    """The first that go together, so many at most."""
-    drawn: list[ObjectSpec] = []
+    """The first that go together, so many at most, and at most so many of one category."""
+    drawn, kinds = list[ObjectSpec](), Counter[str]()
     for spec in order:
         if len(drawn) == count:
             break
-        if go_together([*drawn, spec]):
+        if kinds[spec.category] < most and go_together([*drawn, spec]):
             drawn.append(spec)
+            kinds[spec.category] += 1
     return drawn
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -27,6 +27,7 @@ FLAT_THICKNESS = 0.05
 SLAB_THICKNESS = 0.04
 SMALLEST_SLAB = 0.085, 0.13
 TOPPING = 0.05, 0.10
+_TOPPING_SHARE, _TOPPING_FLATNESS = 0.65, 0.6
 SMALLEST_COVER = 0.07
 _DEEP = 0.03
 _WIDER = 1.2
@@ -34,6 +35,7 @@ _STEEPER = 1.3
 _MOST, _WIDEST_SHIELD = 0.75, 0.19
 _FILLED = 0.7
 _GRID = 24
+_MIDDLE = slice(_GRID // 4, _GRID - _GRID // 4)
 _TALLER = 1.2
 """A cover may stand on what it hides and still hide it, up to this."""
 
@@ -87,6 +89,7 @@ class Cover:
         middle: Where its cavity's middle is, (x, y) from the middle of its extent.
         width: Of its cavity; 0 for flat things.
         depth: Of its cavity; 0 for flat things.
+        closed: Whether a flat thing has no hole near its middle that shows what lies beneath.
     """
 
     spec: ObjectSpec
@@ -95,6 +98,7 @@ class Cover:
     middle: tuple[float, float]
     width: float
     depth: float
+    closed: bool = True
 
     @property
     def reach(self) -> float:
@@ -161,15 +165,25 @@ def draw_shield(
     specs: Sequence[ObjectSpec],
     items: Sequence[Footprint],
     rng: np.random.Generator,
+    *,
+    closed: bool = False,
 ) -> Cover | None:
-    """Draw a flat thing that rests on any of these and hides most of it; None without one."""
+    """Draw a flat thing that rests on any of these and hides most of it; None without one.
+
+    Args:
+        library: Has them.
+        specs: To choose from.
+        items: What is to be covered.
+        rng: Draws.
+        closed: Whether rings and the like won't do.
+    """
 
     def rests(spec: ObjectSpec) -> bool:
         narrow = sorted(spec.size)[1]
         small = _is_flat(spec) and max(spec.size) <= _WIDEST_SHIELD
         return small and all(narrow >= max(_MOST * i.width, i.height / _LOWER) for i in items)
 
-    return _draw_flat(library, specs, rests, rng)
+    return _draw_flat(library, specs, rests, rng, closed=closed)
 
 
 def _draw_flat(
@@ -177,12 +191,14 @@ def _draw_flat(
     specs: Sequence[ObjectSpec],
     suits: Callable[[ObjectSpec], bool],
     rng: np.random.Generator,
+    *,
+    closed: bool = False,
 ) -> Cover | None:
     """Draw something of a suitable size that lies flat as a cover; None if there is none."""
     for spec in in_turn(specs, library.leads, rng):
         if suits(spec):
             cover = cover_of(library, spec.id)
-            if cover and cover.depth == 0:
+            if cover and cover.depth == 0 and (cover.closed or not closed):
                 return cover
     return None
 
@@ -198,10 +214,21 @@ def draw_topping(
     The items don't matter: it only lies on top of what hides them.
     """
     for spec in in_turn(specs, library.leads, rng):
-        x, y, z = spec.size
-        if z <= min(x, y) <= GRASP_WIDTH and TOPPING[0] <= max(x, y) <= TOPPING[1]:
+        if _lies_still(spec):
             return Cover(spec, (1.0, 0.0, 0.0, 0.0), spec.size, (0.0, 0.0), 0.0, 0.0)
     return None
+
+
+def can_top(spec: ObjectSpec, cover: Cover) -> bool:
+    """Whether something stays where it is laid on a cover and leaves much of it in view."""
+    flat = spec.size[2] <= _TOPPING_FLATNESS * min(spec.size[:2])
+    return flat and _lies_still(spec) and max(spec.size) <= _TOPPING_SHARE * min(cover.extent[:2])
+
+
+def _lies_still(spec: ObjectSpec) -> bool:
+    """Whether something is small and flat, and can be grasped."""
+    x, y, z = spec.size
+    return z <= min(x, y) <= GRASP_WIDTH and TOPPING[0] <= max(x, y) <= TOPPING[1]
 
 
 def lies_on_side(spec: ObjectSpec) -> bool:
@@ -265,16 +292,24 @@ def cover_of(library: Library, object_id: str) -> Cover | None:
             return _lying(spec, mesh, down, _HALF_TURN @ cavity.middle, room)
     upwards = int(np.argmin(spec.size))
     down = np.roll(np.eye(3), 2 - upwards, axis=0)
-    filled = _filled_share(mesh.vertices @ down.T, mesh.faces)
-    return _lying(spec, mesh, down, None, (0.0, 0.0)) if filled >= _FILLED else None
+    filled = _filled(mesh.vertices @ down.T, mesh.faces)
+    if filled.mean() < _FILLED:
+        return None
+    closed = bool(filled[_MIDDLE, _MIDDLE].all())
+    return replace(_lying(spec, mesh, down, None, (0.0, 0.0)), closed=closed)
 
 
-def _filled_share(corners: Array, faces: Array) -> float:
-    """Share of the bounding rectangle, seen along z, that a mesh fills: 0.785 for a disc."""
+def _filled(corners: Array, faces: Array) -> Array:
+    """Which cells of the bounding rectangle, seen along z, a mesh fills, bool, shape (n, n).
+
+    A disc fills 0.785 of them.
+    """
     points = lattice_points(corners, faces, float(np.ptp(corners[:, :2], axis=0).min()) / _GRID)
     low, extent = points[:, :2].min(axis=0), np.ptp(points[:, :2], axis=0)
     cells = np.minimum((points[:, :2] - low) / extent * _GRID, _GRID - 1).astype(int)
-    return len(np.unique(cells, axis=0)) / _GRID**2
+    filled = np.zeros((_GRID, _GRID), dtype=bool)
+    filled[cells[:, 0], cells[:, 1]] = True
+    return filled
 
 
 def _lying(

@@ -62,7 +62,7 @@ def frame_of(
     cast: ObjectSelection, seed: int, table: str, rng: np.random.Generator, setup: Setup
 ) -> SceneFrame:
     """A frame that gives all candidates the same number, so that twins differ in nothing else."""
-    rest = (*cast.secrets, *cast.covering, *cast.crowd)
+    rest = (*cast.secrets, *cast.covering, *cast.crowd, *cast.toppings)
     drawn = _numbers(len(rest) + 1, rng)
     number_of = dict.fromkeys(range(1, len(cast.candidates) + 1), drawn[0])
     number_of |= dict(zip(rest, drawn[1:], strict=True))

@@ -79,6 +79,19 @@ class CoveredThing:
 
 
 @dataclass(frozen=True, eq=False)
+class LyingOut:
+    """Which way a marked thing is moved out from under its cover, and how both lie.
+
+    Attributes:
+        out: Direction on the table, shape (2,), length 1.
+        turn: Of the cover about the vertical, radians.
+    """
+
+    out: Array
+    turn: float
+
+
+@dataclass(frozen=True, eq=False)
 class MarkedStage:
     """A stage with what looks at it."""
 
@@ -100,6 +113,8 @@ def cast_marked(
     needed: Sequence[ObjectSpec],
     rng: np.random.Generator,
     unlike_too: Sequence[ObjectSpec] = (),
+    *,
+    closed: bool = False,
 ) -> MarkedSelection | None:
     """Draw covers that would both do for either of two marked things, and the others.
 
@@ -109,6 +124,7 @@ def cast_marked(
         needed: What must be among the others; it is dropped last.
         rng: Draws the rest.
         unlike_too: What else all others have to be told apart from by name.
+        closed: Whether covers with holes won't do.
 
     Returns:
         None if nothing covers them.
@@ -118,8 +134,8 @@ def cast_marked(
     """
     free = unlike(library.specs, [*pair, *needed, *unlike_too])
     room = [low_footprint_of(library, spec.id) for spec in pair]
-    first = draw_shield(library, free, room, rng)
-    second = first and draw_shield(library, unlike(free, [first.spec]), room, rng)
+    first = draw_shield(library, free, room, rng, closed=closed)
+    second = first and draw_shield(library, unlike(free, [first.spec]), room, rng, closed=closed)
     if not first or not second:
         return None
     free = unlike(free, [first.spec, second.spec])
@@ -191,25 +207,46 @@ def peeks(
     Returns:
         All that was tried on the way and shows a little; not yet at rest.
     """
-    cover, spec, post = made.cast.covers[place], made.cast.marked[place], made.posts[place]
-    turn = float(rng.uniform(0, 2 * math.pi))
-    # Outwards: towards the middle, the other nest might be in its place.
-    towards = math.atan2(post.y, post.x) + float(rng.uniform(-_ASIDE, _ASIDE))
-    out = np.array([math.cos(towards), math.sin(towards)])
-    if facing is not None:
-        turn = made.stage.turn_under(place + 1, cover, towards - facing)
-    low, high = 0.0, cover.reach + max(spec.size) / 2
+    way = draw_way_out(made, place, rng, facing)
+    low, high = 0.0, furthest_out(made, place)
     found: list[CoveredThing] = []
     for _ in range(_BISECTIONS):
         middle = (low + high) / 2
-        x, y = np.array([post.x, post.y]) + middle * out
-        layer = Layer(_SIDES + place + 1, cover, -middle * out, turn)
-        at = Post(float(x), float(y), post.radius)
-        nest = _look(made, place, made.stage.nest(place + 1, [layer], at, laid=lies_on_side(spec)))
+        nest = moved_out(made, place, way, middle)
         if is_little(nest.seen) and not made.stage.jammed:
             found.append(nest)
         low, high = (middle, high) if nest.seen.fraction < wanted else (low, middle)
     return found
+
+
+def draw_way_out(
+    made: MarkedStage, place: int, rng: np.random.Generator, facing: float | None = None
+) -> LyingOut:
+    """A way out from under a thing's cover; see peeks()."""
+    cover, post = made.cast.covers[place], made.posts[place]
+    turn = float(rng.uniform(0, 2 * math.pi))
+    # Outwards: towards the middle, the other nest might be in its place.
+    towards = math.atan2(post.y, post.x) + float(rng.uniform(-_ASIDE, _ASIDE))
+    if facing is not None:
+        turn = made.stage.turn_under(place + 1, cover, towards - facing)
+    return LyingOut(np.array([math.cos(towards), math.sin(towards)]), turn)
+
+
+def furthest_out(made: MarkedStage, place: int) -> float:
+    """How far a thing may be moved at most until its cover misses it, metres."""
+    return made.cast.covers[place].reach + max(made.cast.marked[place].size) / 2
+
+
+def moved_out(made: MarkedStage, place: int, way: LyingOut, distance: float) -> CoveredThing:
+    """A thing so many metres out from under the middle of its cover; not yet at rest.
+
+    The cover is laid over it there, and it may be jammed.
+    """
+    cover, spec, post = made.cast.covers[place], made.cast.marked[place], made.posts[place]
+    x, y = np.array([post.x, post.y]) + distance * way.out
+    layer = Layer(_SIDES + place + 1, cover, -distance * way.out, way.turn)
+    at = Post(float(x), float(y), post.radius)
+    return _look(made, place, made.stage.nest(place + 1, [layer], at, laid=lies_on_side(spec)))
 
 
 def _look(made: MarkedStage, place: int, poses: Poses) -> CoveredThing:

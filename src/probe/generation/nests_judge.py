@@ -29,16 +29,17 @@ class NestsJudge:
     def check(self, twin: Twin) -> None:
         """All rules on one scene; cheap ones first.
 
-        What is beneath each cover is hidden, and taking this one away shows it and nothing else.
+        What is beneath each cover is hidden; without this one and what lies on it, that alone comes
+        to light.
 
         Raises:
             Rejected: It breaks one.
         """
-        look, view = self.ghosts.look(twin), self.ghosts.view
+        look = self.ghosts.look(twin)
         staged = self.nests.pairs_of(twin.candidate)
         pairs = [(look.number_of[item], look.number_of[cover]) for item, cover in staged]
-        shapes = view.silhouettes(twin.scene, [number for pair in pairs for number in pair])
-        seen = look.before(list(shapes))
+        shapes = look.silhouettes
+        seen = look.before([number for pair in pairs for number in pair])
         for hidden, cover in pairs:
             check_hidden(seen[hidden])
             if not is_clear(seen[cover]):
@@ -47,7 +48,7 @@ class NestsJudge:
                 share = covered_share(shapes[hidden], shapes[cover])
                 raise Rejected("under", f"{share:.0%} within the cover's outline")
         shown = [
-            look.revealed(covering, hidden)
+            look.revealed_without(look.with_what_lies_on(covering), hidden)
             for (_, covering), (hidden, _) in zip(staged, pairs, strict=True)
         ]
         (target, cover), *_ = pairs

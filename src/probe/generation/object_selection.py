@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,8 +20,9 @@ from probe.tasks.options import CANDIDATES
 SMALLEST, LARGEST = 0.025, 0.09
 """Longest side in metres of what may be hidden beneath a single thing."""
 
-CAST_TRIES = 8
-"""Sets of alike things that are drawn until something covers each of them."""
+CAST_TRIES, VARIED_TRIES = 8, 4
+"""Sets of alike things that are drawn until something covers each of them, and how many of these
+are of several categories where that can be."""
 
 LEADING = "own things"
 """Name of the check that things which are to play the parts do."""
@@ -42,8 +43,9 @@ class ObjectSelection:
         candidates: Of which one is on the table.
         eligible: Indices of those of which that one is drawn; all, or those that lead.
         covers: The lowest first; at least one.
-        others: The crowd.
+        others: The crowd, and last what lies on covers.
         beneath: What lies under further covers.
+        topped: Covers, by number from 0, that each of the last of the others lies on.
     """
 
     candidates: tuple[ObjectSpec, ...]
@@ -51,6 +53,7 @@ class ObjectSelection:
     covers: tuple[Cover, ...]
     others: tuple[ObjectSpec, ...]
     beneath: tuple[ObjectSpec, ...] = ()
+    topped: tuple[int, ...] = ()
 
     def draw_true(self, rng: np.random.Generator) -> int:
         """Index of the candidate that is on the table."""
@@ -76,8 +79,15 @@ class ObjectSelection:
 
     @property
     def crowd(self) -> tuple[int, ...]:
-        """The others' instances on a stage."""
-        return tuple(range(self.covering[-1] + 1, len(self.specs) + 1))
+        """The crowd's instances on a stage."""
+        return tuple(range(self.covering[-1] + 1, len(self.specs) - len(self.topped) + 1))
+
+    @property
+    def toppings(self) -> Mapping[int, int]:
+        """What lies on covers, and on which: instances on a stage."""
+        first = len(self.specs) - len(self.topped) + 1
+        under = (self.covering[number] for number in self.topped)
+        return dict(zip(range(first, len(self.specs) + 1), under, strict=True))
 
 
 def hideable(library: Library, largest: float = LARGEST) -> list[ObjectSpec]:
@@ -124,7 +134,7 @@ def draw_cast(
         Rejected: The library has no such set.
     """
     pool, failure = hideable(library, largest), Rejected("cover", "nothing was drawn")
-    for _ in range(CAST_TRIES):
+    for number in range(CAST_TRIES):
         candidates = draw_alike(
             pool,
             library.specs,
@@ -133,6 +143,7 @@ def draw_cast(
             rng,
             one_colour=one_colour,
             sides=sides,
+            varied=sides is not None and number < VARIED_TRIES,
             leads=library.leads,
         )
         free = unlike(library.specs, candidates)

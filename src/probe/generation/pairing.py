@@ -17,7 +17,7 @@ from probe.types import Array
 _ROUNDS = 5
 _CHOICES = 2
 
-_MOST = 0.28
+MOST = 0.28
 """Largest share to begin with: what shows by more than SEEN_SHARE once all is laid is named."""
 
 _T = TypeVar("_T")
@@ -46,9 +46,9 @@ def draw_nests(
     found: tuple[list[tuple[CoveredThing, _T]], list[tuple[CoveredThing, _T]]] = ([], [])
     for _ in range(_ROUNDS):
         for place in (0, 1):
-            wanted = math.exp(rng.uniform(math.log(LITTLE[0]), math.log(_MOST)))
+            wanted = math.exp(rng.uniform(math.log(LITTLE[0]), math.log(MOST)))
             side = float(rng.choice(facing[place])) if facing else None
-            nests = [n for n in peeks(made, place, wanted, rng, side) if n.seen.fraction <= _MOST]
+            nests = [n for n in peeks(made, place, wanted, rng, side) if n.seen.fraction <= MOST]
             found[place].extend((n, it) for n in nests if (it := shown(place, n)) is not None)
         pairs = [(off(a, b), first, second) for (first, a), (second, b) in product(*found)]
         doing = sorted((pair for pair in pairs if pair[0] < math.inf), key=lambda pair: pair[0])

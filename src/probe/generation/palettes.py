@@ -14,6 +14,10 @@ from probe.types import Array
 
 _SPOTS = 4000
 _SMALLEST_SHARE = 0.08
+_SECOND = 7 / 8
+"""Most that a thing of one main colour has of its second one, by the main one's share: which of two
+comes first would else depend on the side that is seen, and on the light."""
+
 _BLACK = np.array([16.0, 0.0, 0.0])
 
 
@@ -40,6 +44,12 @@ def palette_of(library: Library, object_id: str) -> tuple[ThingColour, ...]:
 def main_colour(library: Library, object_id: str) -> Array:
     """CIELAB of the colour that most of an object's surface has, shape (3,)."""
     return np.array(palette_of(library, object_id)[0].lab)
+
+
+def has_one_main_colour(library: Library, object_id: str) -> bool:
+    """Whether clearly more of an object's surface has its main colour than has any other."""
+    first, *others = palette_of(library, object_id)
+    return not others or others[0].share <= _SECOND * first.share
 
 
 def dimmed(colours: Array, root: float) -> Array:

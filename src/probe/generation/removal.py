@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from probe.generation.twins import Twin
 from probe.generation.visibility_rules import HIDDEN_SHARE, LARGEST_GAIN, REVEALED_SHARE
 from probe.scene.scene import Scene
 from probe.scene.visibility import Visibility
+from probe.tasks.truth import Silhouette, on_top
 from probe.types import Array
 
 _NOTABLE_PX = 100
@@ -62,6 +64,17 @@ class RemovalView:
     def before(self, of: Collection[int]) -> dict[int, Visibility]:
         """Visibility of some of the scene's instances."""
         return self.ghosts.view.visibility(self.twin.scene, self.labels, of)
+
+    def with_what_lies_on(self, covering: int) -> tuple[int, ...]:
+        """A cover and what lies on it: instances on the stage."""
+        above = on_top(self.number_of[covering], self.silhouettes)
+        return (covering, *(n for n in self.twin.poses if self.number_of[n] in above))
+
+    @cached_property
+    def silhouettes(self) -> Mapping[int, Silhouette]:
+        """Of all that is on the table, by the scene's instances."""
+        scene = self.twin.scene
+        return self.ghosts.view.silhouettes(scene, [placed.instance for placed in scene.objects])
 
     def removals(self, removed: Collection[int]) -> Iterator[tuple[str, RemovedScene]]:
         """The scene without some of the stage's instances: "frozen", then "resettled"."""

@@ -11,7 +11,7 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import SIDES_TOLERANCE, TWIN_TOLERANCE, draw_alike, unlike
-from probe.generation.covers import GRASP_WIDTH, Cover, Footprint, footprint_of
+from probe.generation.covers import GRASP_WIDTH, Cover, Footprint, draw_cover, footprint_of
 from probe.generation.object_selection import (
     CAST_TRIES,
     LARGEST,
@@ -23,6 +23,7 @@ from probe.generation.object_selection import (
 )
 from probe.generation.result import Rejected
 from probe.tasks.options import CANDIDATES
+from probe.tasks.task import KIND_RULES, RulesVersion
 from probe.types import Array
 from probe.world.model import Post
 
@@ -53,8 +54,19 @@ class Hidden:
     room: tuple[Footprint, ...]
 
     @staticmethod
-    def drawn(library: Library, rng: np.random.Generator) -> Hidden:
+    def drawn(
+        library: Library,
+        rng: np.random.Generator,
+        rules: RulesVersion,
+        secrets: int = COVERS - 1,
+    ) -> Hidden:
         """Draw things that are alike in length, width and height.
+
+        Args:
+            library: To choose from.
+            rng: Draws them.
+            rules: By which the task is made.
+            secrets: How many are drawn beside the candidates.
 
         Raises:
             Rejected: The library has too few.
@@ -63,9 +75,10 @@ class Hidden:
             hideable(library),
             library.specs,
             TWIN_TOLERANCE,
-            CANDIDATES + COVERS - 1,
+            CANDIDATES + secrets,
             rng,
             sides=SIDES_TOLERANCE,
+            varied=rules >= KIND_RULES,
             leads=library.leads,
         )
         room = tuple(footprint_of(library, spec.id) for spec in specs)
@@ -84,7 +97,7 @@ def select(
     draw: DrawCovers,
     crowd: int,
     rng: np.random.Generator,
-    hide: DrawHidden = Hidden.drawn,
+    hide: DrawHidden,
 ) -> ObjectSelection:
     """Who plays, with a crowd of so many.
 
@@ -108,6 +121,18 @@ def select(
         others = draw_crowd(unlike(free, [cover.spec for cover in covers]), crowd, rng)
         return ObjectSelection(hidden.candidates, eligible, tuple(covers), others, hidden.secrets)
     raise failure
+
+
+def draw_unlike_covers(
+    library: Library, free: Sequence[ObjectSpec], hidden: Hidden, rng: np.random.Generator
+) -> Sequence[Cover]:
+    """Covers of several names and looks, which the hand can lift; fewer than COVERS if need be."""
+    covers: list[Cover] = []
+    for _ in range(COVERS):
+        others = unlike(liftable(free), [cover.spec for cover in covers])
+        if cover := draw_cover(library, others, hidden.room, rng):
+            covers.append(cover)
+    return covers
 
 
 def liftable(specs: Sequence[ObjectSpec]) -> list[ObjectSpec]:

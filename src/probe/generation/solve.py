@@ -86,14 +86,19 @@ def _try(
     return SolveAttempt(way, attempt, solved, record.manipulations)
 
 
+def is_noted_as_solved(task: Task) -> bool:
+    """Whether a task's certificate notes an attempt that solved it."""
+    return _ATTEMPT in task.certificate.measures
+
+
 def solves_as_noted(task: Task, library: Library, renderer: Renderer) -> bool:
     """Whether the attempt that the certificate notes solves the task again.
 
     On another kind of machine it may not, and another attempt may.
     """
-    notes = task.certificate.measures
-    if _ATTEMPT not in notes:
+    if not is_noted_as_solved(task):
         return False
+    notes = task.certificate.measures
     way: Way = "push" if notes[_BY_PUSHING] else "grasp"
     return _try(task, way, int(notes[_ATTEMPT]), library, renderer).solved
 

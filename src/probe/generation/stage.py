@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +16,7 @@ from probe.generation.covers import Cover, on_side
 from probe.generation.result import Rejected
 from probe.scene.sampling import Drop, draw_drop
 from probe.scene.setup import Setup
+from probe.tasks.truth import ON_SHARE
 from probe.types import Array, Pose, Quaternion
 from probe.world.model import Item, Post
 from probe.world.pile import SINK_LIMIT, Pile
@@ -34,6 +35,8 @@ _SPOT_TRIES = 40
 _NARROWEST = 0.08
 _REACH = 0.17
 _RESPOT_REACH = 0.11
+_TOPPING_TRIES = 4
+_TOPPING_AIM = 0.01
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,6 +160,41 @@ class Stage:
         if waiting:
             raise Rejected("settle", f"{len(waiting)} keep leaving the table")
         return self._poses()
+
+    def top(self, toppings: Mapping[int, int], rng: np.random.Generator) -> Poses:
+        """Lay things on others that heap() holds; settle() still has to follow.
+
+        Args:
+            toppings: Instances that fall, each with the one that it falls on.
+            rng: Draws spots and orientations.
+
+        Raises:
+            Rejected: One of them slides off.
+        """
+        for instance, beneath in toppings.items():
+            for _ in range(_TOPPING_TRIES):
+                corners = self._pile.pose(beneath).apply(self._corners[beneath])
+                middle = (corners.min(axis=0) + corners.max(axis=0))[:2] / 2
+                x, y = (float(v) for v in middle + rng.uniform(-_TOPPING_AIM, _TOPPING_AIM, size=2))
+                turn = about_z(float(rng.uniform(0, 2 * math.pi)))
+                self._pile.drop(instance, Drop(x, y, turn))
+                self._pile.fall(SETTLING_TIME)
+                if self.lies_on(instance, beneath, self._poses()):
+                    break
+                self._pile.park(instance)
+            else:
+                below = self.items[beneath - 1].spec.name
+                name = self.items[instance - 1].spec.name
+                raise Rejected("topping", f"{name} slides off {below}")
+        return self._poses()
+
+    def lies_on(self, instance: int, beneath: int, poses: Poses) -> bool:
+        """Whether most of a thing is straight above another one, and its top is higher."""
+        high = poses[instance].apply(self._corners[instance])
+        low = poses[beneath].apply(self._corners[beneath])
+        edges = ConvexHull(low[:, :2]).equations
+        outside = (high[:, :2] @ edges[:, :2].T + edges[:, 2]).max(axis=1)
+        return bool((outside <= 0).mean() >= ON_SHARE and high[:, 2].max() > low[:, 2].max())
 
     def settle(self, poses: Poses) -> Poses:
         """Put things exactly here and let them come to rest by the rules of a scene.

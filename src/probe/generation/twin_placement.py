@@ -8,17 +8,23 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.library import Library
+from probe.generation.aimed_nests import draw_aimed
 from probe.generation.marked import INSIDE_PX, CoveredThing, MarkedStage
 from probe.generation.paint_twins import ALIKE, alike
-from probe.generation.pairing import draw_nests
+from probe.generation.pairing import MOST, draw_nests
 from probe.generation.result import Rejected
 from probe.generation.scene_view import SceneView
+from probe.generation.visibility_rules import LITTLE, LITTLE_PX
 from probe.perception.outline import deepest_inside
 from probe.scene.scene import Scene
 from probe.types import Array
 
-_ROOM_PX = 1.2 * INSIDE_PX
+_ROOM = 1.2
+_ROOM_PX = _ROOM * INSIDE_PX
 """Some of it may be lost to the crowd."""
+
+_AIMED = 0.98
+"""Least share of what shows that is alike in paint where it is aimed at; ALIKE in the end."""
 
 
 def draw_unpainted(
@@ -44,17 +50,51 @@ def draw_unpainted(
     """
 
     def shown(place: int, nest: CoveredThing) -> int | None:
-        mask = nest.labels == made.marked[place]
-        if deepest_inside(mask)[1] < _ROOM_PX:
+        if not _has_room(made, place, nest):
             return None
-        number = made.marked[place]
-        share = shared(made.view, nest.scene, nest.labels, number, twins[place], library)
-        return int(np.count_nonzero(mask)) if share >= ALIKE else None
+        return nest.seen.visible_px if _share(made, place, nest, twins, library) >= ALIKE else None
 
     def off(a: int, b: int) -> float:
         return 0.0 if (a > b) == more_of_a else math.inf
 
     return draw_nests(made, shown, off, rng, facing)
+
+
+def aim_unpainted(
+    made: MarkedStage,
+    twins: Sequence[str],
+    library: Library,
+    facing: tuple[Array, Array],
+    more_of_a: bool,
+    rng: np.random.Generator,
+) -> tuple[CoveredThing, CoveredThing]:
+    """The same by newer rules, searched for by what is wrong with what shows.
+
+    The arguments are those of draw_unpainted(), and so is what it raises.
+    """
+
+    def fit(place: int, nest: CoveredThing) -> int:
+        seen = nest.seen
+        if seen.fraction < _ROOM * LITTLE[0] or seen.visible_px < _ROOM * LITTLE_PX:
+            return -1
+        if seen.fraction > MOST or _share(made, place, nest, twins, library) < _AIMED:
+            return 1
+        return 0 if _has_room(made, place, nest) else -1
+
+    return draw_aimed(made, fit, facing, more_of_a, rng)
+
+
+def _has_room(made: MarkedStage, place: int, nest: CoveredThing) -> bool:
+    """Whether what shows is wide enough for a mark."""
+    return deepest_inside(nest.labels == made.marked[place])[1] >= _ROOM_PX
+
+
+def _share(
+    made: MarkedStage, place: int, nest: CoveredThing, twins: Sequence[str], library: Library
+) -> float:
+    """Of what shows, that which a thing shares with its twin; see shared()."""
+    number = made.marked[place]
+    return shared(made.view, nest.scene, nest.labels, number, twins[place], library)
 
 
 def check_unpainted(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -105,6 +105,18 @@ def check_hidden(seen: Visibility) -> None:
         raise Rejected("hidden", f"{seen.fraction:.0%}, {seen.visible_px} px")
 
 
+def check_toppings(toppings: Mapping[int, int], stage: Stage, poses: Poses) -> None:
+    """See that what is to lie on covers does, at rest.
+
+    Raises:
+        Rejected: Something slid off.
+    """
+    for topping, below in toppings.items():
+        if not stage.lies_on(topping, below, poses):
+            name, under = (stage.items[number - 1].spec.name for number in (topping, below))
+            raise Rejected("topping", f"{name} slid off {under}")
+
+
 def right_above(covering: int, cover: Cover) -> Lay:
     """Lays one cover right above what it hides, turned at random."""
 
@@ -125,8 +137,9 @@ def draw_twins(
 ) -> tuple[Twin, ...]:
     """Settle the scene with each candidate in the hidden place; all must pass.
 
-    The crowd is dropped around the first, which is held; then each in turn takes its place, as it
-    rests with what hides it on a bare table, and everything settles freely.
+    The crowd is dropped around the first, which is held, and what lies on covers onto it; then each
+    in turn takes its place, as it rests with what hides it on a bare table, and everything settles
+    freely.
 
     Args:
         cast: Who plays.
@@ -147,11 +160,14 @@ def draw_twins(
     for index in order:
         nests[index] = nest(index + 1)
     poses = stage.heap(nests[order[0]], cast.crowd, rng)
-    crowd = {number: poses[number] for number in cast.crowd}
+    if cast.toppings:
+        poses = stage.top(cast.toppings, rng)
+    crowd = {number: poses[number] for number in (*cast.crowd, *cast.toppings)}
     twins: dict[int, Twin] = {}
     for index in order:
         try:
             settled = stage.settle({**crowd, **nests[index]})
+            check_toppings(cast.toppings, stage, settled)
             twins[index] = Twin(index, settled, frame.scene(settled))
             check(twins[index])
         except Rejected as failure:

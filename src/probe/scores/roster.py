@@ -45,7 +45,7 @@ def chance_by_type(roster: Roster) -> dict[str, float]:
     """What a blind guess among the options gives, by type: the mean over its tasks.
 
     In Find it gives less, since the point must be hit as well; the letter alone gives this. In
-    Exact it gives nothing: whoever moves nothing removes nothing.
+    Exact and Memory it gives nothing: whoever moves nothing removes nothing.
     """
     question_types = sorted({listed.question_type for listed in roster.values()})
     return {

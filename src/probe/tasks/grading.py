@@ -72,7 +72,8 @@ class Score:
     """Worth of an answer.
 
     Attributes:
-        correct: The letter is right, and in Find the point too; in Exact the table as well.
+        correct: The letter is right, and in Find the point too; in Exact and Memory the
+            table as well.
         letter_correct: The letter alone.
         outcome: Why.
     """
@@ -83,7 +84,7 @@ class Score:
 
 
 def grade(task: Task, answer: FinalAnswer, last: LastView) -> Score:
-    """Score an answer by the task's rules; only Find and Exact look at the end.
+    """Score an answer by the task's rules; in Find, Exact and Memory the end counts too.
 
     Args:
         task: What was asked.

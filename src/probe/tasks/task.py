@@ -53,6 +53,16 @@ ERROR_RULES: RulesVersion = 3
 SIX_RULES: RulesVersion = 3
 """Since these, Count goes up to six, and numbers are offered on one side of those that could be."""
 
+PILE_RULES: RulesVersion = 3
+"""Since these, things may lie on a cover, and count as what hides with it."""
+
+KIND_RULES: RulesVersion = 3
+"""Since these, candidates are of several categories where that can be."""
+
+AIM_RULES: RulesVersion = 3
+"""Since these, covers of marked things have no holes. Compare's are aimed by what is wrong with
+what shows, several casts may be tried, and colours are compared of what has one main colour."""
+
 NEWEST_RULES: RulesVersion = 3
 
 
@@ -114,7 +124,7 @@ class Task:
         targets: Instances that decide: the hidden one, all that are counted, or the two that are
             marked.
         cover: Instance of the one thing that the question names and that hides the target, or None.
-        named: Instances that Reduce wants removed, else empty.
+        named: Instances that Reduce, Exact and Memory want removed, else empty.
         marks: Of Compare and Size, else empty.
         certificate: What was measured when it was made: visibilities, candidates, margins.
         camera: Which of the set-up's cameras shows it.

@@ -16,6 +16,8 @@ from probe.types import Array
 COVERED_SHARE = 0.7
 """Share of an object's silhouette that lies within the silhouette of what it is under."""
 
+ON_SHARE = 0.5
+"""Share of an object's silhouette that lies within the silhouette of what it lies on."""
 
 LONGER = 1.25
 """Ratio of longest sides from which on one thing is longer than another."""
@@ -88,6 +90,17 @@ def which_beneath(
 def lies_under(item: Silhouette, cover: Silhouette) -> bool:
     """Whether most of an object's silhouette is within the cover's and its top is lower."""
     return covered_share(item, cover) >= COVERED_SHARE and item.top < cover.top
+
+
+def lies_on(item: Silhouette, cover: Silhouette) -> bool:
+    """Whether half or more of an object's silhouette is within the cover's, and its top higher."""
+    return covered_share(item, cover) >= ON_SHARE and item.top > cover.top
+
+
+def on_top(cover: int, silhouettes: Mapping[int, Silhouette]) -> tuple[int, ...]:
+    """Instances that lie on a cover."""
+    roof = silhouettes[cover]
+    return tuple(it for it, shape in silhouettes.items() if it != cover and lies_on(shape, roof))
 
 
 def beneath_each(

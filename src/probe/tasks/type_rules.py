@@ -34,7 +34,7 @@ class TypeRules:
             everything else is where it was; see grade().
         copies: Whether the thing that its subject names is there several times.
         rivals: Whether more candidates than the true one may be on the table, of unlike sizes.
-        bystander: Whether one more of the candidates is on the table, alike to the true one.
+        bystanders: How many more of the candidates are on the table, alike to the true one.
         searched: What has to be seen before "none of the above" is known to be right.
     """
 
@@ -47,7 +47,7 @@ class TypeRules:
     exact: bool = False
     copies: bool = False
     rivals: bool = False
-    bystander: bool = False
+    bystanders: int = 0
     searched: Searched = "target"
 
     @property

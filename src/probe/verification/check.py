@@ -12,10 +12,10 @@ from probe.generation.first_look import look_at
 from probe.generation.generate import make
 from probe.generation.observer import observe
 from probe.generation.result import TaskCandidate
-from probe.generation.solve import solves_as_noted, trials
+from probe.generation.solve import is_noted_as_solved, solves_as_noted, trials
 from probe.render.renderer import Renderer
 from probe.tasks.suite_file import digest_of
-from probe.tasks.task import Task
+from probe.tasks.task import STEP_RULES, Task
 from probe.verification.completeness import makeup_problems
 from probe.verification.hidden import hidden_problems
 from probe.verification.histories import histories, history_problems, is_reachable
@@ -65,14 +65,17 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
             played += 1
             reachable += is_reachable(task, record.scenes[-1])
     problems["invariant"] = tuple(untrue)
+    unsolved = tuple(_unsolved(task, library, renderer)) if depth.solve else ()
+    outgrown = bool(unsolved) and task.version < STEP_RULES and is_noted_as_solved(task)
     if depth.solve:
-        problems["solvable"] = tuple(_unsolved(task, library, renderer))
+        problems["solvable"] = () if outgrown else unsolved
     return TaskVerdict(
         task=task.id,
         question_type=task.question_type,
         digest=digest_of(task),
         problems=problems,
         solved=depth.solve,
+        outgrown=outgrown,
         histories=played,
         reachable=reachable,
         observed=None if any(problems.values()) else _observed(task, library, renderer),

@@ -77,9 +77,10 @@ def _candidates(task: Task, library: Library) -> Iterator[str]:
     there = [o.instance for o in task.scene.objects if o.object_id in drawn]
     if rules.rivals and (task.targets[0] not in there or not {*there} <= {*task.targets}):
         yield f"of its candidates, objects {there} are on the table; its targets are {task.targets}"
-    if rules.bystander and (task.targets[0] not in there or len(there) != 2):
-        yield f"of its candidates, objects {there} are on the table, not two with its answer"
-    if not (rules.rivals or rules.bystander) and there != list(task.targets):
+    many = 1 + rules.bystanders
+    if rules.bystanders and (task.targets[0] not in there or len(there) != many):
+        yield f"of its candidates, objects {there} are on the table, not {many} with its answer"
+    if not (rules.rivals or rules.bystanders) and there != list(task.targets):
         yield f"of its candidates, objects {there} are on the table, not {list(task.targets)} alone"
     if not told_apart(specs):
         yield "two candidates share a name, or category and main colour"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.tasks.task import Task
-from probe.tasks.truth import Silhouette, beneath_each
+from probe.tasks.truth import Silhouette, beneath_each, on_top
 from probe.verification.remeasure import Remeasurement
 from probe.verification.uncovering import uncovering_problems
 
@@ -18,19 +18,20 @@ def silhouettes_of(task: Task, anew: Remeasurement) -> Mapping[int, Silhouette]:
 
 def hiding_problems(task: Task, anew: Remeasurement, covers: Sequence[int]) -> Iterator[str]:
     """That one thing lies under each of some covers, is hidden, and comes to light without it."""
-    for cover, under in beneath_each(covers, silhouettes_of(task, anew)).items():
+    shapes = silhouettes_of(task, anew)
+    for cover, under in beneath_each(covers, shapes).items():
         if len(under) != 1:
             yield f"{len(under)} things lie under cover {cover}"
             continue
-        yield from _covered(cover, under[0], anew)
+        yield from _covered(cover, under[0], on_top(cover, shapes), anew)
 
 
-def _covered(cover: int, item: int, anew: Remeasurement) -> Iterator[str]:
-    """That a thing is hidden, and that its cover alone hides it."""
+def _covered(cover: int, item: int, above: Collection[int], anew: Remeasurement) -> Iterator[str]:
+    """That a thing is hidden, and that its cover, with what lies on it, alone hides it."""
     if not is_hidden(anew.seen[item]):
         yield f"what is under cover {cover} shows by {anew.seen[item].fraction:.0%}"
     if not is_clear(anew.seen[cover]):
         yield f"only {anew.seen[cover].fraction:.0%} of cover {cover} show"
-    for how, after in anew.removals([cover]):
+    for how, after in anew.removals([cover, *above]):
         when = f"without cover {cover} ({how})"
         yield from uncovering_problems(when, after, item, anew, "what it hides")

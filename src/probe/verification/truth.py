@@ -41,7 +41,7 @@ def clarity_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
     several = {anew.library[id].name for id, count in copies.items() if count > 1}
     if several - ({task.subject} if rules.numbered or rules.copies else set()):
         yield f"there are several of {', '.join(sorted(several))}"
-    if rules.answers == "objects" and not (rules.rivals or rules.bystander):
+    if rules.answers == "objects" and not (rules.rivals or rules.bystanders):
         present = {spec.name for spec in specs} & set(texts)
         if len(present) > 1:
             yield f"several options are on the table: {', '.join(sorted(present))}"

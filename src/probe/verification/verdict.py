@@ -23,6 +23,8 @@ class TaskVerdict(
         task, question_type, digest: Which, and its hash then.
         problems: What is wrong, by check; a check that was made and found nothing has none.
         solved: Whether scripted agents were let try.
+        outgrown: Whether none of them solved it, though with the tools that it was made with one
+            did; that is no failure.
         histories: Random histories that were played.
         reachable: How many of them left the deciding evidence within reach.
         observed: Whether the observer, who only looks, was right; None where a check failed.
@@ -33,6 +35,7 @@ class TaskVerdict(
     digest: str
     problems: Mapping[str, tuple[str, ...]]
     solved: bool = False
+    outgrown: bool = False
     histories: int = 0
     reachable: int = 0
     observed: bool | None = None

@@ -11,6 +11,7 @@ from probe.assets.library import Library
 from probe.generation.generate import generate
 from probe.generation.plan import plan
 from probe.generation.result import TaskCandidate
+from probe.generation.toppings import TOPPED
 from probe.question_types.ranked.rules import RANKS
 from probe.render.photograph import labels_of, load_scene
 from probe.render.renderer import Renderer
@@ -31,6 +32,7 @@ def test_in_every_twin_the_candidate_has_the_rank_and_looks_it(
         it
         for seed in itertools.count(5_000, 1_000)
         if plan("ranked", seed).form == form
+        and not TOPPED.of(plan("ranked", seed))
         and isinstance(it := generate("ranked", seed, library, renderer, TABLES), TaskCandidate)
     )
     task, drawn = made.task, made.task.certificate.candidates

@@ -19,6 +19,7 @@ from probe.generation.stage import Poses, Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
+from probe.generation.toppings import TOPPED, is_topped, keep_off, with_toppings
 from probe.generation.twins import (
     Twin,
     build_nest,
@@ -30,6 +31,7 @@ from probe.generation.twins import (
 from probe.generation.visibility_rules import is_seen
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
+from probe.tasks.task import PILE_RULES
 from probe.tasks.truth import covered_share, lies_under, which_beneath
 
 _KEEP_OFF = 1.05
@@ -45,11 +47,11 @@ def generate_beneath(
     """
     rng = generator(seed, "beneath")
     cast = select_beneath(library, plan, rng)
-    post = draw_post(cast.covers, _KEEP_OFF, rng)
+    post = draw_post(cast.covers, keep_off(plan, _KEEP_OFF), rng)
     stage = Stage(cast.specs, library, [post], plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
-    judge = _Judge(cast, GhostRemoval(stage, view, frame))
+    judge = _Judge(cast, GhostRemoval(stage, view, frame), plan.rules >= PILE_RULES)
     lay = right_above(cast.covering[0], cast.covers[0])
 
     def nest(target: int) -> Poses:
@@ -77,8 +79,10 @@ def generate_beneath(
 
 
 def select_beneath(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
-    """Who plays; see draw_cast()."""
-    return draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng, sides=sides_of(plan.rules))
+    """Who plays; see draw_cast() and with_toppings()."""
+    sides = sides_of(plan.rules)
+    cast = draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng, sides=sides)
+    return with_toppings(library, cast, [0], rng) if is_topped(plan) else cast
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,6 +91,7 @@ class _Judge:
 
     cast: ObjectSelection
     ghosts: GhostRemoval
+    piled: bool
     measures: dict[int, dict[str, float]] = field(default_factory=dict[int, dict[str, float]])
 
     def check(self, twin: Twin) -> None:
@@ -105,10 +110,12 @@ class _Judge:
         share = covered_share(shapes[target], shapes[cover])
         if not lies_under(shapes[target], shapes[cover]):
             raise Rejected("under", f"{share:.0%} within the cover's outline")
+        (covering,) = self.cast.covering
+        gone = look.with_what_lies_on(covering) if self.piled else (covering,)
         self.measures[twin.candidate] = {
             "hidden_share": seen[target].fraction,
             "covered_share": share,
-            **look.revealed(self.cast.covering[0], target),
+            **look.revealed_without(gone, target),
         }
 
 
@@ -116,4 +123,5 @@ GENERATOR = TaskGenerator(
     generate=generate_beneath,
     select=select_beneath,
     needs=f"{needs_alike(LARGEST, TWIN_TOLERANCE)}; over any of them {NEEDS_COVER}",
+    turns=(TOPPED,),
 )

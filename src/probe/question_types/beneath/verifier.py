@@ -6,10 +6,11 @@ from collections.abc import Iterator, Mapping
 
 from probe.assets.library import Library
 from probe.generation.visibility_rules import is_hidden, is_seen
-from probe.tasks.task import Task
-from probe.tasks.truth import which_beneath
+from probe.tasks.task import PILE_RULES, Task
+from probe.tasks.truth import on_top, which_beneath
 from probe.verification.options import depth_problems
 from probe.verification.remeasure import Remeasurement
+from probe.verification.side_by_side import silhouettes_of
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
 from probe.verification.uncovering import uncovering_problems
@@ -35,7 +36,9 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
         yield f"the answer shows by {anew.seen[target].fraction:.0%}"
     if not is_seen(anew.seen[cover]):
         yield f"only {anew.seen[cover].fraction:.0%} of the cover show"
-    for how, after in anew.removals([cover]):
+    piled = task.version >= PILE_RULES
+    above = on_top(cover, silhouettes_of(task, anew)) if piled else ()
+    for how, after in anew.removals([cover, *above]):
         yield from uncovering_problems(f"without its cover ({how})", after, target, anew)
 
 

@@ -6,7 +6,6 @@ By newer rules both lie open in a quarter of the tasks, and what shows does tell
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 
 import numpy as np
 
@@ -15,30 +14,35 @@ from probe.generation.covers import NEEDS_SHIELD
 from probe.generation.in_view import OPEN_QUARTER, is_open
 from probe.generation.marked import (
     MARKABLE,
+    CoveredThing,
     MarkedSelection,
     MarkedStage,
     build_set,
-    cast_marked,
     draw_marks,
-    markable,
     settle_around,
     settle_open,
 )
-from probe.generation.paint_twins import PaintTwins, paint_twins
 from probe.generation.result import Rejected, TaskCandidate
-from probe.generation.scene_view import SceneView
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import CROSSED, MORE_CUES, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.twin_pairs import ColourQuestion, draw_duels
-from probe.generation.twin_placement import check_unpainted, draw_unpainted
+from probe.generation.twin_pairs import ColourQuestion
+from probe.generation.twin_placement import check_unpainted
 from probe.generation.twin_worlds import CompareQuestion, look_at_open_worlds, look_at_worlds
 from probe.generation.visibility_rules import is_clear
+from probe.question_types.compare.casting import (
+    draw_covered,
+    more_of_a,
+    select_compare,
+    twins_of,
+)
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
 from probe.scene.seeds import generator
-from probe.tasks.task import PAIR, Mark
-from probe.types import Array
+from probe.tasks.task import AIM_RULES, Mark
+
+_CROWDS = 3
+"""How often the others are thrown, at most."""
 
 
 def generate_compare(
@@ -54,19 +58,25 @@ def generate_compare(
         Rejected: It failed a check.
     """
     rng = generator(seed, "compare")
-    asked, cast = select_compare(library, plan, rng)
     lie_open = is_open(plan, OPEN_QUARTER)
-    made = build_set(cast, seed, library, renderer, tables, rng, plan.setup, keep_off=not lie_open)
-    scene = settle_open(made, rng) if lie_open else _hidden(made, asked, plan, library, rng)
-    labels = made.view.labels(scene)
-    reference = made.frame.number_of[len(cast.specs)] if asked.reference else None
-    matter = CompareQuestion(plan.form, made.marked, _twins(asked), asked.word, reference)
-    _check_reference(made.view, scene, labels, reference)
-    marks = draw_marks(made, labels)
+
+    def stage(cast: MarkedSelection) -> MarkedStage:
+        hidden = not lie_open
+        return build_set(cast, seed, library, renderer, tables, rng, plan.setup, keep_off=hidden)
+
+    if lie_open:
+        asked, cast = select_compare(library, plan, rng)
+        made = stage(cast)
+        scene = settle_open(made, rng)
+        marks = _marks(made, asked, scene)
+    else:
+        asked, made, nests = draw_covered(library, plan, rng, stage)
+        scene, marks = _among_others(made, asked, nests, plan, library, rng)
+    labels, reference = made.view.labels(scene), _reference(made, asked)
+    matter = CompareQuestion(plan.form, made.marked, twins_of(asked), asked.word, reference)
     if lie_open:
         measures = look_at_open_worlds(matter, scene, labels, asked.right, library, renderer)
     else:
-        check_unpainted(made, scene, labels, matter.twins, library, _more_of_a(plan))
         measures = look_at_worlds(matter, scene, labels, asked.right, library, renderer)
         if (measures["patch_lead"] > 0) != CROSSED.of(plan)[1]:
             raise Rejected("cues", "in the picture, the other patch fits better")
@@ -98,64 +108,54 @@ def _draft(
     )
 
 
-def _hidden(
+def _among_others(
     made: MarkedStage,
     asked: ColourQuestion,
+    nests: tuple[CoveredThing, CoveredThing],
     plan: TaskPlan,
     library: Library,
     rng: np.random.Generator,
-) -> Scene:
-    """A scene in which nothing shows of either thing but what its paint twin shares."""
-    nests = draw_unpainted(made, _twins(asked), library, asked.facing, _more_of_a(plan), rng)
-    return settle_around(made, nests, rng)
+) -> tuple[Scene, tuple[Mark, Mark]]:
+    """The scene with all others around both nests, and its marks.
 
-
-def _twins(asked: ColourQuestion) -> tuple[str, str]:
-    a, b = asked.twins
-    return a.id, b.id
-
-
-def _more_of_a(plan: TaskPlan) -> bool:
-    """Whether more pixels of A are to show than of B."""
-    return CROSSED.of(plan)[2] == (plan.letter == PAIR[0])
-
-
-def select_compare(
-    library: Library, plan: TaskPlan, rng: np.random.Generator
-) -> tuple[ColourQuestion, MarkedSelection]:
-    """What is asked, and who plays.
+    By newer rules the others are thrown anew where they cover too much.
 
     Raises:
-        Rejected: The library has no paint twins that do, nothing to cover them, or no crowd.
+        Rejected: They always do, or don't come to rest.
     """
-    twins, uncovered = paint_twins_of(library), False
-    if len({each.pair[0].category for each in twins}) < len(PAIR):
-        mine = " of your own" if library.leading else ""
-        raise Rejected("paint twins", f"{len(twins)} pairs of things{mine} differ in paint alone")
-    for duel in draw_duels(library, twins, plan.form, rng):
-        asked = duel.asked(plan)
-        needed = [asked.reference] if asked.reference else []
-        if cast := cast_marked(library, asked.marked, needed, rng, unlike_too=asked.twins):
-            return asked, cast
-        uncovered = True
-    if uncovered:
-        raise Rejected("cover", "no two things cover any pair that could be asked about")
-    raise Rejected("candidates", f"no pair can be asked about in the form {plan.form!r}")
+    for left in reversed(range(_CROWDS if plan.rules >= AIM_RULES else 1)):
+        try:
+            scene = settle_around(made, nests, rng)
+            marks = _marks(made, asked, scene)
+            labels = made.view.labels(scene)
+            check_unpainted(made, scene, labels, twins_of(asked), library, more_of_a(plan))
+        except Rejected:
+            if not left:
+                raise
+        else:
+            return scene, marks
+    raise AssertionError("the last one returns or raises")
 
 
-@lru_cache(maxsize=4)
-def paint_twins_of(library: Library) -> tuple[PaintTwins, ...]:
-    """All paint twins among what may be marked; where things lead, among those alone."""
-    pool = markable(library)
-    return paint_twins(library, filter(library.leads, pool) if library.leading else pool)
+def _marks(made: MarkedStage, asked: ColourQuestion, scene: Scene) -> tuple[Mark, Mark]:
+    """The marks of a scene.
+
+    Raises:
+        Rejected: One has no room, or what colours are compared with isn't clear.
+    """
+    labels, reference = made.view.labels(scene), _reference(made, asked)
+    if reference is not None:
+        seen = made.view.visibility(scene, labels, [reference])[reference]
+        if not is_clear(seen):
+            raise Rejected(
+                "reference", f"only {seen.fraction:.0%} of what it is compared with show"
+            )
+    return draw_marks(made, labels)
 
 
-def _check_reference(view: SceneView, scene: Scene, labels: Array, reference: int | None) -> None:
-    if reference is None:
-        return
-    seen = view.visibility(scene, labels, [reference])[reference]
-    if not is_clear(seen):
-        raise Rejected("reference", f"only {seen.fraction:.0%} of what it is compared with show")
+def _reference(made: MarkedStage, asked: ColourQuestion) -> int | None:
+    """The scene's number of what colours are compared with, the last of the cast; or None."""
+    return made.frame.number_of[len(made.cast.specs)] if asked.reference else None
 
 
 GENERATOR = TaskGenerator(

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -29,7 +29,8 @@ from probe.generation.stage import Poses, Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
-from probe.generation.twins import build_nest, right_above
+from probe.generation.toppings import TOPPED, draw_toppings, is_topped, keep_off, some_of
+from probe.generation.twins import build_nest, check_toppings, right_above
 from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
@@ -58,13 +59,24 @@ _KEEP_OFF = 1.05
 
 @dataclass(frozen=True, eq=False)
 class _Cast:
-    """Who plays: what is beneath each cover, the covers, the crowd, and the open instances."""
+    """Who plays: what is beneath each cover, the covers, the crowd, and the open instances.
+
+    The last of the crowd lie on covers: `topped` are these, by number from 0.
+    """
 
     counted: ObjectSpec
     beneath: tuple[ObjectSpec, ...]
     covers: tuple[Cover, ...]
     crowd: tuple[ObjectSpec, ...]
     open: int
+    topped: tuple[int, ...] = ()
+
+    @property
+    def toppings(self) -> Mapping[int, int]:
+        """What lies on covers, and on which: instances on the stage."""
+        end = len(self.beneath) + len(self.covers) + len(self.crowd)
+        under = (len(self.beneath) + 1 + number for number in self.topped)
+        return dict(zip(range(end - len(self.topped) + 1, end + 1), under, strict=True))
 
     @property
     def specs(self) -> tuple[ObjectSpec, ...]:
@@ -84,7 +96,7 @@ def generate_count(
     rng = generator(seed, "count")
     visible, hidden_ones = instances(plan)
     cast = select_count(library, plan, rng)
-    posts = [] if is_open(plan) else _draw_posts(cast.covers, rng)
+    posts = [] if is_open(plan) else _draw_posts(cast.covers, keep_off(plan, _KEEP_OFF), rng)
     stage = Stage(cast.specs, library, posts, plan.setup)
     table = tables[int(rng.integers(len(tables)))]
     frame = SceneFrame.of(cast.specs, seed, table, rng, plan.setup)
@@ -151,7 +163,20 @@ def select_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> 
     total = int(rng.integers(_FEWEST, _MOST + 1))
     free = unlike(free, [cover.spec for cover in covers])
     crowd = draw_crowd(free, total - len(beneath) - NESTS - visible, rng)
-    return _Cast(counted, tuple(beneath[index] for index in order), tuple(covers), crowd, visible)
+    cast = _Cast(counted, tuple(beneath[index] for index in order), tuple(covers), crowd, visible)
+    return _topped(library, cast, rng) if is_topped(plan) and not is_open(plan) else cast
+
+
+def _topped(library: Library, cast: _Cast, rng: np.random.Generator) -> _Cast:
+    """The cast with things on some of its covers, and as many of the crowd less.
+
+    Raises:
+        Rejected: The library has nothing that stays on one of them.
+    """
+    over = some_of(NESTS, rng)
+    drawn = draw_toppings(library, cast.specs, [cast.covers[number] for number in over], rng)
+    crowd = (*cast.crowd[: len(cast.crowd) - len(drawn)], *drawn)
+    return replace(cast, crowd=crowd, topped=tuple(over))
 
 
 def _draw_covers(
@@ -179,18 +204,26 @@ def _settle(cast: _Cast, stage: Stage, posts: Sequence[Post], rng: np.random.Gen
     for index, post in enumerate(posts):
         lay = right_above(NESTS + index + 1, cast.covers[index])
         nests |= build_nest(stage, index + 1, lay, post, rng)
-    falling = range(len(nests) + 1, len(cast.specs) + 1)
-    return stage.settle(stage.heap(nests, list(falling), rng))
+    falling = [n for n in range(len(nests) + 1, len(cast.specs) + 1) if n not in cast.toppings]
+    poses = stage.heap(nests, falling, rng)
+    if cast.toppings:
+        poses = stage.top(cast.toppings, rng)
+    settled = stage.settle(poses)
+    check_toppings(cast.toppings, stage, settled)
+    return settled
 
 
-def _draw_posts(covers: Sequence[Cover], rng: np.random.Generator) -> list[Post]:
-    """Places across the middle from each other, further apart than the covers reach."""
+def _draw_posts(covers: Sequence[Cover], wider: float, rng: np.random.Generator) -> list[Post]:
+    """Places across the middle from each other, further apart than the covers reach.
+
+    The crowd is kept off discs that are so much wider than the covers.
+    """
     angle = float(rng.uniform(0, 2 * math.pi))
     distance = max(_FROM_MIDDLE, sum(cover.reach for cover in covers) / 2)
     turns = angle + 2 * math.pi * np.arange(len(covers)) / len(covers)
     places: Array = distance * np.stack([np.cos(turns), np.sin(turns)], axis=1)
     return [
-        Post(float(x), float(y), cover.reach * _KEEP_OFF)
+        Post(float(x), float(y), cover.reach * wider)
         for (x, y), cover in zip(places, covers, strict=True)
     ]
 
@@ -217,5 +250,5 @@ GENERATOR = TaskGenerator(
     select=select_count,
     needs=f"{needs_alike(LARGEST, LOOSE_TOLERANCE, 1 + NESTS)}; "
     f"over any of them, {NESTS} times, {NEEDS_COVER}",
-    turns=(INSTANCES, TO_SIX, OPEN),
+    turns=(INSTANCES, TO_SIX, OPEN, TOPPED),
 )

@@ -30,6 +30,7 @@ from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
+from probe.generation.toppings import TOPPED, is_topped, some_of, with_toppings
 from probe.generation.twins import draw_twins
 from probe.question_types.decoys.truth import which_under_any
 from probe.render.renderer import Renderer
@@ -94,11 +95,14 @@ def select_decoys(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
         cover = draw_cover(library, countable, hidden.room, rng)
         return [cover] * COVERS if cover else []
 
-    return select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng)
+    hide = partial(Hidden.drawn, rules=plan.rules)
+    cast = select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, hide)
+    return with_toppings(library, cast, some_of(COVERS, rng), rng) if is_topped(plan) else cast
 
 
 GENERATOR = TaskGenerator(
     generate=generate_decoys,
     select=select_decoys,
     needs=f"{NEEDS_ALIKE}; over any of them {NEEDS_COVER}, which can be lifted and be counted",
+    turns=(TOPPED,),
 )

@@ -9,8 +9,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import unlike
-from probe.generation.covers import NEEDS_COVER, Cover, draw_cover
+from probe.generation.covers import NEEDS_COVER, Cover
 from probe.generation.frame import frame_of
 from probe.generation.necessary import with_necessary
 from probe.generation.nests import Nests
@@ -24,7 +23,7 @@ from probe.generation.side_by_side import (
     NEEDS_ALIKE,
     Hidden,
     draw_posts,
-    liftable,
+    draw_unlike_covers,
     select,
 )
 from probe.generation.stage import Stage
@@ -96,14 +95,10 @@ def select_exact(library: Library, plan: TaskPlan, rng: np.random.Generator) -> 
     """
 
     def draw(free: Sequence[ObjectSpec], hidden: Hidden) -> Sequence[Cover]:
-        covers: list[Cover] = []
-        for _ in range(COVERS):
-            others = unlike(liftable(free), [cover.spec for cover in covers])
-            if cover := draw_cover(library, others, hidden.room, rng):
-                covers.append(cover)
-        return covers
+        return draw_unlike_covers(library, free, hidden, rng)
 
-    return select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng)
+    hide = partial(Hidden.drawn, rules=plan.rules)
+    return select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, hide)
 
 
 GENERATOR = TaskGenerator(

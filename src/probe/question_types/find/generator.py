@@ -19,6 +19,7 @@ from probe.generation.stage import Layer, Poses, Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
+from probe.generation.toppings import TOPPED, is_topped, with_toppings
 from probe.generation.twins import (
     Twin,
     build_nest,
@@ -96,7 +97,9 @@ def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> O
         return draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
     sides = sides_of(plan.rules)
     cast = draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng, sides=sides)
-    return with_secret(library, cast, LARGEST_HIDDEN, rng) if is_find_open(plan) else cast
+    if is_find_open(plan):
+        return with_secret(library, cast, LARGEST_HIDDEN, rng)
+    return with_toppings(library, cast, [0], rng) if is_topped(plan) else cast
 
 
 def is_partly(plan: TaskPlan) -> bool:
@@ -180,5 +183,5 @@ GENERATOR = TaskGenerator(
     f"over any of them {NEEDS_COVER}. For every third task "
     f"{needs_alike(LARGEST_PARTLY, LOOSE_TOLERANCE)} but for the colour's name; "
     f"over any of them {NEEDS_LEAN}",
-    turns=(PARTLY_SEEN, OPEN),
+    turns=(PARTLY_SEEN, OPEN, TOPPED),
 )

@@ -12,6 +12,7 @@ from probe.generation.alike import SIDES_TOLERANCE, TWIN_TOLERANCE, draw_alike, 
 from probe.generation.covers import Cover, Footprint, draw_cover, footprint_of
 from probe.generation.object_selection import (
     CAST_TRIES,
+    VARIED_TRIES,
     ObjectSelection,
     draw_crowd,
     hideable,
@@ -20,7 +21,9 @@ from probe.generation.object_selection import (
 )
 from probe.generation.result import Rejected
 from probe.generation.task_plan import TaskPlan
+from probe.generation.toppings import is_topped, with_toppings
 from probe.tasks.options import CANDIDATES
+from probe.tasks.task import KIND_RULES
 from probe.types import Pose
 
 LARGEST = 0.07
@@ -39,7 +42,7 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
     """
     count = int(rng.integers(_FEWEST, _MOST + 1))
     failure = Rejected("cover", "nothing was drawn")
-    for _ in range(CAST_TRIES):
+    for number in range(CAST_TRIES):
         candidates = draw_alike(
             hideable(library, LARGEST),
             library.specs,
@@ -47,6 +50,7 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
             CANDIDATES,
             rng,
             sides=SIDES_TOLERANCE,
+            varied=plan.rules >= KIND_RULES and number < VARIED_TRIES,
             leads=library.leads,
         )
         room = [footprint_of(library, spec.id) for spec in candidates]
@@ -62,7 +66,8 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
             continue
         free = unlike(free, [cover.spec for cover in covers])
         others = draw_crowd(free, count - 1 - len(covers), rng)
-        return ObjectSelection(candidates, eligible, covers, others)
+        cast = ObjectSelection(candidates, eligible, covers, others)
+        return with_toppings(library, cast, [len(covers) - 1], rng) if is_topped(plan) else cast
     raise failure
 
 

@@ -15,6 +15,7 @@ from probe.generation.stage import Poses, Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
+from probe.generation.toppings import TOPPED, keep_off
 from probe.generation.twins import draw_post, draw_twins
 from probe.question_types.nested.casting import NEEDS, select_nested
 from probe.question_types.nested.judge import StackJudge
@@ -36,7 +37,7 @@ def generate_nested(
     """
     rng = generator(seed, "nested")
     cast = select_nested(library, plan, rng)
-    post = draw_post(cast.covers, _KEEP_OFF, rng)
+    post = draw_post(cast.covers, keep_off(plan, _KEEP_OFF), rng)
     stage = Stage(cast.specs, library, [post], plan.setup)
     view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
@@ -72,4 +73,5 @@ GENERATOR = TaskGenerator(
     generate=generate_nested,
     select=select_nested,
     needs=f"{NEEDS}; over any of them {NEEDS_COVER}; and another such thing over both",
+    turns=(TOPPED,),
 )

@@ -33,7 +33,7 @@ class StackJudge:
         Raises:
             Rejected: It breaks one.
         """
-        look, scene, view = self.ghosts.look(twin), twin.scene, self.ghosts.view
+        look, scene = self.ghosts.look(twin), twin.scene
         target, inner, outer = (look.number_of[n] for n in (1, *self.cast.covering))
         seen = look.before([target, inner, outer])
         check_hidden(seen[target])
@@ -41,16 +41,17 @@ class StackJudge:
             raise Rejected("inner shows", f"{seen[inner].fraction:.0%} of the inner cover show")
         if not is_seen(seen[outer]):
             raise Rejected("cover unseen", f"{seen[outer].fraction:.0%} of the cover show")
-        shapes = view.silhouettes(scene, [placed.instance for placed in scene.objects])
         try:
-            _, between = which_nested(scene, [scene[target].object_id], outer, shapes)
+            _, between = which_nested(scene, [scene[target].object_id], outer, look.silhouettes)
         except ValueError as failure:
             raise Rejected("under", "the three don't lie beneath each other") from failure
         if between != inner:
             raise Rejected("under", "another thing lies between the two")
-        first = look.revealed_without([self.cast.covering[1]], inner, still=[target])
+        below, above = self.cast.covering
+        upper = look.with_what_lies_on(above)
+        first = look.revealed_without(upper, inner, still=[target])
         self.measures[twin.candidate] = {
             "hidden_share": seen[target].fraction,
             **{f"inner_{name}": share for name, share in first.items()},
-            **look.revealed_without(self.cast.covering, target),
+            **look.revealed_without([below, *upper], target),
         }

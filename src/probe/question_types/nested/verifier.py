@@ -9,9 +9,11 @@ from probe.generation.necessary import NECESSARY
 from probe.generation.visibility_rules import HIDDEN_SHARE, is_hidden, is_seen
 from probe.question_types.nested.truth import which_nested
 from probe.tasks.task import Task
+from probe.tasks.truth import on_top
 from probe.verification.necessary import necessary_problems
 from probe.verification.options import sides_problems
 from probe.verification.remeasure import Remeasurement
+from probe.verification.side_by_side import silhouettes_of
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
 from probe.verification.uncovering import uncovering_problems
@@ -42,13 +44,14 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
             yield f"the {what} shows by {anew.seen[number].fraction:.0%}"
     if not is_seen(anew.seen[outer]):
         yield f"only {anew.seen[outer].fraction:.0%} of the cover show"
-    for how, after in anew.removals([outer]):
+    above = on_top(outer, silhouettes_of(task, anew))
+    for how, after in anew.removals([outer, *above]):
         when = f"without its cover ({how})"
         yield from uncovering_problems(when, after, inner, anew, "the inner cover")
         if after[target].fraction > HIDDEN_SHARE:
             share = after[target].fraction
             yield f"without the outer cover alone ({how}) the answer shows by {share:.0%}"
-    for how, after in anew.removals([outer, inner]):
+    for how, after in anew.removals([outer, inner, *above]):
         yield from uncovering_problems(f"without both covers ({how})", after, target, anew)
     yield from necessary_problems(task, anew)
 

@@ -12,6 +12,7 @@ from probe.generation.covers import Cover, draw_cover
 from probe.generation.object_selection import ObjectSelection
 from probe.generation.side_by_side import COVERS, Hidden, liftable, select
 from probe.generation.task_plan import TaskPlan
+from probe.generation.toppings import is_topped, some_of, with_toppings
 from probe.question_types.ranked.ladder import companions, draw_ladder
 from probe.tasks.english import plural
 from probe.tasks.type_rules import Form
@@ -37,7 +38,8 @@ def select_ranked(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
         stands = cover is not None and cover.depth >= max(it.height for it in hidden.room)
         return [cover] * COVERS if cover is not None and stands else []
 
-    return select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, hide)
+    cast = select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, hide)
+    return with_toppings(library, cast, some_of(COVERS, rng), rng) if is_topped(plan) else cast
 
 
 def draw_companions(

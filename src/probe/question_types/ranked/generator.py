@@ -21,6 +21,7 @@ from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
+from probe.generation.toppings import TOPPED
 from probe.generation.twins import draw_twins
 from probe.question_types.ranked.casting import draw_companions, select_ranked
 from probe.question_types.ranked.judge import RankedJudge
@@ -103,4 +104,5 @@ GENERATOR = TaskGenerator(
         f"{NEEDS_LADDER}; over any of them {NEEDS_COVER}, which can be lifted, be counted and is "
         "hollow enough to stand on the table"
     ),
+    turns=(TOPPED,),
 )

@@ -33,13 +33,13 @@ class RankedJudge:
         look = self.base.ghosts.look(twin)
         pairs = self.base.nests.pairs_of(twin.candidate)
         covers = [look.number_of[cover] for _, cover in pairs]
-        shapes = self.base.ghosts.view.silhouettes(twin.scene, covers)
-        if (spread := height_spread(shapes, covers)) > LEVEL:
+        if (spread := height_spread(look.silhouettes, covers)) > LEVEL:
             raise Rejected("level", f"one cover stands {1000 * spread:.0f} mm higher than another")
         order = sorted((item for item, _ in pairs), key=lambda it: self.lengths[it], reverse=True)
         numbers = [look.number_of[item] for item in order]
         step = 0.0
-        for how, after in look.removals([cover for _, cover in pairs]):
+        gone = {number for _, cover in pairs for number in look.with_what_lies_on(cover)}
+        for how, after in look.removals(gone):
             step = least_step(after.labels, numbers)
             if step < SHOWN_LONGER:
                 raise Rejected(f"order {how}", f"one thing looks {step:.2f} times as long")

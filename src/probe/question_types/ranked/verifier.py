@@ -13,6 +13,7 @@ from probe.question_types.ranked.ladder import looks_ordered
 from probe.question_types.ranked.rules import RANKS
 from probe.question_types.ranked.truth import has_rank, longest_first
 from probe.tasks.task import Task
+from probe.tasks.truth import on_top
 from probe.verification.like_covers import (
     covers_of,
     covers_slot,
@@ -40,10 +41,12 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
         if not is_hidden(anew.seen[number]):
             yield f"{number}, which is to be hidden, shows by {anew.seen[number].fraction:.0%}"
     yield from hiding_problems(task, anew, covers_of(task))
-    spread = height_spread(silhouettes_of(task, anew), covers_of(task))
+    covers, shapes = covers_of(task), silhouettes_of(task, anew)
+    spread = height_spread(shapes, covers)
     if spread > LEVEL:
         yield f"one cover stands {1000 * spread:.0f} mm higher than another"
-    bare = anew.view.labels(task.scene.without(*covers_of(task)))
+    gone = {*covers, *(above for cover in covers for above in on_top(cover, shapes))}
+    bare = anew.view.labels(task.scene.without(*gone))
     sizes = {it: longest(spec_of(task, it, anew.library)) for it in task.targets}
     order = sorted(task.targets, key=lambda number: sizes[number], reverse=True)
     if (step := least_step(bare, order)) < SHOWN_LONGER:

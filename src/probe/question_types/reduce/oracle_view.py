@@ -1,11 +1,5 @@
 """Reduce's evidence: what the question names vanishes."""
 
-from probe.episodes.evidence import OracleRule, TableSight
-from probe.tasks.task import Task
+from probe.episodes.evidence import OracleRule, all_named
 
-
-def _named(task: Task, viewpoint: TableSight) -> set[int]:
-    return set(task.named)
-
-
-ORACLE_VIEW = OracleRule(_named)
+ORACLE_VIEW = OracleRule(all_named)

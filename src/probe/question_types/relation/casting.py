@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import SIDES_TOLERANCE, TWIN_TOLERANCE, draw_alike
-from probe.generation.covers import Cover, draw_cover, footprint_of
-from probe.generation.object_selection import LARGEST, ObjectSelection, hideable, needs_alike
+from probe.generation.alike import TWIN_TOLERANCE
+from probe.generation.covers import Cover, draw_cover
+from probe.generation.object_selection import LARGEST, ObjectSelection, needs_alike
 from probe.generation.side_by_side import Hidden, liftable, select
 from probe.generation.task_plan import TaskPlan
+from probe.generation.toppings import is_topped, some_of, with_toppings
 from probe.question_types.relation.truth import RING
 from probe.tasks.english import plural
 from probe.tasks.options import CANDIDATES
 
-NEEDS = needs_alike(LARGEST, TWIN_TOLERANCE, CANDIDATES + 1, sides=True)
+NAMED = 1
+"""Things beneath covers that the question names."""
+
+NEEDS = needs_alike(LARGEST, TWIN_TOLERANCE, CANDIDATES + NAMED, sides=True)
 """What lies beneath the covers, for people."""
 
 _FEWEST, _MOST = 5, 8
@@ -36,33 +41,6 @@ def select_relation(library: Library, plan: TaskPlan, rng: np.random.Generator) 
         cover = draw_cover(library, countable, hidden.room, rng)
         return [cover] * RING if cover else []
 
-    return select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, _hidden)
-
-
-def draw_bystanders(rng: np.random.Generator) -> tuple[int, ...]:
-    """Of each candidate, the one that lies on the table with it, by index.
-
-    Each candidate is the bystander of exactly one other.
-    """
-    order: list[int] = rng.permutation(CANDIDATES).tolist()
-    after = dict(zip(order, [*order[1:], order[0]], strict=True))
-    return tuple(after[index] for index in range(CANDIDATES))
-
-
-def _hidden(library: Library, rng: np.random.Generator) -> Hidden:
-    """Draw things that are alike in length, width and height.
-
-    Raises:
-        Rejected: The library has too few.
-    """
-    specs = draw_alike(
-        hideable(library),
-        library.specs,
-        TWIN_TOLERANCE,
-        CANDIDATES + 1,
-        rng,
-        sides=SIDES_TOLERANCE,
-        leads=library.leads,
-    )
-    room = tuple(footprint_of(library, spec.id) for spec in specs)
-    return Hidden(specs[:CANDIDATES], specs[CANDIDATES:], room)
+    hide = partial(Hidden.drawn, rules=plan.rules, secrets=NAMED)
+    cast = select(library, draw, int(rng.integers(_FEWEST, _MOST + 1)), rng, hide)
+    return with_toppings(library, cast, some_of(RING, rng), rng) if is_topped(plan) else cast

@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from probe.assets.library import Library
+from probe.generation.bystanders import draw_bystanders
 from probe.generation.covers import NEEDS_COVER
 from probe.generation.edgewise_nests import EdgewiseNests
 from probe.generation.frame import SceneFrame
@@ -23,8 +24,10 @@ from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
+from probe.generation.toppings import TOPPED
 from probe.generation.twins import Twin, draw_twins
-from probe.question_types.relation.casting import NEEDS, draw_bystanders, select_relation
+from probe.question_types.relation.casting import NEEDS, select_relation
+from probe.question_types.relation.rules import RULES
 from probe.question_types.relation.truth import clockwise, next_along, next_beneath
 from probe.render.renderer import Renderer
 from probe.scene.scene import PlacedObject, Scene
@@ -52,7 +55,7 @@ def generate_relation(
     table = tables[int(rng.integers(len(tables)))]
     frame = SceneFrame.of(cast.specs, seed, table, rng, plan.setup)
     (named,) = cast.secrets
-    beside = [(named, other + 1) for other in draw_bystanders(rng)]
+    beside = [(named, other + 1) for (other,) in draw_bystanders(RULES.bystanders, rng)]
     nests = EdgewiseNests(cast, stage, posts, _places(posts, plan, rng), beside)
     base = NestsJudge(nests, GhostRemoval(stage, view, frame))
     covers = [frame.number_of[number] for number in cast.covering]
@@ -132,4 +135,5 @@ GENERATOR = TaskGenerator(
     generate=generate_relation,
     select=select_relation,
     needs=f"{NEEDS}; over any of them {NEEDS_COVER}, which can be lifted and be counted",
+    turns=(TOPPED,),
 )

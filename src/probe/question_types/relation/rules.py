@@ -10,5 +10,5 @@ RULES = TypeRules(
     answers="objects",
     fewest_targets=2,
     copies=True,
-    bystander=True,
+    bystanders=1,
 )

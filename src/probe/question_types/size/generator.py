@@ -44,7 +44,7 @@ from probe.question_types.size.cues import (
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.scene.visibility import Visibility
-from probe.tasks.task import PAIR
+from probe.tasks.task import AIM_RULES, PAIR
 from probe.tasks.truth import Extent, which_size
 from probe.types import Array
 
@@ -154,7 +154,7 @@ def _cast(
 ) -> MarkedSelection | None:
     """A pair, of these heights, with covers that go with the plan; None if none drawn do."""
     for _ in range(_CASTS if has_depth(plan) else 1):
-        if not (drawn := cast_marked(library, pair, (), rng)):
+        if not (drawn := cast_marked(library, pair, (), rng, closed=plan.rules >= AIM_RULES)):
             return None
         cast = _covered(drawn, plan)
         tops = [h + cover.extent[2] for h, cover in zip(heights, cast.covers, strict=True)]

@@ -1,0 +1,1 @@
+"""Memory: remove three covers and nothing else; what was under which?"""

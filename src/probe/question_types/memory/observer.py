@@ -1,0 +1,5 @@
+"""What looking alone makes of Memory: what is half hidden has a colour."""
+
+from probe.generation.observer import Observer, resembling
+
+OBSERVER = Observer(resembling)
