@@ -126,7 +126,7 @@ def test_what_lies_on_the_cover_goes_first_and_the_task_holds(
     made: Task, library: Library, renderer: Renderer
 ):
     load_scene(renderer, made.scene, library)
-    (topping, before), (cover, after) = steps(made, library, renderer)
+    (topping, before), (cover, after) = steps(made, renderer)
     assert cover == made.cover
     assert (tuple(before), tuple(after)) == ((), (topping,))
     assert made.scene[topping].pose.position[2] > 0
@@ -139,7 +139,7 @@ def test_what_lies_on_a_cover_is_no_excuse_for_what_else_hides(
     made: Task, library: Library, renderer: Renderer
 ):
     load_scene(renderer, made.scene, library)
-    (topping, _), _ = steps(made, library, renderer)
+    (topping, _), _ = steps(made, renderer)
     target = made.scene[made.targets[0]].pose
     beside = replace(target, position=(*target.position[:2], 0.0))
     fallen = replace(made, scene=moved(made.scene, topping, beside))
@@ -157,7 +157,7 @@ def test_what_lies_on_the_cover_vanishes_with_it_from_the_oracles_picture(
     made: Task, library: Library, renderer: Renderer
 ):
     load_scene(renderer, made.scene, library)
-    (topping, _), _ = steps(made, library, renderer)
+    (topping, _), _ = steps(made, renderer)
     assert made.cover is not None
     shown = oracle_view(made, library, renderer)
     assert shown.removed == tuple(sorted({topping, made.cover}))

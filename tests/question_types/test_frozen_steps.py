@@ -137,7 +137,7 @@ def test_the_oracle_view_takes_away_all_that_is_necessary(
 def test_the_inner_cover_has_to_be_movable_too(library: Library, renderer: Renderer):
     task = TASKS["nested"]
     load_scene(renderer, task.scene, library)
-    (outer, before), (inner, after) = steps(task, library, renderer)
+    (outer, before), (inner, after) = steps(task, renderer)
     assert (outer, tuple(before)) == (task.cover, ())
     assert {outer, inner} == set(necessary_removals(task, library, renderer) or ())
     assert tuple(after) == (outer,)

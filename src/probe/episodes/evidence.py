@@ -61,9 +61,9 @@ class TableSight:
             found |= over
 
     def on_top(self, gone: Collection[int]) -> set[int]:
-        """What lies on things that vanish and would stay in the air.
+        """What lies on things that are gone and would stay in the air, if the camera looks down.
 
-        Half or more of its outline is within that of such a thing, and there it is in front.
+        Half or more of its outline is within that of such a thing, and there it hides that.
         """
         return {
             item

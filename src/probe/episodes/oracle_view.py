@@ -65,4 +65,6 @@ def vanishing(task: Task, renderer: Renderer, camera: Camera | None = None) -> s
     gone = rule.vanishing(task, sight)
     if task.version < PILE_RULES:
         return gone
-    return gone | (sight.on_top(gone) - set(task.targets))
+    # What lies on what is a matter of the view from above, whichever camera shows the task.
+    above = TableSight(task.scene, renderer, task.setup.camera("top"))
+    return gone | (above.on_top(gone) - set(task.targets))

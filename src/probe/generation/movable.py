@@ -13,6 +13,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.episodes.arm_skills import ArmSkills
+from probe.episodes.evidence import TableSight
 from probe.episodes.noise import NOISES
 from probe.generation.necessary import NECESSARY
 from probe.generation.visibility_rules import LITTLE
@@ -23,7 +24,6 @@ from probe.scene.seeds import generator
 from probe.station.simulated import SimulatedStation
 from probe.tasks.grading import whereabouts
 from probe.tasks.task import Task
-from probe.tasks.truth import Silhouette, on_top
 from probe.toolshed.skills import Direction
 from probe.world.world import World
 
@@ -44,7 +44,7 @@ _DIRECTIONS: tuple[Direction, ...] = ("up", "down", "left", "right")
 def immovable(task: Task, library: Library, renderer: Renderer) -> str | None:
     """Which of the things that have to go can't be moved, for people; None if all can."""
     load_scene(renderer, task.scene, library)
-    for instance, first in steps(task, library, renderer):
+    for instance, first in steps(task, renderer):
         worked = failed = 0
         while worked < ENOUGH and failed <= TRIES - ENOUGH:
             if _goes(task, instance, first, worked + failed, library, renderer):
@@ -77,7 +77,7 @@ def necessary(task: Task, renderer: Renderer, gone: Collection[int] = ()) -> tup
     return tuple(sorted(found, key=lambda number: -scene[number].pose.position[2]))
 
 
-def steps(task: Task, library: Library, renderer: Renderer) -> Iterator[tuple[int, Sequence[int]]]:
+def steps(task: Task, renderer: Renderer) -> Iterator[tuple[int, Sequence[int]]]:
     """What has to go, each with what goes before it: covers under covers come after those.
 
     These, and what lies on a cover, are looked for where a certificate says how many have to go;
@@ -85,7 +85,8 @@ def steps(task: Task, library: Library, renderer: Renderer) -> Iterator[tuple[in
     """
     gone = list(necessary(task, renderer))
     deeper = NECESSARY in task.certificate.measures
-    toppings = _toppings(task, gone, library, renderer) if deeper else {}
+    sight = TableSight(task.scene, renderer, task.setup.camera("top"))
+    toppings = {it: tuple(sorted(sight.on_top([it]))) for it in gone} if deeper else {}
     highest = list(dict.fromkeys(above for over in toppings.values() for above in over))
     for instance in highest:
         yield instance, ()
@@ -99,22 +100,6 @@ def steps(task: Task, library: Library, renderer: Renderer) -> Iterator[tuple[in
         for instance in beneath:
             yield instance, tuple(gone)
         gone += beneath
-
-
-def _toppings(
-    task: Task, covers: Sequence[int], library: Library, renderer: Renderer
-) -> dict[int, tuple[int, ...]]:
-    """What lies on each of some things, by its instance."""
-    placed, camera = task.scene.objects, task.viewpoint.camera
-    masks = renderer.outlines(placed, camera)
-    shapes = {
-        it.instance: Silhouette(
-            masks[it.instance],
-            float(it.pose.apply(library.body(it.object_id).mesh.vertices)[:, 2].max()),
-        )
-        for it in placed
-    }
-    return {cover: on_top(cover, shapes) for cover in covers}
 
 
 def _goes(
