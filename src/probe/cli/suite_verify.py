@@ -184,11 +184,14 @@ def _print(
     suite: Suite, verdicts: Sequence[TaskVerdict], changed: dict[str, str], rebuilt: int
 ) -> None:
     _table(suite.name, verdicts).show()
-    told = (
-        *(_failures(verdicts), _outgrown_lines(verdicts)),
-        *(_balance_lines(suite), _history_lines(verdicts)),
+    said = chain(
+        _failures(verdicts),
+        _outgrown_lines(verdicts),
+        _balance_lines(suite),
+        _history_lines(verdicts),
+        _observer_lines(verdicts),
     )
-    for line in (*chain(*told), *_observer_lines(verdicts)):
+    for line in said:
         say(line)
     if rebuilt:
         same = rebuilt - len(changed)

@@ -162,7 +162,7 @@ class Stage:
         return self._poses()
 
     def top(self, toppings: Mapping[int, int], rng: np.random.Generator) -> Poses:
-        """Lay things on others that heap() holds; settle() still has to follow.
+        """Lay things, or none, on others that heap() holds; settle() still has to follow.
 
         Args:
             toppings: Instances that fall, each with the one that it falls on.
@@ -170,6 +170,9 @@ class Stage:
 
         Raises:
             Rejected: One of them slides off.
+
+        Returns:
+            Where all are.
         """
         for instance, beneath in toppings.items():
             for _ in range(_TOPPING_TRIES):

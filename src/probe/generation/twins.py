@@ -159,9 +159,8 @@ def draw_twins(
     nests: dict[int, Poses] = {}
     for index in order:
         nests[index] = nest(index + 1)
-    poses = stage.heap(nests[order[0]], cast.crowd, rng)
-    if cast.toppings:
-        poses = stage.top(cast.toppings, rng)
+    stage.heap(nests[order[0]], cast.crowd, rng)
+    poses = stage.top(cast.toppings, rng)
     crowd = {number: poses[number] for number in (*cast.crowd, *cast.toppings)}
     twins: dict[int, Twin] = {}
     for index in order:

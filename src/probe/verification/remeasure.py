@@ -15,6 +15,7 @@ from probe.render.renderer import Renderer
 from probe.scene.cameras import View
 from probe.scene.scene import PlacedObject, Scene
 from probe.scene.visibility import Visibility
+from probe.tasks.truth import Silhouette
 from probe.types import Array
 
 
@@ -45,6 +46,11 @@ class Remeasurement:
     def seen(self) -> Mapping[int, Visibility]:
         """Visibility of each object, by instance."""
         return self._visibility(self.scene, self.labels)
+
+    @cached_property
+    def silhouettes(self) -> Mapping[int, Silhouette]:
+        """Of all that is on the table, by instance."""
+        return self.view.silhouettes(self.scene, [it.instance for it in self.scene.objects])
 
     def called(self, name: str) -> PlacedObject:
         """The first object of that name; names are shared in the catalogue, not on a table."""

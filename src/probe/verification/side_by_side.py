@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.tasks.task import Task
-from probe.tasks.truth import Silhouette, beneath_each, on_top
+from probe.tasks.truth import beneath_each, on_top
 from probe.verification.remeasure import Remeasurement
 from probe.verification.uncovering import uncovering_problems
 
 
-def silhouettes_of(task: Task, anew: Remeasurement) -> Mapping[int, Silhouette]:
-    """Silhouettes of all that is on a task's table, by instance."""
-    return anew.view.silhouettes(task.scene, [placed.instance for placed in task.scene.objects])
-
-
 def hiding_problems(task: Task, anew: Remeasurement, covers: Sequence[int]) -> Iterator[str]:
     """That one thing lies under each of some covers, is hidden, and comes to light without it."""
-    shapes = silhouettes_of(task, anew)
+    shapes = anew.silhouettes
     for cover, under in beneath_each(covers, shapes).items():
         if len(under) != 1:
             yield f"{len(under)} things lie under cover {cover}"

@@ -10,12 +10,11 @@ import numpy as np
 from probe.assets.library import Library
 from probe.generation.alike import TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_COVER, draw_cover
-from probe.generation.frame import frame_of
 from probe.generation.object_selection import LARGEST, ObjectSelection, draw_cast, needs_alike
 from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected, TaskCandidate
-from probe.generation.scene_view import SceneView
-from probe.generation.stage import Poses, Stage
+from probe.generation.setting_up import set_up
+from probe.generation.stage import Poses
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -48,10 +47,9 @@ def generate_beneath(
     rng = generator(seed, "beneath")
     cast = select_beneath(library, plan, rng)
     post = draw_post(cast.covers, keep_off(plan, _KEEP_OFF), rng)
-    stage = Stage(cast.specs, library, [post], plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
-    judge = _Judge(cast, GhostRemoval(stage, view, frame), plan.rules >= PILE_RULES)
+    ghosts = set_up(cast, [post], seed, plan, library, renderer, tables, rng)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
+    judge = _Judge(cast, ghosts, plan.rules >= PILE_RULES)
     lay = right_above(cast.covering[0], cast.covers[0])
 
     def nest(target: int) -> Poses:

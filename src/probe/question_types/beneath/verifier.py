@@ -10,7 +10,6 @@ from probe.tasks.task import PILE_RULES, Task
 from probe.tasks.truth import on_top, which_beneath
 from probe.verification.options import depth_problems
 from probe.verification.remeasure import Remeasurement
-from probe.verification.side_by_side import silhouettes_of
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
 from probe.verification.uncovering import uncovering_problems
@@ -37,7 +36,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     if not is_seen(anew.seen[cover]):
         yield f"only {anew.seen[cover].fraction:.0%} of the cover show"
     piled = task.version >= PILE_RULES
-    above = on_top(cover, silhouettes_of(task, anew)) if piled else ()
+    above = on_top(cover, anew.silhouettes) if piled else ()
     for how, after in anew.removals([cover, *above]):
         yield from uncovering_problems(f"without its cover ({how})", after, target, anew)
 

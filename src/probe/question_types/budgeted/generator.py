@@ -10,15 +10,13 @@ import numpy as np
 from probe.assets.library import Library
 from probe.generation.alike import longest
 from probe.generation.edgewise_nests import EdgewiseNests
-from probe.generation.frame import frame_of
 from probe.generation.necessary import with_necessary
 from probe.generation.nests_judge import NestsJudge
 from probe.generation.object_selection import ObjectSelection
-from probe.generation.removal import GhostRemoval
 from probe.generation.result import TaskCandidate
 from probe.generation.scene_view import SceneView
+from probe.generation.setting_up import set_up
 from probe.generation.side_by_side import draw_posts
-from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -47,12 +45,11 @@ def generate_budgeted(
     rng = generator(seed, "budgeted")
     cast = select_budgeted(library, plan, rng)
     posts = draw_posts(cast.covers, _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, posts, plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
+    ghosts = set_up(cast, posts, seed, plan, library, renderer, tables, rng)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
     places = _places(cast, library, rng)
     nests = EdgewiseNests(cast, stage, posts, places, [cast.secrets] * len(cast.candidates))
-    judge = BudgetedJudge(NestsJudge(nests, GhostRemoval(stage, view, frame)), cast)
+    judge = BudgetedJudge(NestsJudge(nests, ghosts), cast)
 
     twins = draw_twins(cast, stage, partial(nests.nest, rng=rng), judge.check, frame, rng)
     true = cast.draw_true(rng)

@@ -18,7 +18,7 @@ from probe.tasks.english import listed
 from probe.tasks.task import Task
 from probe.verification.necessary import necessary_problems
 from probe.verification.remeasure import Remeasurement
-from probe.verification.side_by_side import hiding_problems, silhouettes_of
+from probe.verification.side_by_side import hiding_problems
 from probe.verification.subjects import instances_called, spec_of
 from probe.verification.type_verifier import Makeup, Verifier
 
@@ -52,7 +52,7 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     covers = _covers(task, anew.library)
     yield from hiding_problems(task, anew, covers)
-    shapes = silhouettes_of(task, anew)
+    shapes = anew.silhouettes
     for number in covers:
         cover = cover_of(anew.library, task.scene[number].object_id)
         if cover is None or shapes[number].top - cover.extent[2] > LIFTED:
@@ -63,7 +63,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
 def _true_text(task: Task, anew: Remeasurement) -> str:
     lengths = {spec.id: longest(spec) for spec in anew.library.specs}
     sizes = [longest(spec) for spec in _candidates(task, anew.library)]
-    covers, shapes = _covers(task, anew.library), silhouettes_of(task, anew)
+    covers, shapes = _covers(task, anew.library), anew.silhouettes
     between = (min(sizes), max(sizes))
     found, _ = which_is_so_long(task.scene, covers, shapes, lengths, between)
     return anew.library[found.object_id].name

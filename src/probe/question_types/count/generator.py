@@ -205,10 +205,8 @@ def _settle(cast: _Cast, stage: Stage, posts: Sequence[Post], rng: np.random.Gen
         lay = right_above(NESTS + index + 1, cast.covers[index])
         nests |= build_nest(stage, index + 1, lay, post, rng)
     falling = [n for n in range(len(nests) + 1, len(cast.specs) + 1) if n not in cast.toppings]
-    poses = stage.heap(nests, falling, rng)
-    if cast.toppings:
-        poses = stage.top(cast.toppings, rng)
-    settled = stage.settle(poses)
+    stage.heap(nests, falling, rng)
+    settled = stage.settle(stage.top(cast.toppings, rng))
     check_toppings(cast.toppings, stage, settled)
     return settled
 

@@ -10,14 +10,12 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.covers import NEEDS_COVER, Cover, draw_cover
-from probe.generation.frame import frame_of
 from probe.generation.necessary import with_necessary
 from probe.generation.nests import Nests
 from probe.generation.nests_judge import NestsJudge
 from probe.generation.object_selection import ObjectSelection
-from probe.generation.removal import GhostRemoval
 from probe.generation.result import TaskCandidate
-from probe.generation.scene_view import SceneView
+from probe.generation.setting_up import set_up
 from probe.generation.side_by_side import (
     COVERS,
     NEEDS_ALIKE,
@@ -26,7 +24,6 @@ from probe.generation.side_by_side import (
     liftable,
     select,
 )
-from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -53,11 +50,10 @@ def generate_decoys(
     rng = generator(seed, "decoys")
     cast = select_decoys(library, plan, rng)
     posts = draw_posts(cast.covers, _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, posts, plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
+    ghosts = set_up(cast, posts, seed, plan, library, renderer, tables, rng)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
     nests = Nests.built(cast, stage, posts, int(rng.integers(COVERS)), rng)
-    judge = NestsJudge(nests, GhostRemoval(stage, view, frame))
+    judge = NestsJudge(nests, ghosts)
 
     twins = draw_twins(cast, stage, partial(nests.nest, rng=rng), judge.check, frame, rng)
     true = cast.draw_true(rng)

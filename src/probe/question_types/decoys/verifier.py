@@ -17,7 +17,7 @@ from probe.verification.like_covers import (
 from probe.verification.necessary import necessary_problems
 from probe.verification.options import sides_problems
 from probe.verification.remeasure import Remeasurement
-from probe.verification.side_by_side import hiding_problems, silhouettes_of
+from probe.verification.side_by_side import hiding_problems
 from probe.verification.type_verifier import Makeup, Verifier
 
 
@@ -34,7 +34,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
 
 
 def _true_text(task: Task, anew: Remeasurement) -> str:
-    drawn, shapes = task.certificate.candidates, silhouettes_of(task, anew)
+    drawn, shapes = task.certificate.candidates, anew.silhouettes
     return anew.library[
         which_under_any(task.scene, drawn, covers_of(task), shapes)[0].object_id
     ].name

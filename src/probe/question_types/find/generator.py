@@ -10,11 +10,12 @@ import numpy as np
 from probe.assets.library import Library
 from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_COVER, NEEDS_LEAN, draw_cover, draw_lean
-from probe.generation.frame import SceneFrame, frame_of
+from probe.generation.frame import SceneFrame
 from probe.generation.in_view import OPEN
 from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
+from probe.generation.setting_up import set_up
 from probe.generation.stage import Layer, Poses, Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import PlannedProperty, TaskPlan
@@ -60,9 +61,8 @@ def generate_find(
     rng = generator(seed, "find")
     cast, partly = select_find(library, plan, rng), is_partly(plan)
     post = draw_post(cast.covers, _KEEP_OFF_PARTLY if partly else _KEEP_OFF_HIDDEN, rng)
-    stage = Stage(cast.specs, library, [post], plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
+    ghosts = set_up(cast, [post], seed, plan, library, renderer, tables, rng)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
     if is_find_open(plan):
         scene, twins = open_scene(cast, stage, post, view, frame, rng), ()
     elif partly:

@@ -8,15 +8,13 @@ from functools import partial
 from probe.assets.library import Library
 from probe.generation.bystanders import draw_bystanders
 from probe.generation.edgewise_nests import EdgewiseNests
-from probe.generation.frame import SceneFrame
 from probe.generation.necessary import with_necessary
 from probe.generation.nests_judge import NestsJudge
 from probe.generation.object_selection import ObjectSelection
-from probe.generation.removal import GhostRemoval
 from probe.generation.result import TaskCandidate
 from probe.generation.scene_view import SceneView
+from probe.generation.setting_up import set_up
 from probe.generation.side_by_side import COVERS, draw_posts
-from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -44,17 +42,15 @@ def generate_memory(
     rng = generator(seed, "memory")
     cast = select_memory(library, plan, rng)
     posts = draw_posts(cast.covers, _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, posts, plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     # Three candidates lie on the table, so that each needs a number of its own.
-    table = tables[int(rng.integers(len(tables)))]
-    frame = SceneFrame.of(cast.specs, seed, table, rng, plan.setup)
+    ghosts = set_up(cast, posts, seed, plan, library, renderer, tables, rng, apart=True)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
     places: list[int] = rng.permutation(COVERS).tolist()
     companions = [
         tuple(other + 1 for other in others) for others in draw_bystanders(RULES.bystanders, rng)
     ]
     nests = EdgewiseNests(cast, stage, posts, places, companions)
-    judge = NestsJudge(nests, GhostRemoval(stage, view, frame))
+    judge = NestsJudge(nests, ghosts)
 
     twins = draw_twins(cast, stage, partial(nests.nest, rng=rng), judge.check, frame, rng)
     true = cast.draw_true(rng)

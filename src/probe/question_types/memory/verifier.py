@@ -13,7 +13,7 @@ from probe.tasks.truth import beneath_each, which_beneath
 from probe.verification.necessary import necessary_problems
 from probe.verification.options import sides_problems
 from probe.verification.remeasure import Remeasurement
-from probe.verification.side_by_side import hiding_problems, silhouettes_of
+from probe.verification.side_by_side import hiding_problems
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
 
@@ -41,7 +41,7 @@ def _subject(task: Task, library: Library) -> Iterator[str]:
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     yield from hiding_problems(task, anew, task.named)
-    under = beneath_each(task.named, silhouettes_of(task, anew))
+    under = beneath_each(task.named, anew.silhouettes)
     if task.cover is not None and under.get(task.cover) != task.targets:
         yield f"under cover {task.cover} lie {under.get(task.cover)}, not {task.targets}"
     hidden = [task.scene[number].object_id for each in under.values() for number in each]
@@ -51,7 +51,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
 
 
 def _true_text(task: Task, anew: Remeasurement) -> str:
-    drawn, shapes = task.certificate.candidates, silhouettes_of(task, anew)
+    drawn, shapes = task.certificate.candidates, anew.silhouettes
     assert task.cover is not None
     return anew.library[which_beneath(task.scene, drawn, task.cover, shapes).object_id].name
 

@@ -6,12 +6,10 @@ from collections.abc import Sequence
 
 from probe.assets.library import Library
 from probe.generation.covers import NEEDS_COVER
-from probe.generation.frame import frame_of
 from probe.generation.necessary import with_necessary
-from probe.generation.removal import GhostRemoval
 from probe.generation.result import TaskCandidate
-from probe.generation.scene_view import SceneView
-from probe.generation.stage import Poses, Stage
+from probe.generation.setting_up import set_up
+from probe.generation.stage import Poses
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -38,10 +36,9 @@ def generate_nested(
     rng = generator(seed, "nested")
     cast = select_nested(library, plan, rng)
     post = draw_post(cast.covers, keep_off(plan, _KEEP_OFF), rng)
-    stage = Stage(cast.specs, library, [post], plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
-    judge = StackJudge(cast, GhostRemoval(stage, view, frame))
+    ghosts = set_up(cast, [post], seed, plan, library, renderer, tables, rng)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
+    judge = StackJudge(cast, ghosts)
 
     def nest(target: int) -> Poses:
         return build_stack(cast, stage, target, post, rng)

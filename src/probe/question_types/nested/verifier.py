@@ -13,7 +13,6 @@ from probe.tasks.truth import on_top
 from probe.verification.necessary import necessary_problems
 from probe.verification.options import sides_problems
 from probe.verification.remeasure import Remeasurement
-from probe.verification.side_by_side import silhouettes_of
 from probe.verification.subjects import spec_of, subject_is
 from probe.verification.type_verifier import Makeup, Verifier
 from probe.verification.uncovering import uncovering_problems
@@ -44,7 +43,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
             yield f"the {what} shows by {anew.seen[number].fraction:.0%}"
     if not is_seen(anew.seen[outer]):
         yield f"only {anew.seen[outer].fraction:.0%} of the cover show"
-    above = on_top(outer, silhouettes_of(task, anew))
+    above = on_top(outer, anew.silhouettes)
     for how, after in anew.removals([outer, *above]):
         when = f"without its cover ({how})"
         yield from uncovering_problems(when, after, inner, anew, "the inner cover")
@@ -63,9 +62,8 @@ def _stack(task: Task, anew: Remeasurement) -> tuple[str, int]:
         ValueError: There aren't exactly such two.
     """
     assert task.cover is not None
-    numbers = [placed.instance for placed in task.scene.objects]
-    shapes = anew.view.silhouettes(task.scene, numbers)
-    found, inner = which_nested(task.scene, task.certificate.candidates, task.cover, shapes)
+    drawn, shapes = task.certificate.candidates, anew.silhouettes
+    found, inner = which_nested(task.scene, drawn, task.cover, shapes)
     return found.object_id, inner
 
 

@@ -9,15 +9,13 @@ from probe.assets.library import Library
 from probe.generation.alike import longest
 from probe.generation.covers import NEEDS_COVER
 from probe.generation.edgewise_nests import EdgewiseNests
-from probe.generation.frame import SceneFrame
 from probe.generation.necessary import with_necessary
 from probe.generation.nests_judge import NestsJudge
 from probe.generation.object_selection import ObjectSelection
-from probe.generation.removal import GhostRemoval
 from probe.generation.result import TaskCandidate
 from probe.generation.scene_view import SceneView
+from probe.generation.setting_up import set_up
 from probe.generation.side_by_side import COVERS, draw_posts
-from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -48,14 +46,12 @@ def generate_ranked(
     rng = generator(seed, "ranked")
     cast = select_ranked(library, plan, rng)
     posts = draw_posts(cast.covers, _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, posts, plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     # Candidates lie beside each other here, so that each needs a number of its own.
-    table = tables[int(rng.integers(len(tables)))]
-    frame = SceneFrame.of(cast.specs, seed, table, rng, plan.setup)
+    ghosts = set_up(cast, posts, seed, plan, library, renderer, tables, rng, apart=True)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
     places: list[int] = rng.permutation(COVERS).tolist()
     nests = EdgewiseNests(cast, stage, posts, places, draw_companions(cast, plan.form, rng))
-    base = NestsJudge(nests, GhostRemoval(stage, view, frame))
+    base = NestsJudge(nests, ghosts)
     lengths = {number: longest(spec) for number, spec in enumerate(cast.specs, start=1)}
 
     twins = draw_twins(

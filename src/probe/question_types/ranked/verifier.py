@@ -21,7 +21,7 @@ from probe.verification.like_covers import (
 )
 from probe.verification.necessary import necessary_problems
 from probe.verification.remeasure import Remeasurement
-from probe.verification.side_by_side import hiding_problems, silhouettes_of
+from probe.verification.side_by_side import hiding_problems
 from probe.verification.subjects import spec_of
 from probe.verification.type_verifier import Makeup, Verifier
 
@@ -41,7 +41,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
         if not is_hidden(anew.seen[number]):
             yield f"{number}, which is to be hidden, shows by {anew.seen[number].fraction:.0%}"
     yield from hiding_problems(task, anew, covers_of(task))
-    covers, shapes = covers_of(task), silhouettes_of(task, anew)
+    covers, shapes = covers_of(task), anew.silhouettes
     spread = height_spread(shapes, covers)
     if spread > LEVEL:
         yield f"one cover stands {1000 * spread:.0f} mm higher than another"
@@ -56,7 +56,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
 
 def _true_text(task: Task, anew: Remeasurement) -> str:
     lengths = {spec.id: longest(spec) for spec in anew.library.specs}
-    found = longest_first(task.scene, covers_of(task), silhouettes_of(task, anew), lengths)
+    found = longest_first(task.scene, covers_of(task), anew.silhouettes, lengths)
     return anew.library[found[RANKS.index(task.form)][0].object_id].name
 
 

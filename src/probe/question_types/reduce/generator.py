@@ -12,12 +12,11 @@ from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_SLAB, Cover, draw_slab, draw_topping
-from probe.generation.frame import frame_of
 from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
 from probe.generation.removal import GhostRemoval, RemovalView
 from probe.generation.result import Rejected, TaskCandidate
-from probe.generation.scene_view import SceneView
-from probe.generation.stage import Layer, Poses, Stage
+from probe.generation.setting_up import set_up
+from probe.generation.stage import Layer, Poses
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import PlannedProperty, TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -74,10 +73,9 @@ def generate_reduce(
     cast = select_reduce(library, plan, rng)
     many = REMOVALS.of(plan) >= _MANY
     post = draw_post(cast.covers, _KEEP_OFF_MANY if many else _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, [post], plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
-    frame = frame_of(cast, seed, tables[int(rng.integers(len(tables)))], rng, plan.setup)
-    judge = _Judge(cast, GhostRemoval(stage, view, frame))
+    ghosts = set_up(cast, [post], seed, plan, library, renderer, tables, rng)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
+    judge = _Judge(cast, ghosts)
     lay = _fanned(cast) if REMOVALS.of(plan) > 1 else right_above(cast.covering[0], cast.covers[0])
     hiding = min(_HIDING, REMOVALS.of(plan))
 

@@ -12,15 +12,13 @@ from probe.assets.library import Library
 from probe.generation.bystanders import draw_bystanders
 from probe.generation.covers import NEEDS_COVER
 from probe.generation.edgewise_nests import EdgewiseNests
-from probe.generation.frame import SceneFrame
 from probe.generation.necessary import with_necessary
 from probe.generation.nests_judge import NestsJudge
 from probe.generation.object_selection import ObjectSelection
-from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
+from probe.generation.setting_up import set_up
 from probe.generation.side_by_side import draw_posts
-from probe.generation.stage import Stage
 from probe.generation.task_generator import TaskGenerator
 from probe.generation.task_plan import TaskPlan
 from probe.generation.task_writer import Draft, write_task
@@ -49,15 +47,13 @@ def generate_relation(
     rng = generator(seed, "relation")
     cast = select_relation(library, plan, rng)
     posts = draw_posts(cast.covers, _KEEP_OFF, rng)
-    stage = Stage(cast.specs, library, posts, plan.setup)
-    view = SceneView(renderer, library, [spec.id for spec in cast.specs], plan.setup)
     # Two candidates lie on the table, so that each needs a number of its own.
-    table = tables[int(rng.integers(len(tables)))]
-    frame = SceneFrame.of(cast.specs, seed, table, rng, plan.setup)
+    ghosts = set_up(cast, posts, seed, plan, library, renderer, tables, rng, apart=True)
+    stage, view, frame = ghosts.stage, ghosts.view, ghosts.frame
     (named,) = cast.secrets
     beside = [(named, other + 1) for (other,) in draw_bystanders(RULES.bystanders, rng)]
     nests = EdgewiseNests(cast, stage, posts, _places(posts, plan, rng), beside)
-    base = NestsJudge(nests, GhostRemoval(stage, view, frame))
+    base = NestsJudge(nests, ghosts)
     covers = [frame.number_of[number] for number in cast.covering]
     ring = _Ring(plan, view, frame.number_of[named], covers)
 

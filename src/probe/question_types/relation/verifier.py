@@ -15,7 +15,7 @@ from probe.verification.like_covers import covers_of, covers_slot, like_covers_p
 from probe.verification.necessary import necessary_problems
 from probe.verification.options import sides_problems
 from probe.verification.remeasure import Remeasurement
-from probe.verification.side_by_side import hiding_problems, silhouettes_of
+from probe.verification.side_by_side import hiding_problems
 from probe.verification.subjects import spec_of
 from probe.verification.type_verifier import Makeup, Verifier
 
@@ -43,7 +43,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
             yield f"{number}, which is to be hidden, shows by {anew.seen[number].fraction:.0%}"
     covers = covers_of(task)
     yield from hiding_problems(task, anew, covers)
-    under = beneath_each(covers, silhouettes_of(task, anew)).values()
+    under = beneath_each(covers, anew.silhouettes).values()
     third = [number for each in under for number in each if number not in task.targets]
     if any(task.scene[it].object_id not in task.certificate.candidates for it in third):
         yield "what is under the third cover is none of the candidates"
@@ -51,7 +51,7 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
 
 
 def _true_text(task: Task, anew: Remeasurement) -> str:
-    shapes = silhouettes_of(task, anew)
+    shapes = anew.silhouettes
     found, _ = next_beneath(task.scene, task.form, task.targets[1], covers_of(task), shapes)
     return anew.library[found.object_id].name
 
