@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
+from importlib.util import find_spec
 
 import pytest
+
+from probe.train.tune import libraries
 
 
 @pytest.fixture(scope="session")
 def torchvision():
-    """Makes torchvision's wheel for GPUs importable beside torch for CPUs.
-
-    It asks for two operators that are compiled for another torch; nothing here calls them.
-    """
-    torch = pytest.importorskip("torch")
-    kept = torch.library.Library("torchvision", "DEF")
-    for operator in (
-        "nms(Tensor dets, Tensor scores, float iou_threshold) -> Tensor",
-        "qnms(Tensor dets, Tensor scores, float iou_threshold) -> Tensor",
-    ):
-        with suppress(RuntimeError):  # there already where the two fit each other
-            kept.define(operator)
-    pytest.importorskip("torchvision")
-    yield
-    del kept
+    """Torchvision, importable also where the package index has no build for this torch."""
+    for needed in ("torch", "torchvision", "transformers"):
+        if not find_spec(needed):
+            pytest.skip(f"{needed} isn't installed")
+    libraries.transformers()
 
 
 @pytest.fixture(scope="session")
