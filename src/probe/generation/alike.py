@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Hashable, Sequence
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from probe.generation.colour_words import colour_words_in
 from probe.generation.result import Rejected
 from probe.scene.turns import Leads, in_turn, nobody
 from probe.tasks.task import DEPTH_RULES, RulesVersion
+from probe.types import Array
 
 TWIN_TOLERANCE = 0.10
 """Candidates' longest sides differ by at most this share where each must do in a twin scene."""
@@ -51,8 +52,7 @@ def is_lying(spec: ObjectSpec) -> bool:
 
 def sides_alike(specs: Sequence[ObjectSpec], tolerance: float) -> bool:
     """Whether length, width and height of things, as they stand, each differ by such a share."""
-    # Plain numbers: for a handful of things an array costs ten times as much, a million times.
-    lengths = zip(*[(*sorted(spec.size[:2]), spec.size[2]) for spec in specs], strict=True)
+    lengths = zip(*map(_sides, specs), strict=True)
     return all(max(side) <= min(side) * (1 + tolerance) for side in lengths)
 
 
@@ -91,16 +91,17 @@ def draw_alike(
         raise Rejected("candidates", "nothing here is of the right size")
     common = Counter(spec.category for spec in library)
     enough = min(_ENOUGH_LEADING, sum(map(leads, pool)))
-
-    def go_together(specs: Sequence[ObjectSpec]) -> bool:
-        if sides is not None and not sides_alike(specs, sides):
-            return False
-        return _alike(specs, tolerance, common) and not (one_colour and _colours_differ(specs))
+    together = _pairs_that_go_together(pool, tolerance, common, sides)
+    if one_colour:
+        together &= _same([colour_words_in(spec.name) for spec in pool])
+    kinds = [spec.category for spec in pool]
+    place = {spec.id: number for number, spec in enumerate(pool)}
 
     drawn, best = list[ObjectSpec](), list[ObjectSpec]()
     limits = [MOST_OF_A_KIND] * _VARIED_TRIES if varied else []
     for most in [*limits, *[count] * _TRIES]:
-        drawn = _grown(in_turn(pool, leads, rng), count, most, go_together)
+        order = np.array([place[spec.id] for spec in in_turn(pool, leads, rng)])
+        drawn = [pool[number] for number in _grown(order, count, most, together, _same(kinds))]
         if len(drawn) == count and (not best or sum(map(leads, drawn)) > sum(map(leads, best))):
             best = drawn
         if best and sum(map(leads, best)) >= enough:
@@ -111,40 +112,53 @@ def draw_alike(
     return tuple(best)
 
 
-def _grown(
-    order: Sequence[ObjectSpec],
-    count: int,
-    most: int,
-    go_together: Callable[[Sequence[ObjectSpec]], bool],
-) -> list[ObjectSpec]:
+def _grown(order: Array, count: int, most: int, together: Array, one_kind: Array) -> list[int]:
     """The first that go together, so many at most, and at most so many of one category."""
-    drawn, kinds = list[ObjectSpec](), Counter[str]()
-    for spec in order:
-        if len(drawn) == count:
-            break
-        if kinds[spec.category] < most and go_together([*drawn, spec]):
-            drawn.append(spec)
-            kinds[spec.category] += 1
+    drawn = list[int]()
+    while len(drawn) < count and len(order):
+        drawn.append(first := int(order[0]))
+        order = order[1:][together[first, order[1:]]]
+        if one_kind[first, drawn].sum() == most:
+            order = order[~one_kind[first, order]]
     return drawn
 
 
-def _alike(specs: Sequence[ObjectSpec], tolerance: float, common: Counter[str]) -> bool:
-    sizes = [longest(spec) for spec in specs]
-    counts = [common[spec.category] for spec in specs]
-    return (
-        max(sizes) <= min(sizes) * (1 + tolerance)
-        and max(counts) <= min(counts) * FREQUENCY_RATIO
-        and told_apart(specs)
-    )
+def _pairs_that_go_together(
+    pool: Sequence[ObjectSpec], tolerance: float, common: Counter[str], sides: float | None
+) -> Array:
+    """Of each two things, whether a set may have both; (n, n), and what holds of pairs of sets."""
+    together = ~(_same([spec.name for spec in pool]) | _same([_look(spec) for spec in pool]))
+    together &= _within([longest(spec) for spec in pool], 1 + tolerance)
+    together &= _within([common[spec.category] for spec in pool], FREQUENCY_RATIO)
+    if sides is not None:
+        for lengths in zip(*map(_sides, pool), strict=True):
+            together &= _within(lengths, 1 + sides)
+    return together
 
 
-def _colours_differ(specs: Sequence[ObjectSpec]) -> bool:
-    return len({colour_words_in(spec.name) for spec in specs}) > 1
+def _within(values: Sequence[float], ratio: float) -> Array:
+    below = np.array(values)[:, None] <= np.array(values)[None, :] * ratio
+    return below & below.T
+
+
+def _same(labels: Sequence[Hashable]) -> Array:
+    codes = {label: code for code, label in enumerate(dict.fromkeys(labels))}
+    numbers = np.array([codes[label] for label in labels])
+    return numbers[:, None] == numbers[None, :]
+
+
+def _sides(spec: ObjectSpec) -> tuple[float, ...]:
+    """Width, length and height as it stands, in metres."""
+    return (*sorted(spec.size[:2]), spec.size[2])
+
+
+def _look(spec: ObjectSpec) -> tuple[str, ...]:
+    return (spec.category, *spec.colours[:1])
 
 
 def told_apart(specs: Sequence[ObjectSpec]) -> bool:
     """Whether no two share a name, or category and main colour."""
-    looks = {(spec.category, *spec.colours[:1]) for spec in specs}
+    looks = {_look(spec) for spec in specs}
     return len({spec.name for spec in specs}) == len(looks) == len(specs)
 
 
