@@ -57,6 +57,25 @@ def test_a_body_is_the_same_from_the_cache(library, tmp_path):
         assert (a.vertices == b.vertices).all()
 
 
+def test_what_is_measured_on_a_body_is_measured_once_and_again_by_another_recipe(library, tmp_path):
+    some, bodies = library.specs[:2], []
+
+    def heights(body) -> dict[str, np.ndarray]:
+        bodies.append(body.mesh.digest())
+        return {"height": body.mesh.vertices[:, 2].max(), "none": np.array([])}
+
+    def measured(id: str, recipe: str) -> float:
+        fresh = _few(library, 2, tmp_path)  # another process, as far as memory goes
+        return float(fresh.measured(id, "heights", recipe, heights)["height"])
+
+    for spec in some:
+        assert measured(spec.id, "a") == measured(spec.id, "a")
+        assert measured(spec.id, "a") == pytest.approx(spec.size[2], abs=1e-3)
+    assert len(set(bodies)) == len(bodies) == 2
+    measured(some[0].id, "b")
+    assert bodies[2:] == bodies[:1]
+
+
 def test_a_fingerprint_is_kept_and_found_without_the_body(library, tmp_path, monkeypatch):
     id = library.specs[0].id
     fresh = _few(library, 1, tmp_path).fingerprint(id)

@@ -135,7 +135,7 @@ def read_graph(text: str) -> Graph:
     """
     if _SHORT_LIST.search(text):
         raise ShortList
-    told: object = yaml.safe_load(text)
+    told: object = yaml.load(text, yaml.CSafeLoader)
     if not isinstance(told, dict) or "objects" not in told:
         return Graph()
     content = cast("dict[str, Any]", told)
@@ -169,7 +169,7 @@ def read_handles(text: str) -> dict[str, str]:
     if " Nearest: " in text:
         return dict(_NEAREST.findall(text.rpartition(" Nearest: ")[2]))
     try:
-        told: object = yaml.safe_load(text)
+        told: object = yaml.load(text, yaml.CSafeLoader)
     except (yaml.YAMLError, ValueError, RecursionError):  # none that our tools wrote
         return {}
     if not isinstance(told, dict):

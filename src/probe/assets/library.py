@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, field, replace
 from multiprocessing import get_context
@@ -11,7 +11,7 @@ from typing import Literal
 
 from rich.progress import track
 
-from probe.assets.cache import Cache
+from probe.assets.cache import Cache, content_key
 from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
 from probe.assets.mesh.kept_fingerprint import key_of_file, pack_fingerprint, unpack_fingerprint
@@ -24,6 +24,7 @@ from probe.assets.procedural.tables import NEWEST_EDITION, Edition
 from probe.assets.spec import ObjectSpec, Origin
 from probe.assets.tables import TableMaterial, load_table
 from probe.errors import BadData, UnknownName
+from probe.types import Array
 
 Pool = Literal[
     "train", "evaluation", "procedural", "procedural-2", "scans", "own", "own+procedural", "all"
@@ -123,6 +124,32 @@ class Library:
         if len(self._kept) > KEPT:
             del self._kept[next(iter(self._kept))]
         return body
+
+    def measured(
+        self,
+        object_id: str,
+        what: str,
+        recipe: str,
+        measure: Callable[[Body], Mapping[str, Array]],
+    ) -> Mapping[str, Array]:
+        """What is measured on an object's shape; computed once, then read from the cache.
+
+        Args:
+            object_id: Which.
+            what: Folder of the cache.
+            recipe: Another one whenever the same body would give other numbers.
+            measure: Computes it.
+
+        Raises:
+            UnknownName, BadMesh, OutputFailed: As body().
+        """
+        kept = Cache(self.cache / what)
+        key = content_key(what, recipe, self._body_file(object_id, 1).stem)
+        found = kept.load(key)
+        if found is None:
+            found = measure(self.body(object_id))
+            kept.store(key, found)
+        return found
 
     def fingerprint(self, object_id: str, looks: Looks = 1) -> Fingerprint:
         """What tells whether an object is still the same; computed once.

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
-from probe.assets.collision.cavity import Cavity, find_cavity
 from probe.assets.library import Library
-from probe.assets.mesh.lattice import lattice_points
-from probe.assets.mesh.mesh import TexturedMesh
+from probe.assets.mesh.mesh import Body
 from probe.assets.spec import ObjectSpec
+from probe.generation.cover_shape import packed, shape_of, shape_recipe, unpacked
 from probe.scene.turns import in_turn
-from probe.types import Array, Quaternion, quaternion_of
+from probe.types import Array, Quaternion
 
 GRASP_WIDTH = 0.125
 """Metres; a deep cover wider than this can't be lifted by a 2F-140, and pushed drags its secret."""
@@ -29,13 +28,9 @@ SMALLEST_SLAB = 0.085, 0.13
 TOPPING = 0.05, 0.10
 _TOPPING_SHARE, _TOPPING_FLATNESS = 0.65, 0.6
 SMALLEST_COVER = 0.07
-_DEEP = 0.03
 _WIDER = 1.2
 _STEEPER = 1.3
 _MOST, _WIDEST_SHIELD = 0.75, 0.19
-_FILLED = 0.7
-_GRID = 24
-_MIDDLE = slice(_GRID // 4, _GRID - _GRID // 4)
 _TALLER = 1.2
 """A cover may stand on what it hides and still hide it, up to this."""
 
@@ -61,8 +56,6 @@ NEEDS_SHIELD = (
     f"and at most {100 * FLAT_THICKNESS:g} cm thick"
 )
 """What draw_cover(), draw_lean(), draw_slab() and draw_shield() look for, for people."""
-
-_HALF_TURN = np.diag([1.0, -1.0, -1.0])
 
 
 @dataclass(frozen=True)
@@ -251,12 +244,16 @@ def low_footprint_of(library: Library, object_id: str) -> Footprint:
     return Footprint(max(spec.size), min(x, y)) if lies_on_side(spec) else standing
 
 
+@lru_cache(maxsize=4096)
 def footprint_of(library: Library, object_id: str) -> Footprint:
-    """The footprint of an object, measured on its mesh."""
-    vertices = library.body(object_id).mesh.vertices
-    return Footprint(
-        2 * float(np.hypot(vertices[:, 0], vertices[:, 1]).max()), library[object_id].size[2]
-    )
+    """The footprint of an object, measured on its mesh once, then kept."""
+
+    def measured(body: Body) -> dict[str, Array]:
+        x, y, _ = body.mesh.vertices.T
+        return {"width": np.array(2 * float(np.hypot(x, y).max()))}
+
+    width = library.measured(object_id, "footprints", "width 1", measured)["width"]
+    return Footprint(float(width), library[object_id].size[2])
 
 
 def _may_cover(spec: ObjectSpec, item: Footprint) -> bool:
@@ -279,62 +276,17 @@ def _overhangs(width: float, item: Footprint) -> bool:
 
 @lru_cache(maxsize=512)
 def cover_of(library: Library, object_id: str) -> Cover | None:
-    """How an object lies as a cover; None if it is of no use as one.
+    """How an object lies as a cover; None if it is of no use as one. Measured once, then kept.
 
     A hollow one lies with its mouth down, a flat one on its largest side.
     """
-    spec, mesh = library[object_id], library.body(object_id).mesh
-    cavity = find_cavity(mesh.vertices, mesh.faces) if spec.hollow else None
-    if cavity is not None:
-        down = _HALF_TURN @ cavity.mouth_from_object
-        room = _room(cavity)
-        if room[1] >= _DEEP:
-            return _lying(spec, mesh, down, _HALF_TURN @ cavity.middle, room)
-    upwards = int(np.argmin(spec.size))
-    down = np.roll(np.eye(3), 2 - upwards, axis=0)
-    filled = _filled(mesh.vertices @ down.T, mesh.faces)
-    if filled.mean() < _FILLED:
+    spec = library[object_id]
+
+    def measured(body: Body) -> dict[str, Array]:
+        return packed(shape_of(spec, body.mesh))
+
+    shape = unpacked(library.measured(object_id, "covers", shape_recipe(spec), measured))
+    if shape is None:
         return None
-    closed = bool(filled[_MIDDLE, _MIDDLE].all())
-    return replace(_lying(spec, mesh, down, None, (0.0, 0.0)), closed=closed)
-
-
-def _filled(corners: Array, faces: Array) -> Array:
-    """Which cells of the bounding rectangle, seen along z, a mesh fills, bool, shape (n, n).
-
-    A disc fills 0.785 of them.
-    """
-    points = lattice_points(corners, faces, float(np.ptp(corners[:, :2], axis=0).min()) / _GRID)
-    low, extent = points[:, :2].min(axis=0), np.ptp(points[:, :2], axis=0)
-    cells = np.minimum((points[:, :2] - low) / extent * _GRID, _GRID - 1).astype(int)
-    filled = np.zeros((_GRID, _GRID), dtype=bool)
-    filled[cells[:, 0], cells[:, 1]] = True
-    return filled
-
-
-def _lying(
-    spec: ObjectSpec,
-    mesh: TexturedMesh,
-    rotation: Array,
-    middle: Array | None,
-    room: tuple[float, float],
-) -> Cover:
-    corners = mesh.vertices @ rotation.T
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    x, y, z = (float(side) for side in high - low)
-    centre = (low + high) / 2
-    off = (middle if middle is not None and room[1] else centre) - centre
-    w, a, b, c = (float(part) for part in quaternion_of(rotation))
-    return Cover(spec, (w, a, b, c), (x, y, z), (float(off[0]), float(off[1])), *room)
-
-
-def _room(cavity: Cavity) -> tuple[float, float]:
-    """Width and depth in metres of the part of a cavity that is at least half as deep as it gets.
-
-    The width is that of a disc of the same area.
-    """
-    depths = cavity.roof - cavity.floor
-    cell = cavity.volume / float(depths.sum())
-    deep = depths >= depths.max() / 2
-    width = 2 * math.sqrt(np.count_nonzero(deep) * cell / math.pi)
-    return width, float(np.median(depths[deep]))
+    w, a, b, c, x, y, z, off_x, off_y, width, depth = shape.numbers
+    return Cover(spec, (w, a, b, c), (x, y, z), (off_x, off_y), width, depth, shape.closed)

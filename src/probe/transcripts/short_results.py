@@ -59,7 +59,7 @@ class ShortResults:
 
 def _found(text: str) -> str:
     """What find_object found as a line, with its box and description, then others that may fit."""
-    content = cast("dict[str, Any]", yaml.safe_load(text))
+    content = cast("dict[str, Any]", yaml.load(text, yaml.CSafeLoader))
     if not content.keys() >= _NEEDED:  # which only tools of an earlier version leave out
         return text
     name, description = content.get("name"), str(content["description"])
