@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from probe.assets.cache import Cache
 from probe.assets.library import Library
+from probe.assets.looks import Looks
+from probe.assets.mesh.mesh import Body
+from probe.assets.pools.procedural import procedural_body, procedural_key
 from probe.generation.build import rules_for
 from probe.generation.build_folder import TaskSlot
 from probe.generation.feasibility import possibilities
@@ -30,6 +35,16 @@ SOME = (
 )
 
 
+class Mixed(Library):
+    """What bodies things have that are called one's own is no matter of these tests."""
+
+    def _body_file(self, object_id: str, looks: Looks) -> Path:
+        return Cache(self.cache / "bodies").path(procedural_key(object_id, looks))
+
+    def body(self, object_id: str, looks: Looks = 1) -> Body:
+        return procedural_body(object_id, Cache(self.cache / "bodies"), looks)
+
+
 @pytest.fixture(scope="module")
 def mixed(library: Library) -> Library:
     """A library in which a few things, formula-made like the others, are somebody's own."""
@@ -38,10 +53,7 @@ def mixed(library: Library) -> Library:
     specs = tuple(
         replace(spec, origin="own") if spec.id in SOME else spec for spec in library.specs
     )
-    mixed = replace(library, specs=specs, leading="own")
-    for one in SOME:  # which body is made of an id is no matter of this test
-        mixed._kept[one, 1] = library.body(one)
-    return mixed
+    return Mixed(specs, None, library.cache, leading="own", pool=library.pool)
 
 
 def test_things_of_ones_own_are_asked_about_by_the_older_rules(library: Library, mixed: Library):
