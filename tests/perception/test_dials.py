@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from probe.errors import BadData
 from probe.perception.dials import Dials, NoisyDetector, luck
+from probe.perception.matching import match
 from probe.perception.oracle import NoLabels, Oracle
 from probe.perception.things import Thing, Words
 from probe.types import Frame, Pose
@@ -18,7 +19,7 @@ from tabletops import Block, paint, spec
 
 PLACES = [(u, v) for u in (60, 360, 660) for v in (60, 360, 660)]
 BLOCKS = [Block(n, (u, v, u + 119, v + 119)) for n, (u, v) in enumerate(PLACES, start=1)]
-SPECS = {block.instance: spec(f"red mug{block.instance}") for block in BLOCKS}
+SPECS = {b.instance: spec(f"red mug{b.instance}", "red", category="mug") for b in BLOCKS}
 GHOST = Words("ghost", "ghost", (), "A ghost.")
 
 
@@ -65,6 +66,38 @@ def test_asking_again_returns_the_same_errors(seed, run):
     oracle.detect(paint(BLOCKS[:3]))
     assert told(oracle.detect(paint(BLOCKS))) == first
     assert told(seen(dials, seed, run)) == first
+
+
+def called(things) -> list[str]:
+    return [thing.words.called for thing in things]
+
+
+def test_a_detector_that_tells_kinds_gives_no_name_away_and_all_are_found_by_name():
+    things = seen(Dials(general=1.0))
+    assert set(called(things)) == {"drinking vessel"}
+    assert {thing.words.told_description for thing in things} == {"a drinking vessel, red"}
+    for number in SPECS:
+        found = match(f"red mug{number}", things)
+        assert found and found.thing.words.name == f"red mug{number}"
+    assert set(called(seen(Dials()))) == {spec.name for spec in SPECS.values()}
+
+
+def test_the_share_of_kinds_is_what_the_dial_says_and_what_is_unnamed_stays_so():
+    told_so = [
+        it == "drinking vessel"
+        for seed in range(30)
+        for it in called(seen(Dials(general=0.3), seed))
+    ]
+    assert np.mean(told_so) == pytest.approx(0.3, abs=4 * np.sqrt(0.21 / len(told_so)))
+    parts = [replace(block, share=0.2) for block in BLOCKS]
+    assert called(seen(Dials(general=1.0), blocks=parts)) == called(seen(Dials(), blocks=parts))
+
+
+def test_what_is_made_up_is_told_by_its_kind_too():
+    ghosts = [
+        it for it in called(seen(Dials(hallucinated=1.0, general=1.0))) if it != "drinking vessel"
+    ]
+    assert ghosts and set(ghosts) == {"object"}  # no kind has a ghost in it
 
 
 @pytest.mark.parametrize("rate", [0.2, 0.7])

@@ -68,10 +68,14 @@ def test_the_headline_setting_is_kept_and_left_out_where_there_is_none(path: Pat
         0.018, 0.0, Dials(over=0.1, under=0.05, missed=0.02, hallucinated=0.01)
     )
     write_suite(path, replace(SUITE, headline=headline))
+    assert "general" not in path.read_text()  # as in suites of before there was such a rate
     again = read_suite(path)
     assert again.headline == headline
     assert part(again, again.tasks[0]).headline == headline
     assert content_hash(again) != content_hash(SUITE)
+    coarse = replace(headline, dials=replace(headline.dials, general=0.5))
+    write_suite(path, replace(SUITE, headline=coarse))
+    assert read_suite(path).headline == coarse
 
 
 def test_it_carries_a_canary(path: Path):

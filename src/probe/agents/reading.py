@@ -161,6 +161,15 @@ def read_handle(text: str) -> str | None:
     return value if key == "object_id" else None
 
 
+def read_exact(text: str) -> list[str]:
+    """The object_ids of all that find_object found which is called what was asked for."""
+    if read_handle(text) is None:
+        return []
+    content = cast("dict[str, Any]", yaml.load(text, yaml.CSafeLoader))
+    others: list[Any] = content.get("others_that_fit_as_well") or []
+    return [] if "note" in content else [it["object_id"] for it in (content, *others)]
+
+
 def read_handles(text: str) -> dict[str, str]:
     """All object_ids in a reply of perceive_scene or find_object, with a name or description.
 

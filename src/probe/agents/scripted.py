@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from probe.agents.asking_names import by_name, names_in
 from probe.agents.moves import Plan, Way
 from probe.agents.phrases import Say, silent
 from probe.agents.type_plan import ScriptedQuestion, plan_for
@@ -65,4 +66,5 @@ class Scripted:
         asked = ScriptedQuestion(
             question, self._subject, self._form, self._first, self._rng, self._bold, self._say
         )
-        return plan_for(self._kind).begin(asked)
+        plan = plan_for(self._kind).begin(asked)
+        return by_name(plan, names_in(self._subject, question.options))

@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
 from annotated_types import Interval
+from pydantic import Field
 
 from probe.errors import BadData
+from probe.perception.general import kind_of
 from probe.perception.mistakes import cut_in_two, invented, neighbour_of, united
 from probe.perception.oracle import NoLabels
 from probe.perception.posture import Poses
@@ -43,17 +45,20 @@ class Dials:
         under: It is merged with the neighbour with which it shares the longest outline.
         missed: It is not detected.
         hallucinated: Something that isn't there is detected on bare table as well.
+        general: Texts call it by its kind alone ("a fruit"), as far as it can be named. What one
+            asks for by name is found as before: whoever points looks at the picture.
     """
 
     over: ErrorRate = 0.0
     under: ErrorRate = 0.0
     missed: ErrorRate = 0.0
     hallucinated: ErrorRate = 0.0
+    general: Annotated[ErrorRate, Field(exclude_if=lambda rate: rate == 0)] = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("over", "under", "missed", "hallucinated"):
-            if not 0.0 <= getattr(self, name) <= 1.0:
-                reason = f"{getattr(self, name)} is no rate"
+        for name, rate in vars(self).items():
+            if not 0.0 <= rate <= 1.0:
+                reason = f"{rate} is no rate"
                 raise BadData(f"--dials.{name}", reason, "Say a number from 0 to 1")
 
 
@@ -101,7 +106,7 @@ class NoisyDetector:
             return things
         lucks = self._lucks(things, frame)
         noticed = [
-            (thing, chance)
+            (self._told(thing, chance), chance)
             for thing, chance in zip(things, lucks, strict=True)
             if chance("missed") >= self._dials.missed
         ]
@@ -120,6 +125,11 @@ class NoisyDetector:
             state = f"{self._key}/{instance}/{_roughly(poses[instance])}/{_coarse(thing.mask)}"
             lucks.append(lambda kind, state=state: luck(f"{state}/{kind}"))
         return lucks
+
+    def _told(self, thing: Thing, chance: Chance) -> Thing:
+        if chance("general") >= self._dials.general:
+            return thing
+        return replace(thing, words=replace(thing.words, kind=kind_of(thing.words.category)))
 
     def _parted(self, noticed: Sequence[tuple[Thing, Chance]]) -> list[tuple[Thing, ...]]:
         """Each thing whole, in two, or gone into its neighbour."""
@@ -151,7 +161,7 @@ class NoisyDetector:
                 thing = invented(taken, words, rng)
                 if thing is not None:
                     taken |= thing.mask
-                    found.append(thing)
+                    found.append(self._told(thing, chance))
         return found
 
 

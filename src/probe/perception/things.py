@@ -22,6 +22,7 @@ class Words:
         colours: Main colours, largest first.
         description: One sentence or phrase.
         synonyms: Other names that it goes by; none of catalogues.
+        kind: What texts call it instead, of a detector that doesn't tell more than that; None else.
     """
 
     name: str | None
@@ -29,11 +30,25 @@ class Words:
     colours: tuple[str, ...]
     description: str
     synonyms: tuple[str, ...] = ()
+    kind: str | None = None
 
     @property
     def called(self) -> str:
-        """The name, or else the description."""
-        return self.name or self.description
+        """What texts call it: the name, or else the description."""
+        return self.told_name or self.description
+
+    @property
+    def told_name(self) -> str | None:
+        """What texts give as its name; None without a name."""
+        return None if self.name is None else self.kind or self.name
+
+    @property
+    def told_description(self) -> str:
+        """What texts give as its description."""
+        if self.name is None or self.kind is None:
+            return self.description
+        kind = f"{'an' if self.kind[0] in 'aeiou' else 'a'} {self.kind}"
+        return f"{kind}, {' and '.join(self.colours)}" if self.colours else kind
 
 
 @dataclass(frozen=True, eq=False)

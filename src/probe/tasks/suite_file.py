@@ -194,6 +194,7 @@ class HeadlineErrorsDocument(pydantic.BaseModel, extra="forbid"):
     under: ErrorRate
     missed: ErrorRate
     hallucinated: ErrorRate
+    general: ErrorRate = pydantic.Field(default=0.0, exclude_if=lambda rate: rate == 0)
 
     @staticmethod
     def of(headline: HeadlineErrors) -> HeadlineErrorsDocument:
@@ -204,7 +205,7 @@ class HeadlineErrorsDocument(pydantic.BaseModel, extra="forbid"):
 
     def headline(self) -> HeadlineErrors:
         """The errors that it describes."""
-        dials = Dials(self.over, self.under, self.missed, self.hallucinated)
+        dials = Dials(self.over, self.under, self.missed, self.hallucinated, self.general)
         return HeadlineErrors(self.grasp, self.push, dials)
 
 

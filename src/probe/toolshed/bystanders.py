@@ -83,10 +83,11 @@ def _moved(change: Change) -> str:
 
 
 def _of_one_name(moved: Sequence[Change]) -> list[list[Change]]:
-    """Groups of several things that are called the same; looks may have taken one for another."""
+    """Groups of several things of one name; looks may have taken one for another."""
     groups: dict[str, list[Change]] = {}
     for change in moved:
-        groups.setdefault(change.before.thing.words.called, []).append(change)
+        words = change.before.thing.words
+        groups.setdefault(words.name or words.description, []).append(change)
     return [group for group in groups.values() if len(group) > 1]
 
 
@@ -129,4 +130,4 @@ def _named(change: Change) -> str:
     before, after = change.before.thing, change.after
     if before.nameable or after is None:
         return bracketed(before.words.called)
-    return after.thing.words.name or bracketed(before.words.description)
+    return after.thing.words.told_name or bracketed(before.words.description)

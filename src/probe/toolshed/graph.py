@@ -58,10 +58,11 @@ def told_text(graph: SceneGraph) -> str:
 
 def thing_lines(thing: Thing | GraphEntry) -> list[str]:
     """One thing as lines of YAML."""
-    name = [f"name: {_text(thing.words.name)}"] if thing.words.name is not None else []
+    told = thing.words.told_name
+    name = [f"name: {_text(told)}"] if told is not None else []
     return [
         *name,
-        f"description: {_text(thing.words.description)}",
+        f"description: {_text(thing.words.told_description)}",
         f"point: {list(thing.point_px)}",
         f"box: {list(thing.box_px)}",
     ]

@@ -1,0 +1,77 @@
+"""Where lists tell kinds alone, the scripted agent asks by name, and no more than it must."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from probe.agents.asking_names import names_in
+from probe.agents.scripted import Scripted
+from probe.perception.dials import Dials
+from tabletops import Block, spec
+
+SPECS = {
+    1: spec("blue bowl", "blue"),
+    2: spec("red lime", "red", category="lime"),
+    3: spec("yellow lemon", "yellow", category="lemon"),
+    4: spec("green book", "green"),
+    5: spec("red lime", "red", category="lime"),
+}
+COVER = Block(1, (300, 300, 499, 499), 0.08, (30, 60, 150))
+BOOK = Block(4, (700, 100, 899, 299), 0.03, (40, 120, 50))
+LEMON = Block(3, (100, 700, 199, 799), 0.03, (220, 200, 40))
+FRUIT = ["red lime", "yellow lemon", "green apple", "orange plum", "None of the above"]
+COARSE = Dials(general=1.0)
+
+
+def under(instance: int) -> Block:
+    return Block(instance, (370, 370, 429, 429), 0.02, (180, 40, 40))
+
+
+def beneath() -> Scripted:
+    return Scripted("beneath", "blue bowl", np.random.default_rng(5))
+
+
+def called(record) -> list[str]:
+    """Names that were asked for; places aside."""
+    asked = [step.call.values.get("description", "") for step in record.steps]
+    return [text for text in asked if text and not text.startswith("the thing at")]
+
+
+@pytest.mark.parametrize(("hidden", "letter"), [(2, "A"), (3, "B")])
+def test_what_comes_to_light_is_asked_for_by_name(play, hidden, letter):
+    record = play(beneath(), FRUIT, SPECS, [COVER, BOOK, under(hidden)], dials=COARSE)
+    assert record.answer and record.answer.choice == letter
+    lists = [step.text for step in record.steps if step.call.name == "perceive_scene"]
+    assert all("lime" not in text and "lemon" not in text for text in lists)
+    assert 'name: "fruit"' in lists[-1]
+
+
+def test_names_are_asked_for_only_where_something_new_of_their_kind_shows(play):
+    record = play(beneath(), FRUIT, SPECS, [COVER, BOOK, under(2)], dials=COARSE)
+    assert called(record) == ["blue bowl", *FRUIT[:4]]
+    plain = play(beneath(), FRUIT, SPECS, [COVER, BOOK, under(2)])
+    assert called(plain) == []
+
+
+def test_what_shows_from_the_start_is_not_what_came_to_light(play):
+    record = play(beneath(), FRUIT, SPECS, [COVER, BOOK, LEMON, under(2)], dials=COARSE)
+    assert record.answer and record.answer.choice == "A"
+
+
+def test_none_of_them_is_said_of_what_goes_by_no_option(play):
+    options = ["green apple", "orange plum", "brown pear", "red cup", "None of the above"]
+    record = play(beneath(), options, SPECS, [COVER, BOOK, under(3)], dials=COARSE)
+    assert record.answer and record.answer.choice == "E"
+
+
+def test_like_things_are_counted(play):
+    agent = Scripted("count", "red lime", np.random.default_rng(5))
+    blocks = [COVER, under(2), Block(5, (700, 700, 759, 759), 0.02, (180, 40, 40))]
+    record = play(agent, ["1", "2", "3", "4", "5"], SPECS, blocks, dials=COARSE)
+    assert record.answer and record.answer.choice == "B"
+
+
+def test_only_names_of_things_are_asked_for():
+    options = (("A", "A at (1, 2)"), ("B", "3"), ("C", "small lime"), ("D", "None of the above"))
+    assert names_in("red, blue bowl", options) == ["blue bowl", "small lime"]
