@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from probe.api.progress import Track, silent
 from probe.api.resources import EVALUATION_POOL, Pool, opener, tables_for
 from probe.assets.library import Library
 from probe.generation.build import BuildResources, assemble, begin, fill, places_of, rules_for
-from probe.generation.build_folder import BuildFolder
+from probe.generation.build_folder import BuildFolder, TaskSlot
+from probe.generation.repeats import turned_back
 from probe.render.renderer import Renderer
 from probe.scene.setup import ROOM_TABLE, Setup
 from probe.tasks.suite import Suite
@@ -89,8 +90,11 @@ def build_suite(
         resources = BuildResources(
             library, tables_for(pool), renderer, unchecked, salt, table, rules
         )
-        for place in track(places, "Building"):
-            for _ in fill(place, folder, resources):
-                pass
+        waiting: Sequence[TaskSlot] = places
+        while waiting:
+            for place in track(waiting, "Building"):
+                for _ in fill(place, folder, resources):
+                    pass
+            waiting = turned_back(folder, places)
     assemble(path, folder, places, library, salt)
     return load_suite(path)

@@ -39,6 +39,7 @@ from probe.generation.build_folder import BuildFolder, CandidateLog, TaskSlot
 from probe.generation.feasibility import possibilities
 from probe.generation.making import TaskMaker, make_tasks
 from probe.generation.plan import ATTEMPTS
+from probe.generation.repeats import turned_back
 from probe.generation.salt import Salt
 from probe.render.lighting import require_light
 from probe.report.build_log import count_candidates
@@ -120,10 +121,11 @@ def build(
     seen = None if where.store else parts
     maker = TaskMaker(seen, opener(pool), tables_for(pool), unchecked, salt, table, rules)
     mine = [place for place in part.of(places) if place not in left_out]
-    _fill(maker, parts, mine, where.engine(parts.folder, workers))
+    engine = where.engine(parts.folder, workers)
+    _fill(maker, parts, mine, engine)
+    waiting = _without_repeats(maker, parts, [p for p in places if p not in left_out], engine)
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
-    made = [place for place in places if parts.task_path(place).exists()]
-    waiting = set(places) - set(made) - left_out.keys()
+    made = _made(parts, places)
     if lost := waiting & set(mine):
         raise Unfinished(len(lost), len(places), "tasks", AGAIN)
     if waiting:
@@ -134,6 +136,27 @@ def build(
     if left_out:
         written = f"{out} has {len(made)} of {len(places)} tasks." if made else "No task was made."
         raise Incomplete(written, list(left_out.items()))
+
+
+def _without_repeats(
+    maker: TaskMaker, parts: BuildFolder, places: Sequence[TaskSlot], engine: Engine
+) -> set[TaskSlot]:
+    """Make tasks again that repeat another; those that are waited for, as yet or then."""
+    while not (waiting := _waiting(parts, places)):
+        if not (again := turned_back(parts, _made(parts, places))):
+            break
+        _fill(maker, parts, again, engine)
+    return waiting
+
+
+def _made(parts: BuildFolder, places: Sequence[TaskSlot]) -> list[TaskSlot]:
+    return [place for place in places if parts.task_path(place).exists()]
+
+
+def _waiting(parts: BuildFolder, places: Sequence[TaskSlot]) -> set[TaskSlot]:
+    """Places that somebody is still to make a task for."""
+    lacking = set(places) - set(_made(parts, places))
+    return {place for place in lacking if not parts.is_exhausted(place, ATTEMPTS)}
 
 
 def _asked(counts: Mapping[QuestionType, int], first: int, *, public: bool) -> list[TaskSlot]:

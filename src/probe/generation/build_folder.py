@@ -7,7 +7,7 @@ candidate, written when that is settled; whoever comes back goes on after the la
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,8 +24,9 @@ from probe.tasks.task import QuestionType, RulesVersion, Task
 from probe.texts import cell, uncell
 
 KEPT, UNSOLVED, RESTLESS, IMMOVABLE = "kept", "solvable", "at rest", "movable"
+REPEATED = "repeated"
 """Names of results: a task; a candidate that failed only the scripted agents' check; one whose
-things move once its table stands alone."""
+things move once its table stands alone; one that asks about the same things as another task."""
 
 _UNTRIED = "-"
 _MAKING = "making.json"
@@ -181,6 +182,15 @@ class BuildFolder:
         """Write a place's task."""
         suite = freeze(f"{place.question_type}-{place.episode}", (task,), library)
         write_suite(self.task_path(place), suite, private=self.is_private)
+
+    def turn_back(self, place: TaskSlot, reason: str) -> None:
+        """Reject a place's task after all; the place is filled from the next candidate on."""
+        *before, last = self.log(place)
+        # In this order: a task without its line would be taken for a good one.
+        self.task_path(place).unlink()
+        lines = [*before, replace(last, check=REPEATED, detail=reason)]
+        text = "".join(f"{line}\n" for line in lines)
+        write_text(self.log_path(place), text, private=self.is_private)
 
     def keep_unsolved(self, task: Task, library: Library) -> None:
         """Write a candidate that failed only the scripted agents' check."""

@@ -63,6 +63,9 @@ AIM_RULES: RulesVersion = 3
 """Since these, covers of marked things have no holes. Compare's are aimed by what is wrong with
 what shows, several casts may be tried, and colours are compared of what has one main colour."""
 
+ONCE_RULES: RulesVersion = 3
+"""Since these, no two tasks of a suite ask about the same things."""
+
 NEWEST_RULES: RulesVersion = 3
 
 
