@@ -12,6 +12,9 @@ import pytest
 from deadly_work import DeadlyMaker
 from probe.cli import suite
 from probe.errors import Unfinished
+from probe.generation.build_folder import KEPT, REPEATED, BuildFolder, CandidateLog, TaskSlot
+from probe.generation.repeats import roles_of
+from probe.tasks.suite_file import read_suite
 
 CRATE = {
     "version": 1,
@@ -73,3 +76,23 @@ def test_a_place_over_which_workers_die_is_no_success(tmp_path, monkeypatch, cap
         suite.build(tmp_path / "mine.json", counts={"size": 1}, public=True)
     assert "3 times" in " ".join(capsys.readouterr().out.split())
     assert not (tmp_path / "mine.json").exists()
+
+
+@pytest.mark.slow
+def test_a_task_about_the_same_things_as_another_is_made_again(tmp_path, monkeypatch):
+    monkeypatch.delenv("PROBE_ASSETS", raising=False)
+    out, one = tmp_path / "mine.json", {"beneath": 1}
+    asked = {"pool": "procedural", "public": True, "unchecked": True}
+    suite.build(out, counts=one, **asked)
+    parts = BuildFolder(out.with_suffix(".parts"))
+    first, second = (TaskSlot("beneath", number) for number in range(2))
+    twin = parts.task_path(first).read_text()
+    parts.task_path(second).write_text(twin)
+    parts.add(second, CandidateLog("beneath", 1000, KEPT, None, "", 1.0))
+    suite.build(out, counts={"beneath": 2}, **asked)
+    checks = [line.check for line in parts.log(second)]
+    assert checks[0] == REPEATED and checks[-1] == KEPT
+    assert parts.task_path(first).read_text() == twin
+    made, again = read_suite(out).tasks
+    assert roles_of(made) != roles_of(again) and again.seed % 1000 > 0
+    assert f"\t{REPEATED}\t" in out.with_suffix(".log.tsv").read_text()
