@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from probe.agents.moves import Plan
 from probe.agents.reading import Graph, read_exact, read_graph
 from probe.episodes.turns import Call
-from probe.perception.general import kind_in, kinds_told
+from probe.perception.general import kinds_in, kinds_told
 
 Names = Sequence[str]
 
@@ -47,7 +47,7 @@ class KnownNames:
         new = [seen for seen in read_graph(text).named if seen.object_id not in self.listed]
         kinds = {seen.name for seen in new}
         for name in self.names:
-            if kind_in(name) in kinds:
+            if kinds_in(name) & kinds:
                 found = yield Call.of("find_object", {"description": name})
                 self.called |= dict.fromkeys(read_exact(found), name)
         self.listed |= {seen.object_id for seen in new if seen.object_id}
@@ -67,7 +67,7 @@ class KnownNames:
 def names_in(subject: str, options: Sequence[tuple[str, str]]) -> Names:
     """The names of things in a question's subject and its options, each once."""
     texts = [*subject.split(", "), *(text for _, text in options)]
-    return [text for text in dict.fromkeys(texts) if kind_in(text)]
+    return [text for text in dict.fromkeys(texts) if kinds_in(text)]
 
 
 def by_name(plan: Plan[None], names: Names) -> Plan[None]:

@@ -14,6 +14,7 @@ _HOLLOW = frozenset((
     "helmet", "jug", "ladle", "lid", "mortar", "mug", "pan", "pitcher", "planter",
     "pot", "saucepan", "scoop", "shade", "shell", "shoe", "shuttlecock", "sieve",
     "skillet", "strainer", "tin", "tray", "trough", "tumbler", "vase",
+    "container", "cookware", "vessel",  # as kinds are told
 ))  # fmt: skip
 _FLAT = frozenset((
     "board", "book", "box", "calculator", "cheese", "cloth", "coaster", "dustpan",

@@ -26,18 +26,23 @@ def kinds_told() -> frozenset[str]:
     return frozenset((*kinds().values(), UNKNOWN))
 
 
-def kind_in(name: str) -> str | None:
-    """The kind of what a name ends with: "fruit" for "small lime"; None if that isn't known."""
+def kinds_in(name: str) -> frozenset[str]:
+    """The kinds that a thing of this name may be of: those of categories that end as it does.
+
+    "White open box" may be a box, as a cardboard box is, or a container, as any box. Empty where
+    no category ends so.
+    """
     words = name.lower().split()
-    ends = (" ".join(words[place:]) for place in range(len(words)))
-    whole = next((kinds()[end] for end in ends if end in kinds()), None)
-    return whole or _of_last_words().get(words[-1] if words else "")
+    return _of_last_words().get(words[-1], frozenset()) if words else frozenset()
 
 
 @cache
-def _of_last_words() -> dict[str, str]:
-    """Kinds by the last word of categories, the first where several have one."""
-    return {category.split()[-1]: kind for category, kind in reversed(kinds().items())}
+def _of_last_words() -> dict[str, frozenset[str]]:
+    found = dict[str, frozenset[str]]()
+    for category, kind in kinds().items():
+        word = category.split()[-1]
+        found[word] = found.get(word, frozenset()) | {kind}
+    return found
 
 
 def kind_of(category: str) -> str:
