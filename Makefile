@@ -29,7 +29,7 @@ test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
 test-slow: .venv/.ready driver browser .venv/.blender .venv/.torch
-test-slow: .venv/.docs .venv/.ray .venv/.rerun
+test-slow: .venv/.docs .venv/.openenv .venv/.ray .venv/.rerun
 	$(BIN)/pytest -m "slow and not gpu" --durations 40 -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
 check: .venv/.ready
@@ -68,7 +68,7 @@ format: .venv/.ready
 	@PYTHON="$(PYTHON)" scripts/add-torch
 
 # What is just a lock: Sphinx (docs), mutmut (mutants), Ray and an object store (ray), Rerun (rerun),
-# a small language model's weights (student).
+# a small language model's weights (student), OpenEnv (openenv).
 .venv/.%: requirements-%.lock .venv/.ready
 	@PYTHON="$(PYTHON)" scripts/install-locked $<
 	@touch $@

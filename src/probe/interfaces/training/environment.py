@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from functools import wraps
 from typing import Concatenate, ParamSpec
 
@@ -43,9 +43,22 @@ def _tool(described: Callable[Concatenate[ProbeEnv, Said], str]) -> Callable[...
     @wraps(described)
     def called(env: ProbeEnv, /, *values: object, **named: object) -> str:
         given = dict(zip(names, values, strict=False)) | named
-        return env._call(Call.of(described.__name__, given))  # pyright: ignore[reportPrivateUsage]
+        return env(described.__name__, given).text
 
     return called
+
+
+@dataclass(frozen=True)
+class Told:
+    """What a model is told after a call.
+
+    Attributes:
+        text: The reply.
+        ended: Whether the episode is over.
+    """
+
+    text: str
+    ended: bool
 
 
 class ProbeEnv:
@@ -151,22 +164,36 @@ class ProbeEnv:
         score = self._left.score
         return None if score is None else float(score.correct)
 
-    def _call(self, call: Call) -> str:
+    def __call__(self, tool: str, arguments: Mapping[str, object]) -> Told:
+        """Call a tool by its name, as callers do that have calls as data.
+
+        Raises:
+            NoEpisode: None has begun.
+            EpisodeProcessLost: The episode is lost; its reward is None.
+        """
         if self._seat is None:
             if self._left is None:
                 raise NoEpisode
-            return str(EpisodeOver())
+            return Told(str(EpisodeOver()), ended=True)
         if self._lost:
             raise self._lost
         if self._ended:
-            return str(EpisodeOver())
+            return Told(str(EpisodeOver()), ended=True)
         try:
-            came = self._seat.call(call)
+            came = self._seat.call(Call.of(tool, arguments))
         except EpisodeProcessLost as error:
             self._lost = error
             raise
         self._calls, self._ended = self._calls + 1, came.ended
-        return self._texts.told(call.name, came.text)
+        return Told(self._texts.told(tool, came.text), came.ended)
+
+    def __enter__(self) -> ProbeEnv:
+        """This."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Leave the table; an episode whose reward nobody asked for leaves no record."""
+        self._give_back()
 
     def _finished(self) -> EpisodeFinished:
         """The record of what was played, graded; the table is given back."""

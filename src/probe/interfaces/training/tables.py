@@ -20,8 +20,10 @@ from probe.interfaces.training.seat import Seat
 from probe.runs.episode_worker import EpisodeWorkerSetup
 from probe.runs.plan import Job, RunOrder
 from probe.tasks.suite import Suite
+from probe.tasks.task import Task
 from probe.transcripts.messages import opening
 from probe.transcripts.prompts import Graphs, graphs_of
+from probe.transcripts.tools import as_sent
 from probe.types import USUAL_SCALE
 
 MOST = 64
@@ -48,7 +50,7 @@ class TrainingTables:
         suite: What is asked.
         setup: What each process is told; its order says who acts, how lists are told in the setting
             "text-only", and how tools err.
-        most: Episodes at once.
+        most: Episodes at once; it stays readable.
         out: Folder for the records; None to keep none.
         evaluation: Take tasks of evaluation, too, to measure and not to train.
 
@@ -70,9 +72,10 @@ class TrainingTables:
         if not evaluation:
             check_for_training(suite)
         _check_scale(suite)
+        self.most = most
         self._tasks = {task.id: task for task in suite}
         self._setup = setup
-        self._most, self._out = most, out
+        self._out = out
         self._lock, self._held = Lock(), ExitStack()
         self._portal: BlockingPortal | None = None
         self._pool = EpisodeProcessPool(setup, most)
@@ -101,12 +104,22 @@ class TrainingTables:
 
     def rows(self) -> list[dict[str, Any]]:
         """A row of a trainer's data set for each task: `prompt`, its first messages, and `task`."""
-        found = list[dict[str, Any]]()
-        for task in self._tasks.values():
-            first = opening("text-only", self.order.points, question_of(task), (), task.scale)
-            said = [{"role": it.role, "content": it.text} for it in first]
-            found.append({"prompt": said, "task": task.id})
-        return found
+        return [self.row(id) for id in self._tasks]
+
+    def row(self, task: str) -> dict[str, Any]:
+        """A row for one task, by its id.
+
+        Raises:
+            UnknownName: There is no such task.
+        """
+        asked = self._task(task)
+        first = opening("text-only", self.order.points, question_of(asked), (), asked.scale)
+        return {"prompt": [{"role": it.role, "content": it.text} for it in first], "task": task}
+
+    @property
+    def tools(self) -> list[dict[str, Any]]:
+        """The five tools, as servers that speak OpenAI's protocol get them."""
+        return as_sent(self.order.points, USUAL_SCALE, "text-only")
 
     def seat(self, task: str) -> Seat:
         """A seat at a fresh table; it is being set when this returns.
@@ -118,12 +131,11 @@ class TrainingTables:
             UnknownName: There is no such task.
             TooFewTables: All tables are taken.
         """
-        if task not in self._tasks:
-            raise UnknownName("task", task, list(self._tasks))
+        asked = self._task(task)
         with self._lock:
-            if len(self._seats) >= self._most:
-                raise TooFewTables(self._most)
-            job = Job(self._tasks[task], self._runs[task])
+            if len(self._seats) >= self.most:
+                raise TooFewTables(self.most)
+            job = Job(asked, self._runs[task])
             self._runs[task] += 1
             seat = Seat(self._portal or self._opened(), self._pool, job)
             self._seats.add(seat)
@@ -145,6 +157,11 @@ class TrainingTables:
             self._pool.close()
             self._held.close()
             self._portal = None
+
+    def _task(self, id: str) -> Task:
+        if id not in self._tasks:
+            raise UnknownName("task", id, list(self._tasks))
+        return self._tasks[id]
 
     def _opened(self) -> BlockingPortal:
         """Start the event loop."""
