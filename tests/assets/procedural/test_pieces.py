@@ -81,7 +81,8 @@ def test_pieces_keep_to_the_mesh(shape: str) -> None:
     for mesh, _ in closed_parts(shape):
         samples = samples[~mesh.ray.contains_points(samples)]
     whole = trimesh.util.concatenate([mesh for mesh, _ in closed_parts(shape)])
-    nearest = cKDTree(whole.sample(20_000, seed=1)).query(samples)[0]
+    spread = trimesh.sample.sample_surface(whole, 20_000, seed=1)[0]
+    nearest = cKDTree(spread).query(samples)[0]
     # Measured between points, which is never too little; exactly where that is too much.
     doubtful = samples[nearest > PROUD]
     if len(doubtful):

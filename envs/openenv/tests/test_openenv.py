@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Generator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 
@@ -28,7 +28,7 @@ pytestmark = pytest.mark.slow
 
 
 @contextmanager
-def served(tables) -> Iterator[str]:
+def served(tables) -> Generator[str]:
     server = uvicorn.Server(uvicorn.Config(serving(tables), port=0, log_level="warning"))
     thread = threading.Thread(target=server.run)
     thread.start()
