@@ -7,6 +7,7 @@ import pytest
 
 from probe.agents.asking_names import names_in
 from probe.agents.scripted import Scripted
+from probe.episodes.turns import Question
 from probe.perception.dials import Dials
 from tabletops import Block, spec
 
@@ -74,4 +75,5 @@ def test_like_things_are_counted(play):
 
 def test_only_names_of_things_are_asked_for():
     options = (("A", "A at (1, 2)"), ("B", "3"), ("C", "small lime"), ("D", "None of the above"))
-    assert names_in("red, blue bowl", options) == ["blue bowl", "small lime"]
+    asked = Question("What is next to the cup that hid the red golf ball, or a lime?", options)
+    assert names_in(asked, "red, blue bowl") == ["golf ball", "blue bowl", "small lime"]

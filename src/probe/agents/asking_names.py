@@ -12,14 +12,15 @@ from dataclasses import dataclass, field
 
 from probe.agents.moves import Plan
 from probe.agents.reading import Graph, read_exact, read_graph
-from probe.episodes.turns import Call
-from probe.perception.general import kinds_in, kinds_told
+from probe.episodes.turns import Call, Question
+from probe.perception.general import kinds, kinds_in, kinds_told
 
 Names = Sequence[str]
 
 _RENAMED = re.compile(r"\((object_\d+) now\)|\b[Ii]t is (object_\d+) now\b")
 _ENTRY = re.compile(r'(- number: \d+\n  object_id: (object_\d+)\n)  name: "(.*)"\n')
 _LIST = "perceive_scene"
+_WORDS = re.compile(r"[^a-z'-]+")
 
 
 @dataclass
@@ -64,10 +65,16 @@ class KnownNames:
         return head if id in self.moved else f"{head}  name: {json.dumps(f'{kind} {id}')}\n"
 
 
-def names_in(subject: str, options: Sequence[tuple[str, str]]) -> Names:
-    """The names of things in a question's subject and its options, each once."""
-    texts = [*subject.split(", "), *(text for _, text in options)]
-    return [text for text in dict.fromkeys(texts) if kinds_in(text)]
+def names_in(question: Question, subject: str) -> Names:
+    """The names of things in a question, its subject and its options, each once.
+
+    Of what only the question's text names ("the one that was over the red lighter"), the category.
+    """
+    texts = [*subject.split(", "), *(text for _, text in question.options)]
+    told = f" {_WORDS.sub(' ', question.text.lower())} "
+    found = [it for it in kinds() if f" {it} " in told]
+    longest = [it for it in found if not any(it in other != it for other in (*found, *texts))]
+    return [text for text in dict.fromkeys([*longest, *texts]) if kinds_in(text)]
 
 
 def by_name(plan: Plan[None], names: Names) -> Plan[None]:

@@ -67,4 +67,4 @@ class Scripted:
             question, self._subject, self._form, self._first, self._rng, self._bold, self._say
         )
         plan = plan_for(self._kind).begin(asked)
-        return by_name(plan, names_in(self._subject, question.options))
+        return by_name(plan, names_in(question, self._subject))
