@@ -17,6 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import count
+from multiprocessing import active_children
 from pathlib import Path
 from tempfile import mkdtemp
 
@@ -36,7 +37,7 @@ _HANDLE = re.compile(r"object_\d+")
 
 @dataclass
 class Watch:
-    """Looks at the processes of the tables: how much memory they take; and kills some.
+    """Notes how much memory the tables' processes take, and kills one of them now and then.
 
     Attributes:
         every: Seconds between two kills; None for none.
@@ -55,7 +56,7 @@ class Watch:
         while not self._over.wait(1):
             family = psutil.Process().children(recursive=True)
             self.most = max(self.most, sum(map(_memory, family)))
-            tables = psutil.Process().children()
+            tables = [it for it in active_children() if it.is_alive()]
             if self.every and tables and time.monotonic() - last > self.every:
                 rng.choice(tables).kill()
                 self.killed, last = self.killed + 1, time.monotonic()
@@ -141,7 +142,7 @@ def main(
     paid, again = dict(rewards), regraded(out)
     parts = [it.participation for it in read_records(out / RECORDS)]
     lost = sum(reward is None for reward in paid.values())
-    same = sum(paid[episode] == again.get(episode) for episode in paid)
+    same = sum(it in again and paid[it] == again[it] for it in paid)
     told = Console()
     told.print(f"{len(rewards)} episodes, {lost} lost, {watch.killed} processes killed")
     told.print(f"tables set again: {sum(len(part.faults) for part in parts if part)} times")

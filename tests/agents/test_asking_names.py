@@ -51,6 +51,8 @@ def test_what_comes_to_light_is_asked_for_by_name(play, hidden, letter):
 def test_names_are_asked_for_only_where_something_new_of_their_kind_shows(play):
     record = play(beneath(), FRUIT, SPECS, [COVER, BOOK, under(2)], dials=COARSE)
     assert called(record) == ["blue bowl", *FRUIT[:4]]
+    again = play(beneath(), ["red cup", *FRUIT[1:]], SPECS, [COVER, BOOK, under(2)], dials=COARSE)
+    assert "red cup" not in called(again)  # nothing of its kind came to light
     plain = play(beneath(), FRUIT, SPECS, [COVER, BOOK, under(2)])
     assert called(plain) == []
 
@@ -75,5 +77,33 @@ def test_like_things_are_counted(play):
 
 def test_only_names_of_things_are_asked_for():
     options = (("A", "A at (1, 2)"), ("B", "3"), ("C", "small lime"), ("D", "None of the above"))
-    asked = Question("What is next to the cup that hid the red golf ball, or a lime?", options)
-    assert names_in(asked, "red, blue bowl") == ["golf ball", "blue bowl", "small lime"]
+    asked = Question("What is next to the bell that hid the red golf ball, or a lime?", options)
+    fixed = ["What is next to the {cover} that hid this?"]
+    assert names_in(asked, "light red, blue bowl", fixed) == [
+        *("bell", "golf ball", "blue bowl", "small lime"),
+    ]
+    assert "bell" not in names_in(asked, "", [*fixed, "What was under the bell?"])
+
+
+def test_a_longer_name_decides_where_several_fit(play):
+    specs = {**SPECS, 2: spec("sweet potato", "red"), 3: spec("potato", "red")}
+    options = ["potato", "sweet potato", "green apple", "brown pear", "None of the above"]
+    for hidden, letter in ((2, "B"), (3, "A")):
+        record = play(beneath(), options, specs, [COVER, BOOK, under(hidden)], dials=COARSE)
+        assert record.answer and record.answer.choice == letter
+
+
+@pytest.mark.parametrize("name", ["goldfish", "yellow softball", "gizmo"])
+def test_names_that_are_of_no_known_kind_are_asked_for_whenever_something_is_new(play, name):
+    category = "gizmo" if name == "gizmo" else "fish" if name == "goldfish" else "baseball"
+    specs = {**SPECS, 2: spec(name, "red", category=category)}
+    options = [name, "red cup", "green apple", "brown pear", "None of the above"]
+    record = play(beneath(), options, specs, [COVER, BOOK, under(2)], dials=COARSE)
+    assert record.answer and record.answer.choice == "A"
+
+
+def test_what_a_push_has_moved_is_known_again(play):
+    agent = Scripted("count", "red lime", np.random.default_rng(5), "push")
+    blocks = [COVER, under(2), Block(5, (700, 700, 759, 759), 0.02, (180, 40, 40))]
+    record = play(agent, ["1", "2", "3", "4", "5"], SPECS, blocks, dials=COARSE)
+    assert record.answer and record.answer.choice == "B"

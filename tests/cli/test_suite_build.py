@@ -88,7 +88,8 @@ def test_a_task_about_the_same_things_as_another_is_made_again(tmp_path, monkeyp
     first, second = (TaskSlot("beneath", number) for number in range(2))
     twin = parts.task_path(first).read_text()
     parts.task_path(second).write_text(twin)
-    parts.add(second, CandidateLog("beneath", 1000, KEPT, None, "", 1.0))
+    seed = read_suite(parts.task_path(first)).tasks[0].seed
+    parts.add(second, CandidateLog("beneath", seed, KEPT, None, "", 1.0))
     suite.build(out, counts={"beneath": 2}, **asked)
     checks = [line.check for line in parts.log(second)]
     assert checks[0] == REPEATED and checks[-1] == KEPT

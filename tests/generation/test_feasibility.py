@@ -36,7 +36,7 @@ SOME = (
 
 
 class Mixed(Library):
-    """What bodies things have that are called one's own is no matter of these tests."""
+    """Its own things have the bodies of the built-in ones with their ids."""
 
     def _body_file(self, object_id: str, looks: Looks) -> Path:
         return Cache(self.cache / "bodies").path(procedural_key(object_id, looks))

@@ -76,6 +76,9 @@ def test_a_detector_that_tells_kinds_gives_no_name_away_and_all_are_found_by_nam
     things = seen(Dials(general=1.0))
     assert set(called(things)) == {"drinking vessel"}
     assert {thing.words.told_description for thing in things} == {"a drinking vessel, red"}
+    for asked in ("drinking vessel", "a drinking vessel, red", "red vessel"):
+        found = match(asked, things)
+        assert found and found.literal and len(found.others) > 0
     for number in SPECS:
         found = match(f"red mug{number}", things)
         assert found and found.thing.words.name == f"red mug{number}"

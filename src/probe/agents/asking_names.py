@@ -12,15 +12,20 @@ from dataclasses import dataclass, field
 
 from probe.agents.moves import Plan
 from probe.agents.reading import Graph, read_exact, read_graph
+from probe.agents.text_features import is_none
 from probe.episodes.turns import Call, Question
-from probe.perception.general import kinds, kinds_in, kinds_told
+from probe.perception.general import UNKNOWN, kinds, kinds_in, kinds_told
+from probe.perception.tokens import is_colour, tokens
 
 Names = Sequence[str]
 
 _RENAMED = re.compile(r"\((object_\d+) now\)|\b[Ii]t is (object_\d+) now\b")
 _ENTRY = re.compile(r'(- number: \d+\n  object_id: (object_\d+)\n)  name: "(.*)"\n')
 _LIST = "perceive_scene"
-_WORDS = re.compile(r"[^a-z'-]+")
+_OTHERS = re.compile(r"[^a-z'-]+")
+_NAME = re.compile(r"^[A-Za-z' -]*[a-z]{3}[A-Za-z' -]*$")
+_SHADES = ("dark", "light", "mainly")
+_MOVED = ""
 
 
 @dataclass
@@ -28,15 +33,15 @@ class KnownNames:
     """What is known of the things that have been listed, by their object_ids.
 
     Attributes:
-        names: Those that may have to be told apart.
-        called: By which of them things go.
-        listed: All object_ids of earlier lists.
-        moved: Those that a manipulation's reply gave to things that were there before.
+        names: Names that have to be told apart; longer ones decide where several fit.
+        called: The name that a thing was found by, or else its kind and first object_id.
+        kinds: The kind that lists tell of it.
+        moved: Object_ids that a manipulation's reply gave to things that were there before.
     """
 
     names: Names
     called: dict[str, str] = field(default_factory=dict[str, str])
-    listed: set[str] = field(default_factory=set[str])
+    kinds: dict[str, str] = field(default_factory=dict[str, str])
     moved: set[str] = field(default_factory=set[str])
 
     def heard(self, text: str) -> None:
@@ -45,36 +50,63 @@ class KnownNames:
 
     def told(self, text: str) -> Plan[str]:
         """A list with the names of what it shows, after asking for those that may be new."""
-        new = [seen for seen in read_graph(text).named if seen.object_id not in self.listed]
-        kinds = {seen.name for seen in new}
+        listed = {id: kind for _, id, kind in _ENTRY.findall(text)}
+        new = {id: kind for id, kind in listed.items() if id not in self.kinds}
+        gone = [id for id in self.called if id not in listed]
         for name in self.names:
-            if kinds_in(name) & kinds:
+            possible = kinds_in(name)
+            if new and (not possible or possible & {*new.values()} or UNKNOWN in new.values()):
                 found = yield Call.of("find_object", {"description": name})
                 self.called |= dict.fromkeys(read_exact(found), name)
-        self.listed |= {seen.object_id for seen in new if seen.object_id}
+        for id, kind in new.items():
+            if id not in self.called:
+                self.called[id] = self._before(gone, kind) if id in self.moved else f"{kind} {id}"
+        self.kinds |= new
         return _ENTRY.sub(self._named, text)
 
-    def _named(self, entry: re.Match[str]) -> str:
-        """An entry as it is called; by its kind and object_id if it goes by none of the names.
+    def _before(self, gone: list[str], kind: str) -> str:
+        """What a thing that has moved was called: as one of its kind that is no longer listed.
 
-        Such a thing that has moved isn't named, lest it be taken for something that came to light.
+        Of several, which is which can't be told; whatever it is, it hasn't come to light.
         """
-        head, id, kind = entry.groups()
-        if id in self.called:
-            return f"{head}  name: {json.dumps(self.called[id])}\n"
-        return head if id in self.moved else f"{head}  name: {json.dumps(f'{kind} {id}')}\n"
+        same = [id for id in gone if self.kinds[id] == kind and self.called[id].startswith(kind)]
+        if not same:
+            return _MOVED
+        gone.remove(same[0])
+        return self.called[same[0]]
+
+    def _named(self, entry: re.Match[str]) -> str:
+        """An entry as it is called; without a name if it moved and nobody knows what it was."""
+        head, id, _ = entry.groups()
+        name = self.called[id]
+        return head if name == _MOVED else f"{head}  name: {json.dumps(name)}\n"
 
 
-def names_in(question: Question, subject: str) -> Names:
-    """The names of things in a question, its subject and its options, each once.
+def names_in(question: Question, subject: str, fixed: Sequence[str]) -> Names:
+    """The names of things in a question, its subject and its options; those of few words first.
 
-    Of what only the question's text names ("the one that was over the red lighter"), the category.
+    Of a thing that only the question's text names ("the one that was over the red lighter") the
+    category is found.
+
+    Args:
+        question: As it is asked.
+        subject: The words of it that name a thing; a colour names none.
+        fixed: Ways to ask this type of question: a category in one of them names no thing.
     """
-    texts = [*subject.split(", "), *(text for _, text in question.options)]
-    told = f" {_WORDS.sub(' ', question.text.lower())} "
-    found = [it for it in kinds() if f" {it} " in told]
-    longest = [it for it in found if not any(it in other != it for other in (*found, *texts))]
-    return [text for text in dict.fromkeys([*longest, *texts]) if kinds_in(text)]
+    texts = [*subject.split(", "), *(text for _, text in question.options if not is_none(text))]
+    names = [text for text in texts if _NAME.search(text) and not _only_colours(text)]
+    said, usual = _as_words(question.text), _as_words(" ".join(fixed))
+    found = [it for it in kinds() if f" {it} " in said and f" {it} " not in usual]
+    alone = [it for it in found if not any(it in other != it for other in (*found, *names))]
+    return sorted(dict.fromkeys([*alone, *names]), key=lambda name: len(name.split()))
+
+
+def _only_colours(text: str) -> bool:
+    return all(is_colour(token) or token in _SHADES for token in tokens(text))
+
+
+def _as_words(text: str) -> str:
+    return f" {_OTHERS.sub(' ', text.lower())} "
 
 
 def by_name(plan: Plan[None], names: Names) -> Plan[None]:

@@ -11,6 +11,7 @@ from probe.agents.moves import Plan, Way
 from probe.agents.phrases import Say, silent
 from probe.agents.type_plan import ScriptedQuestion, plan_for
 from probe.episodes.turns import Call, Question, Turn
+from probe.tasks.wordings import wordings
 
 
 class Scripted:
@@ -67,4 +68,5 @@ class Scripted:
             question, self._subject, self._form, self._first, self._rng, self._bold, self._say
         )
         plan = plan_for(self._kind).begin(asked)
-        return by_name(plan, names_in(question, self._subject))
+        fixed = [wording.text for wording in wordings(self._kind)]
+        return by_name(plan, names_in(question, self._subject, fixed))

@@ -135,10 +135,10 @@ class Library:
         """What is measured on an object's shape; computed once, then read from the cache.
 
         Args:
-            object_id: Which.
+            object_id: Which object.
             what: Folder of the cache.
-            recipe: Another one whenever the same body would give other numbers.
-            measure: Computes it.
+            recipe: Has to be another one whenever the same body would give other numbers.
+            measure: Computes the numbers.
 
         Raises:
             UnknownName, BadMesh, OutputFailed: As body().

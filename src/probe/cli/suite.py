@@ -123,10 +123,11 @@ def build(
     mine = [place for place in part.of(places) if place not in left_out]
     engine = where.engine(parts.folder, workers)
     _fill(maker, parts, mine, engine)
+    lost = _waiting(parts, mine)
     waiting = _without_repeats(maker, parts, [p for p in places if p not in left_out], engine)
     left_out |= {p: why_none(parts.log(p)) for p in places if parts.is_exhausted(p, ATTEMPTS)}
     made = _made(parts, places)
-    if lost := waiting & set(mine):
+    if lost:
         raise Unfinished(len(lost), len(places), "tasks", AGAIN)
     if waiting:
         say(f"{len(waiting)} of {len(places)} tasks aren't made yet; what there is: {parts.folder}")
@@ -141,7 +142,11 @@ def build(
 def _without_repeats(
     maker: TaskMaker, parts: BuildFolder, places: Sequence[TaskSlot], engine: Engine
 ) -> set[TaskSlot]:
-    """Make tasks again that repeat another; those that are waited for, as yet or then."""
+    """Once all tasks are made, make those again that repeat another.
+
+    Returns:
+        Places without a task: others are still at work, or a worker died.
+    """
     while not (waiting := _waiting(parts, places)):
         if not (again := turned_back(parts, _made(parts, places))):
             break

@@ -94,14 +94,14 @@ def draw_alike(
     together = _pairs_that_go_together(pool, tolerance, common, sides)
     if one_colour:
         together &= _same([colour_words_in(spec.name) for spec in pool])
-    kinds = [spec.category for spec in pool]
+    one_kind = _same([spec.category for spec in pool])
     place = {spec.id: number for number, spec in enumerate(pool)}
 
     drawn, best = list[ObjectSpec](), list[ObjectSpec]()
     limits = [MOST_OF_A_KIND] * _VARIED_TRIES if varied else []
     for most in [*limits, *[count] * _TRIES]:
         order = np.array([place[spec.id] for spec in in_turn(pool, leads, rng)])
-        drawn = [pool[number] for number in _grown(order, count, most, together, _same(kinds))]
+        drawn = [pool[number] for number in _grown(order, count, most, together, one_kind)]
         if len(drawn) == count and (not best or sum(map(leads, drawn)) > sum(map(leads, best))):
             best = drawn
         if best and sum(map(leads, best)) >= enough:
@@ -126,7 +126,7 @@ def _grown(order: Array, count: int, most: int, together: Array, one_kind: Array
 def _pairs_that_go_together(
     pool: Sequence[ObjectSpec], tolerance: float, common: Counter[str], sides: float | None
 ) -> Array:
-    """Of each two things, whether a set may have both; (n, n), and what holds of pairs of sets."""
+    """Whether a set may have both of two things, shape (n, n); then it may have any that all go."""
     together = ~(_same([spec.name for spec in pool]) | _same([_look(spec) for spec in pool]))
     together &= _within([longest(spec) for spec in pool], 1 + tolerance)
     together &= _within([common[spec.category] for spec in pool], FREQUENCY_RATIO)

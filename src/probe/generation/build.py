@@ -15,6 +15,7 @@ from probe.generation.attempt import Attempt
 from probe.generation.build_folder import (
     IMMOVABLE,
     KEPT,
+    REPEATED,
     RESTLESS,
     UNSOLVED,
     BuildFolder,
@@ -142,6 +143,8 @@ def fill(place: TaskSlot, parts: BuildFolder, resources: BuildResources) -> Iter
             parts.keep_unsolved(result.task, resources.library)
             check, detail = UNSOLVED, f"none of {len(made)} attempts"
         else:
+            if (attempt.bears, REPEATED) in {(it.seed, it.check) for it in parts.log(place)}:
+                return  # another process kept it meanwhile, turned it back, and has gone on
             parts.keep(place, noted(result.task, made), resources.library)
             check, detail = KEPT, ""
         line = CandidateLog(

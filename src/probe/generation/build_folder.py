@@ -23,8 +23,10 @@ from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionType, RulesVersion, Task
 from probe.texts import cell, uncell
 
-KEPT, UNSOLVED, RESTLESS, IMMOVABLE = "kept", "solvable", "at rest", "movable"
-REPEATED = "repeated"
+KEPT, UNSOLVED, RESTLESS, IMMOVABLE, REPEATED = (
+    *("kept", "solvable", "at rest"),
+    *("movable", "repeated"),
+)
 """Names of results: a task; a candidate that failed only the scripted agents' check; one whose
 things move once its table stands alone; one that asks about the same things as another task."""
 
@@ -183,11 +185,16 @@ class BuildFolder:
         suite = freeze(f"{place.question_type}-{place.episode}", (task,), library)
         write_suite(self.task_path(place), suite, private=self.is_private)
 
-    def turn_back(self, place: TaskSlot, reason: str) -> None:
-        """Reject a place's task after all; the place is filled from the next candidate on."""
+    def turn_back(self, place: TaskSlot, task: Task, reason: str) -> None:
+        """Reject a place's task after all; the place is filled from the next candidate on.
+
+        Nothing is done if another process has turned it back already.
+        """
         *before, last = self.log(place)
+        if last.check != KEPT or last.seed != task.seed:
+            return
         # In this order: a task without its line would be taken for a good one.
-        self.task_path(place).unlink()
+        self.task_path(place).unlink(missing_ok=True)
         lines = [*before, replace(last, check=REPEATED, detail=reason)]
         text = "".join(f"{line}\n" for line in lines)
         write_text(self.log_path(place), text, private=self.is_private)

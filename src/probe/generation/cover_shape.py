@@ -30,7 +30,7 @@ class CoverShape:
 
     Attributes:
         numbers: Orientation (w, x, y, z), extent (x, y, z), middle (x, y), width, depth.
-        closed: As a cover's.
+        closed: Whether a flat thing has no hole near its middle.
     """
 
     numbers: tuple[float, ...]
@@ -38,7 +38,7 @@ class CoverShape:
 
 
 def shape_recipe(spec: ObjectSpec) -> str:
-    """Changes with all that decides an object's shape as a cover, its mesh apart."""
+    """A hash of all that decides an object's shape as a cover, except for its mesh."""
     code = [recipe("probe.assets.collision"), recipe("probe.assets.mesh")]
     return content_key(*code, Path(__file__).read_bytes(), str(spec.hollow), str(spec.size))
 

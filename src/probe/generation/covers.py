@@ -252,8 +252,9 @@ def footprint_of(library: Library, object_id: str) -> Footprint:
         x, y, _ = body.mesh.vertices.T
         return {"width": np.array(2 * float(np.hypot(x, y).max()))}
 
-    width = library.measured(object_id, "footprints", "width 1", measured)["width"]
-    return Footprint(float(width), library[object_id].size[2])
+    size = library[object_id].size
+    width = library.measured(object_id, "footprints", f"width 1, {size}", measured)["width"]
+    return Footprint(float(width), size[2])
 
 
 def _may_cover(spec: ObjectSpec, item: Footprint) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from probe.files import alone
 from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import ONCE_RULES, Task
@@ -13,10 +14,14 @@ Roles = tuple[str, frozenset[str]]
 
 
 def roles_of(task: Task) -> Roles:
-    """A task's type, what decides it and what the question names as hiding that."""
+    """A task's type, with the objects that decide it and the named object that hides them.
+
+    Where nothing on the table does (none of what is counted is there), the thing that is named.
+    """
     instances = {*task.targets, *([] if task.cover is None else [task.cover])}
     placed = {item.instance: item.object_id for item in task.scene.objects}
-    return task.question_type, frozenset(placed[instance] for instance in instances)
+    objects = frozenset(placed[instance] for instance in instances)
+    return task.question_type, objects or frozenset({task.subject})
 
 
 def repeated(tasks: Mapping[TaskSlot, Task]) -> tuple[TaskSlot, ...]:
@@ -38,10 +43,11 @@ def turned_back(parts: BuildFolder, places: Sequence[TaskSlot]) -> tuple[TaskSlo
     Raises:
         BadData: A task can't be read.
     """
-    tasks = {place: read_suite(parts.task_path(place)).tasks[0] for place in places}
-    tasks = {place: task for place, task in tasks.items() if task.version >= ONCE_RULES}
-    again = repeated(tasks)
-    for place in again:
-        _, ids = roles_of(tasks[place])
-        parts.turn_back(place, f"another task is about {' and '.join(sorted(ids))}")
+    with alone(parts.folder):
+        there = [place for place in places if parts.task_path(place).exists()]
+        tasks = {place: read_suite(parts.task_path(place)).tasks[0] for place in there}
+        again = repeated({at: task for at, task in tasks.items() if task.version >= ONCE_RULES})
+        for place in again:
+            # Not which things: the log of a private suite is for everyone.
+            parts.turn_back(place, tasks[place], "another task is about the same things")
     return again

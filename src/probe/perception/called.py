@@ -53,8 +53,8 @@ def names(words: Words) -> frozenset[str]:
 
 @lru_cache(1024)
 def told(words: Words) -> frozenset[str]:
-    """All words of its description."""
-    return frozenset(tokens(words.description))
+    """All words of its description, and of the kind that texts call it by."""
+    return frozenset(tokens(f"{words.description} {words.kind or ''}"))
 
 
 @lru_cache(1024)
@@ -82,4 +82,4 @@ def _depicted(text: str) -> str | None:
 
 @lru_cache(1024)
 def _main_words(words: Words) -> frozenset[str]:
-    return frozenset(tokens(main_phrase(words.description)))
+    return frozenset(tokens(f"{main_phrase(words.description)} {words.kind or ''}"))

@@ -8,6 +8,10 @@ from typing import cast
 
 import yaml
 
+from probe.perception.tokens import is_colour
+
+_SHADES = ("light", "dark")
+
 UNKNOWN = "object"
 """The kind of what belongs to none."""
 
@@ -27,13 +31,14 @@ def kinds_told() -> frozenset[str]:
 
 
 def kinds_in(name: str) -> frozenset[str]:
-    """The kinds that a thing of this name may be of: those of categories that end as it does.
+    """The kinds that a thing of this name may be of: those of categories that end in its words.
 
-    "White open box" may be a box, as a cardboard box is, or a container, as any box. Empty where
-    no category ends so.
+    "White open box" may be a box, as a cardboard box is, or a container, as any box. Colours count
+    at the end alone ("small orange"). Empty where no category ends so.
     """
     words = name.lower().split()
-    return _of_last_words().get(words[-1], frozenset()) if words else frozenset()
+    telling = [it for it in words[:-1] if not is_colour(it) and it not in _SHADES] + words[-1:]
+    return frozenset(kind for it in telling for kind in _of_last_words().get(it, ()))
 
 
 @cache

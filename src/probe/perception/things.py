@@ -22,7 +22,7 @@ class Words:
         colours: Main colours, largest first.
         description: One sentence or phrase.
         synonyms: Other names that it goes by; none of catalogues.
-        kind: What texts call it instead, of a detector that doesn't tell more than that; None else.
+        kind: What texts call it instead of its name, if the detector tells kinds alone; else None.
     """
 
     name: str | None

@@ -11,7 +11,7 @@ from pydantic import Field
 class ToolCall(Action):
     """A call of one of the five tools.
 
-    A call that doesn't fit the tool costs a turn and is told off in the tool's words, as in an
+    A call that doesn't fit the tool costs a turn and is refused with the reason, as in an
     evaluation.
     """
 
@@ -23,7 +23,7 @@ class TableReply(Observation):
     """What the model is told: first messages and tools at the start, then a tool's reply.
 
     Its `reward` is the task's grade once `done`: 1 for a right answer, 0 for another or none. None
-    where the episode was lost through no fault of the model: leave that out.
+    where the episode was lost through no fault of the model: leave such an episode out.
     """
 
     text: str = Field(default="", description="A tool's reply")

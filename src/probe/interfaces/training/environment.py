@@ -188,7 +188,7 @@ class ProbeEnv:
         return Told(self._texts.told(tool, came.text), came.ended)
 
     def __enter__(self) -> ProbeEnv:
-        """This."""
+        """Itself."""
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -50,7 +50,7 @@ class TrainingTables:
         suite: What is asked.
         setup: What each process is told; its order says who acts, how lists are told in the setting
             "text-only", and how tools err.
-        most: Episodes at once; it stays readable.
+        most: Episodes at once; also an attribute.
         out: Folder for the records; None to keep none.
         evaluation: Take tasks of evaluation, too, to measure and not to train.
 
