@@ -12,6 +12,7 @@ import pytest
 
 pytest.importorskip("openenv", reason="`make .venv/.openenv` installs OpenEnv")
 
+import httpx
 import uvicorn
 from probe_openenv import ProbeTable, ToolCall
 from probe_openenv.server.making import application, serving
@@ -113,6 +114,14 @@ def test_an_episode_whose_table_always_dies_ends_without_a_reward(tmp_path):
         lost = table.step(call)
         assert lost.done and lost.reward is None
         assert "ended with status 9 (3 times in all)" in lost.observation.text
+
+
+def test_a_request_without_a_connection_takes_no_seat(tmp_path):
+    with served(painted_tables(tmp_path, most=1)) as url:
+        for path in ("/reset", "/step"):
+            assert httpx.post(url + path, json={}).status_code == 404
+        assert httpx.get(f"{url}/health").status_code == 200
+        assert played(url, 0) == 1.0
 
 
 def test_tasks_of_evaluation_are_refused(tmp_path):
