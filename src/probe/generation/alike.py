@@ -164,4 +164,5 @@ def told_apart(specs: Sequence[ObjectSpec]) -> bool:
 
 def unlike(specs: Sequence[ObjectSpec], taken: Sequence[ObjectSpec]) -> list[ObjectSpec]:
     """Those that can be told apart by name from every one of `taken`."""
-    return [spec for spec in specs if all(told_apart([spec, other]) for other in taken)]
+    names, looks = {spec.name for spec in taken}, {_look(spec) for spec in taken}
+    return [spec for spec in specs if spec.name not in names and _look(spec) not in looks]
