@@ -16,7 +16,7 @@ class Settings:
 
     Attributes:
         suite: PROBE_SUITE: file of tasks for training.
-        tables: PROBE_TABLES: episodes at once; each takes a process of about 0.5 GB.
+        tables: PROBE_TABLES: episodes at once; each takes a process of about 0.8 GB.
         out: PROBE_OUT: folder for the records; None to keep none.
     """
 
