@@ -119,7 +119,7 @@ def play_all(tables: TrainingTables, ids: list[str], episodes: int) -> list[Rewa
 def main(
     suite: tyro.conf.Positional[Path],
     episodes: int = 128,
-    tables: int = 64,
+    tables: int = 8,
     kill_every: float | None = 20.0,
 ) -> None:
     """Play and print.

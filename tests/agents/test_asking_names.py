@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from probe.agents.asking_names import names_in
+from probe.agents.asking_names import KnownNames, names_in
 from probe.agents.scripted import Scripted
 from probe.episodes.turns import Question
 from probe.perception.dials import Dials
@@ -73,6 +73,30 @@ def test_like_things_are_counted(play):
     blocks = [COVER, under(2), Block(5, (700, 700, 759, 759), 0.02, (180, 40, 40))]
     record = play(agent, ["1", "2", "3", "4", "5"], SPECS, blocks, dials=COARSE)
     assert record.answer and record.answer.choice == "B"
+
+
+def test_a_thing_that_has_moved_is_not_taken_for_a_named_one_of_its_kind():
+    """A car that was found by name has gone, and something else that is a toy has moved."""
+
+    def listed(*ids: int) -> str:
+        entries = (f'- number: 1\n  object_id: object_{id}\n  name: "toy"\n' for id in ids)
+        return "objects:\n" + "".join(entries)
+
+    def told(text: str, found: str) -> str:
+        asking = known.told(text)
+        try:
+            next(asking)
+            while True:
+                asking.send(found)
+        except StopIteration as done:
+            return done.value
+
+    known = KnownNames(["toy car"])
+    assert '"toy car"' in told(listed(1, 2), "object_id: object_1\n")
+    assert '"toy object_2"' in told(listed(1, 2), "")
+    known.moved |= {"object_3"}
+    after = told(listed(3), "Nothing that shows is called that.")
+    assert '"toy object_2"' in after and "toy car" not in after
 
 
 def test_only_names_of_things_are_asked_for():

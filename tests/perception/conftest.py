@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from importlib.util import find_spec
-
 import pytest
 
+from probe.errors import MissingExtra
 from probe.train.tune import libraries
 
 
 @pytest.fixture(scope="session")
 def torchvision():
     """Torchvision, importable also where the package index has no build for this torch."""
-    for needed in ("torch", "torchvision", "transformers"):
-        if not find_spec(needed):
-            pytest.skip(f"{needed} isn't installed")
-    libraries.transformers()
+    try:
+        libraries.transformers()
+    except MissingExtra as missing:
+        pytest.skip(str(missing))
 
 
 @pytest.fixture(scope="session")

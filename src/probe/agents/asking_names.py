@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from probe.agents.moves import Plan
-from probe.agents.reading import Graph, read_exact, read_graph
+from probe.agents.reading import read_exact, read_new_handles
 from probe.agents.text_features import is_none
 from probe.episodes.turns import Call, Question
 from probe.perception.general import UNKNOWN, kinds, kinds_in, kinds_told
@@ -19,13 +19,11 @@ from probe.perception.tokens import is_colour, tokens
 
 Names = Sequence[str]
 
-_RENAMED = re.compile(r"\((object_\d+) now\)|\b[Ii]t is (object_\d+) now\b")
 _ENTRY = re.compile(r'(- number: \d+\n  object_id: (object_\d+)\n)  name: "(.*)"\n')
 _LIST = "perceive_scene"
 _OTHERS = re.compile(r"[^a-z'-]+")
 _NAME = re.compile(r"^[A-Za-z' -]*[a-z]{3}[A-Za-z' -]*$")
 _SHADES = ("dark", "light", "mainly")
-_MOVED = ""
 
 
 @dataclass
@@ -34,52 +32,57 @@ class KnownNames:
 
     Attributes:
         names: Names that have to be told apart; longer ones decide where several fit.
-        called: The name that a thing was found by, or else its kind and first object_id.
+        found: The name that a thing was found by.
+        labels: What stands for a name of the others: their kind and first object_id.
         kinds: The kind that lists tell of it.
         moved: Object_ids that a manipulation's reply gave to things that were there before.
     """
 
     names: Names
-    called: dict[str, str] = field(default_factory=dict[str, str])
+    found: dict[str, str] = field(default_factory=dict[str, str])
+    labels: dict[str, str] = field(default_factory=dict[str, str])
     kinds: dict[str, str] = field(default_factory=dict[str, str])
     moved: set[str] = field(default_factory=set[str])
 
-    def heard(self, text: str) -> None:
-        """Note which new object_ids a reply gives to things that have moved."""
-        self.moved |= {id for pair in _RENAMED.findall(text) for id in pair if id}
-
     def told(self, text: str) -> Plan[str]:
-        """A list with the names of what it shows, after asking for those that may be new."""
+        """A list with the names of what it shows, after asking for those that may be new.
+
+        A list that tells more than kinds is left as it is.
+        """
         listed = {id: kind for _, id, kind in _ENTRY.findall(text)}
+        if not kinds_told().issuperset(listed.values()):
+            return text
         new = {id: kind for id, kind in listed.items() if id not in self.kinds}
-        gone = [id for id in self.called if id not in listed]
         for name in self.names:
             possible = kinds_in(name)
             if new and (not possible or possible & {*new.values()} or UNKNOWN in new.values()):
-                found = yield Call.of("find_object", {"description": name})
-                self.called |= dict.fromkeys(read_exact(found), name)
-        for id, kind in new.items():
-            if id not in self.called:
-                self.called[id] = self._before(gone, kind) if id in self.moved else f"{kind} {id}"
+                reply = yield Call.of("find_object", {"description": name})
+                self.found |= dict.fromkeys(read_exact(reply), name)
         self.kinds |= new
+        gone = [id for id in self.labels if id not in listed]
+        for id in new:
+            if id not in self.found:
+                self._label(id, gone)
         return _ENTRY.sub(self._named, text)
 
-    def _before(self, gone: list[str], kind: str) -> str:
-        """What a thing that has moved was called: as one of its kind that is no longer listed.
+    def _label(self, id: str, gone: list[str]) -> None:
+        """What stands for a new thing's name; of what moved the label of one that is gone.
 
-        Of several, which is which can't be told; whatever it is, it hasn't come to light.
+        Of several of its kind, which is which can't be told; whatever it is, it hasn't come to
+        light. Where none is gone, it stays without.
         """
-        same = [id for id in gone if self.kinds[id] == kind and self.called[id].startswith(kind)]
-        if not same:
-            return _MOVED
-        gone.remove(same[0])
-        return self.called[same[0]]
+        kind = self.kinds[id]
+        if id not in self.moved:
+            self.labels[id] = f"{kind} {id}"
+        elif same := [earlier for earlier in gone if self.kinds[earlier] == kind]:
+            gone.remove(same[0])
+            self.labels[id] = self.labels[same[0]]
 
     def _named(self, entry: re.Match[str]) -> str:
         """An entry as it is called; without a name if it moved and nobody knows what it was."""
         head, id, _ = entry.groups()
-        name = self.called[id]
-        return head if name == _MOVED else f"{head}  name: {json.dumps(name)}\n"
+        name = self.found.get(id) or self.labels.get(id)
+        return f"{head}  name: {json.dumps(name)}\n" if name else head
 
 
 def names_in(question: Question, subject: str, fixed: Sequence[str]) -> Names:
@@ -115,15 +118,10 @@ def by_name(plan: Plan[None], names: Names) -> Plan[None]:
     call = next(plan, None)
     while call is not None:
         text = yield call
-        known.heard(text)
-        if call.name == _LIST and tells_kinds(read_graph(text)):
+        known.moved |= read_new_handles(text)
+        if call.name == _LIST:
             text = yield from known.told(text)
         try:
             call = plan.send(text)
         except StopIteration:
             return
-
-
-def tells_kinds(graph: Graph) -> bool:
-    """Whether a list tells kinds alone."""
-    return bool(graph.named) and {seen.name for seen in graph.named} <= kinds_told()

@@ -36,6 +36,7 @@ _AWAY = re.compile(
 )
 _REFUSED = re.compile(r"There is no object_id |\S+ is out of date: ")
 _RENAMED = re.compile(r"\b[Ii]t is (object_\d+) now\b")
+_ALSO_RENAMED = re.compile(r"\((object_\d+) now\)")
 
 _SHORT_LIST = re.compile(r"^- object_\d+ |^# (?:Nothing shows|.* since the last list)\b", re.M)
 
@@ -203,6 +204,11 @@ def read_new_handle(text: str) -> str | None:
     """The object_id that a thing has since a grasp or a push moved it; None if it kept its own."""
     found = _RENAMED.search(text)
     return found[1] if found else None
+
+
+def read_new_handles(text: str) -> set[str]:
+    """All object_ids that a grasp or a push gave to what it moved, things beside it included."""
+    return {*_RENAMED.findall(text), *_ALSO_RENAMED.findall(text)}
 
 
 def handle_refused(text: str) -> bool:

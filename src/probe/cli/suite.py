@@ -148,7 +148,7 @@ def _without_repeats(
         Places without a task: others are still at work, or a worker died.
     """
     while not (waiting := _waiting(parts, places)):
-        if not (again := turned_back(parts, _made(parts, places))):
+        if not (again := turned_back(parts, places)):
             break
         _fill(maker, parts, again, engine)
     return waiting

@@ -126,7 +126,7 @@ def _grown(order: Array, count: int, most: int, together: Array, one_kind: Array
 def _pairs_that_go_together(
     pool: Sequence[ObjectSpec], tolerance: float, common: Counter[str], sides: float | None
 ) -> Array:
-    """Whether a set may have both of two things, shape (n, n); then it may have any that all go."""
+    """Whether a set may hold both of two things, shape (n, n), and so any that go in pairs."""
     together = ~(_same([spec.name for spec in pool]) | _same([_look(spec) for spec in pool]))
     together &= _within([longest(spec) for spec in pool], 1 + tolerance)
     together &= _within([common[spec.category] for spec in pool], FREQUENCY_RATIO)

@@ -24,8 +24,11 @@ from probe.tasks.task import QuestionType, RulesVersion, Task
 from probe.texts import cell, uncell
 
 KEPT, UNSOLVED, RESTLESS, IMMOVABLE, REPEATED = (
-    *("kept", "solvable", "at rest"),
-    *("movable", "repeated"),
+    "kept",
+    "solvable",
+    "at rest",
+    "movable",
+    "repeated",
 )
 """Names of results: a task; a candidate that failed only the scripted agents' check; one whose
 things move once its table stands alone; one that asks about the same things as another task."""
@@ -171,8 +174,10 @@ class BuildFolder:
         before = self.log(place)
         if line.seed in {each.seed for each in before}:
             return
-        lines = [*before, line]
-        text = "".join(f"{each}\n" for each in lines)
+        self._write_log(place, [*before, line])
+
+    def _write_log(self, place: TaskSlot, lines: Sequence[CandidateLog]) -> None:
+        text = "".join(f"{line}\n" for line in lines)
         write_text(self.log_path(place), text, private=self.is_private)
 
     def is_exhausted(self, place: TaskSlot, attempts: int) -> bool:
@@ -195,9 +200,7 @@ class BuildFolder:
             return
         # In this order: a task without its line would be taken for a good one.
         self.task_path(place).unlink(missing_ok=True)
-        lines = [*before, replace(last, check=REPEATED, detail=reason)]
-        text = "".join(f"{line}\n" for line in lines)
-        write_text(self.log_path(place), text, private=self.is_private)
+        self._write_log(place, [*before, replace(last, check=REPEATED, detail=reason)])
 
     def keep_unsolved(self, task: Task, library: Library) -> None:
         """Write a candidate that failed only the scripted agents' check."""

@@ -19,8 +19,7 @@ def roles_of(task: Task) -> Roles:
     Where nothing on the table does (none of what is counted is there), the thing that is named.
     """
     instances = {*task.targets, *([] if task.cover is None else [task.cover])}
-    placed = {item.instance: item.object_id for item in task.scene.objects}
-    objects = frozenset(placed[instance] for instance in instances)
+    objects = frozenset(task.scene[instance].object_id for instance in instances)
     return task.question_type, objects or frozenset({task.subject})
 
 

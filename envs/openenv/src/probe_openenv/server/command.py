@@ -8,6 +8,7 @@ from pathlib import Path
 
 import uvicorn
 
+from probe.errors import BadData
 from probe_openenv.server.settings import Settings
 
 
@@ -21,6 +22,10 @@ def main() -> None:
     parser.add_argument("--port", type=int, default=8000)
     said = parser.parse_args()
     given = {"PROBE_SUITE": said.suite, "PROBE_TABLES": said.tables, "PROBE_OUT": said.out}
-    os.environ.update({name: str(it) for name, it in given.items() if it is not None})
-    Settings.of_environment()  # an error now, and not from within the server
+    told = {name: str(it) for name, it in given.items() if it is not None}
+    try:  # now, so that an error doesn't come from within the server
+        settings = Settings.of_environment({**os.environ, **told})
+    except BadData as error:
+        parser.error(str(error))
+    os.environ.update(settings.variables())
     uvicorn.run("probe_openenv.server.app:app", host=said.host, port=said.port)

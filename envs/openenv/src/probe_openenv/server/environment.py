@@ -23,7 +23,7 @@ class Seats:
     """
 
     def __init__(self, tables: TrainingTables) -> None:
-        self.tables = tables
+        self.tables, self.tools = tables, tables.tools
         self._rows: Sequence[dict[str, Any]] = tables.rows()
         self._next = count()
 
@@ -64,7 +64,7 @@ class ProbeEnvironment(Environment[ToolCall, TableReply, EpisodeState]):
         row = self._seats.row(task, seed)
         self._env.reset(**row)
         self._state = EpisodeState(episode_id=episode_id or uuid4().hex, task=row["task"])
-        return TableReply(messages=row["prompt"], tools=self._seats.tables.tools)
+        return TableReply(messages=row["prompt"], tools=self._seats.tools)
 
     def step(self, action: ToolCall, timeout_s: float | None = None, **_: Any) -> TableReply:
         """Call a tool; once the episode is over, the reply has the reward."""
