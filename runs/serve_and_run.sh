@@ -4,8 +4,10 @@
 #   runs/serve_and_run.sh NAME FOLDER
 #   OUT=elsewhere SUITE=v1 ARMS=direct runs/serve_and_run.sh NAME FOLDER
 #   ARMS=text-only RUN="--graphs short" SERVE="--cpu-bfloat16" runs/serve_and_run.sh NAME FOLDER
+#   SERVERS=8 WORKERS=2 runs/serve_and_run.sh NAME FOLDER     # 8 servers, 2 processes ask each
 #
-# FOLDER has the model; the runs go to $OUT/runs/NAME-ARM.
+# FOLDER has the model; the runs go to $OUT/runs/NAME-ARM. A server replies to one request at a time,
+# so a machine with many cores, or a GPU, should have several: at ports from $PORT on.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,35 +16,58 @@ OUT=${OUT:-outputs/served}
 SUITE=${SUITE:-demo}
 ARMS=${ARMS:-agentic direct}
 WORKERS=${WORKERS:-2}
+SERVERS=${SERVERS:-1}
 PORT=${PORT:-8001}
 SERVE=${SERVE:-}                        # more options of probe serve-model
 RUN=${RUN:-}                            # and of probe run
 probe=${PROBE:-.venv/bin/probe}
 
-if (: < "/dev/tcp/127.0.0.1/$PORT") 2>/dev/null; then
-    echo "Something else listens at port $PORT and would answer for $name: set PORT to a free one." >&2
-    exit 1
-fi
+ports=$(seq "$PORT" $((PORT + SERVERS - 1)))
+servers=() runs=()
+for port in $ports; do
+    if (: < "/dev/tcp/127.0.0.1/$port") 2>/dev/null; then
+        echo "Something else listens at port $port and would answer for $name: set PORT to a free one." >&2
+        exit 1
+    fi
+done
 
-# Whether the server has the model.
+# Whether the server at a port has the model.
 serves() {
     { printf 'GET /v1/models HTTP/1.0\r\n\r\n' >&3; grep -q "\"id\":\"$name\"" <&3; } \
-        2>/dev/null 3<> "/dev/tcp/127.0.0.1/$PORT"
+        2>/dev/null 3<> "/dev/tcp/127.0.0.1/$1"
 }
 
-$probe serve-model "$folder" --name "$name" --port "$PORT" $SERVE &
-server=$!
-trap 'kill $server 2>/dev/null || true' EXIT
-until serves; do
-    kill -0 "$server" || exit 1
-    sleep 0.5
+ask() { # ARM PORT OUT, and more options
+    $probe run "$SUITE" --model "$name" --endpoint "http://127.0.0.1:$2/v1" --setting "$1" \
+        --points 0-1000 --epochs 1 --workers "$WORKERS" $RUN --out "$3" "${@:4}"
+}
+
+for port in $ports; do
+    $probe serve-model "$folder" --name "$name" --port "$port" $SERVE &
+    servers+=($!)
 done
-kill -0 "$server" || exit 1
+trap 'kill "${servers[@]}" "${runs[@]}" 2>/dev/null || true' EXIT
+for i in "${!servers[@]}"; do
+    until serves $((PORT + i)); do
+        kill -0 "${servers[i]}" || exit 1
+        sleep 0.5
+    done
+    kill -0 "${servers[i]}" || exit 1
+done
 for arm in $ARMS; do
-    $probe run "$SUITE" --model "$name" --endpoint "http://127.0.0.1:$PORT/v1" --setting "$arm" \
-        --points 0-1000 --epochs 1 --workers "$WORKERS" $RUN \
-        --out "$OUT/runs/$name-$arm"
+    out=$OUT/runs/$name-$arm
+    if [ "$SERVERS" = 1 ]; then
+        ask "$arm" "$PORT" "$out"
+        continue
+    fi
+    runs=()
+    for i in "${!servers[@]}"; do
+        ask "$arm" $((PORT + i)) "$out.shards/$i" --shard "$i/$SERVERS" &
+        runs+=($!)
+    done
+    for run in "${runs[@]}"; do wait "$run"; done
+    [ -d "$out" ] || $probe merge "$out".shards/* --out "$out"
 done
-kill "$server"
-wait "$server" || true
+kill "${servers[@]}"
+wait "${servers[@]}" || true
 trap - EXIT

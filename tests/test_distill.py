@@ -7,12 +7,15 @@ import shutil
 import socket
 import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
 from model_server import Reply, serving
-from probe.tasks.suite import part
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS
+from probe.tasks.suite import part, selection
 from probe.tasks.suite_file import demo_suite, write_suite
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -27,12 +30,12 @@ SMALL = {
 }
 
 
-def script(folder: Path, port: str, *words: str) -> subprocess.CompletedProcess[str]:
+def script(folder: Path, port: str, *words: str, **more: str) -> subprocess.CompletedProcess[str]:
     settings = {"SUITE": str(folder / "one.json"), "OUT": str(folder / "out"), "PORT": port}
     name, *arguments = words
     return subprocess.run(
         [str(ROOT / "runs" / name), *arguments],
-        env={**os.environ, **SMALL, **settings},
+        env={**os.environ, **SMALL, **settings, **more},
         capture_output=True,
         text=True,
         timeout=900,
@@ -66,7 +69,35 @@ def test_the_recipe(tmp_path):
     assert (out / "trained/README.md").exists()
     for name in ("untrained", "trained"):
         assert who_answered(out / "runs" / f"{name}-direct") == {name}
+    several_servers_share_the_tasks(tmp_path)
     nobody_else_answers(tmp_path)
+
+
+def several_servers_share_the_tasks(folder: Path) -> None:
+    """Two of them, one task each."""
+    demo, two = demo_suite(), str(folder / "two.json")
+    write_suite(folder / "two.json", selection(demo, demo.tasks[:2], demo.name))
+    again = {"SERVERS": "2", "SUITE": two, "OUT": str(folder / "again")}
+    model = str(folder / "out/trained/model")
+    done = script(folder, str(two_free_ports()), "serve_and_run.sh", "trained", model, **again)
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
+    runs = folder / "again/runs"
+    assert {it.task for it in read_records(runs / "trained-direct" / RECORDS)} == {
+        task.id for task in demo.tasks[:2]
+    }
+    for shard in ("0", "1"):
+        assert len(read_records(runs / "trained-direct.shards" / shard / RECORDS)) == 1
+
+
+def two_free_ports() -> int:
+    """The first of two ports in a row at which nobody listens."""
+    while True:
+        with socket.socket() as one, socket.socket() as other:
+            one.bind(("127.0.0.1", 0))
+            port = one.getsockname()[1]
+            with suppress(OSError, OverflowError):
+                other.bind(("127.0.0.1", port + 1))
+                return port
 
 
 def nobody_else_answers(folder: Path) -> None:

@@ -44,6 +44,11 @@ def test_it_learns_without_pictures(tmp_path, dataset, model, lora):
     assert "| count | 4 | 0 |" in card and "| find | 4 | 0 |" in card
 
 
+def test_attention_makes_no_plan_for_each_length(model):
+    load(str(model))
+    assert not libraries.torch().backends.cuda.cudnn_sdp_enabled()
+
+
 def test_in_bfloat16_on_a_processor_that_has_it(tmp_path, dataset, model, monkeypatch):
     monkeypatch.setattr(libraries, "cpu_computes_in_bfloat16", lambda: True)
     tuning = Tuning(learning_rate=1e-3, global_batch=8, epochs=1, cpu_bfloat16=True)

@@ -69,6 +69,15 @@ def cpu_computes_in_bfloat16() -> bool:
     return bool(known.get("avx512_bf16") or known.get("amx_bf16"))
 
 
+def attend_to_any_length() -> None:
+    """Keep attention from cuDNN, which builds a plan for each length of text that it hasn't seen.
+
+    Nearly every conversation has a length of its own. On an H200 the plans of a batch took a
+    second, where the batch itself takes a tenth (docs/results/log.md, 2026-11-27).
+    """
+    torch().backends.cuda.enable_cudnn_sdp(False)
+
+
 def part(name: str) -> Any:
     """Another one, or a part of one, by its full name.
 

@@ -44,6 +44,7 @@ def load(model: str, *, exact: bool = False, cpu_bfloat16: bool = False) -> tupl
         NoModel: It can't be loaded.
     """
     torch, transformers = libraries.torch(), libraries.transformers()
+    libraries.attend_to_any_length()
     cut_off: Any = libraries.part("safetensors").SafetensorError
     short = libraries.computes_in_bfloat16() or (
         cpu_bfloat16 and libraries.cpu_computes_in_bfloat16()
