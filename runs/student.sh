@@ -3,10 +3,12 @@
 # setting text-only: collect, select, dataset, train, serve, evaluate, where it fails. Weights come
 # from the package index (SmolLM2-135M-Instruct, 98 MB). Each step goes on where it was stopped: run
 # it again.
-# Not run by us from top to bottom yet.
 #
 #   runs/student.sh                     # everything into outputs/student, at a small setting
-#   OUT=elsewhere SUITE=v1 COUNTS="--total 300" runs/student.sh
+#   OUT=elsewhere SUITE=v1 COUNTS="--total 300" SELECT="--slack 3" runs/student.sh
+#   TEACHER= COUNTS="--total 40" runs/student.sh              # nothing is taken over
+#
+# It starts from episodes that are here (runs/data/README.md), and collects what is lacking of COUNTS.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,9 +16,10 @@ OUT=${OUT:-outputs/student}
 SUITE=${SUITE:-demo}                    # what models are evaluated on
 WORKERS=${WORKERS:-2}
 PORT=${PORT:-8001}
-COUNTS=${COUNTS:---counts.count 9 --counts.find 9 --counts.size 6 --counts.reduce 4 --counts.compare 6}
-SELECT=${SELECT:---slack 3}
-TRAIN=${TRAIN:---learning-rate 1e-4 --global-batch 2 --epochs 2 --warmup 0.1}
+TEACHER=${TEACHER-runs/data/teacher.tar.xz}
+COUNTS=${COUNTS:---counts.count 6 --counts.find 6 --counts.size 4 --counts.reduce 2 --counts.compare 4}
+SELECT=${SELECT:---slack 3 --no-near --counts count 6 find 6 size 4 reduce 2 compare 4}
+TRAIN=${TRAIN:---learning-rate 3e-4 --global-batch 2 --epochs 1 --warmup 0.1 --no-save-memory}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
 probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch .venv/.student
@@ -24,6 +27,10 @@ probe=${PROBE:-.venv/bin/probe}
 step() { echo; echo "== $*"; }
 
 step "collect: the scripted teacher answers training tasks, with tools alone"
+if [ -n "$TEACHER" ] && [ ! -d "$OUT/collected" ]; then
+    mkdir -p "$OUT"
+    tar xf "$TEACHER" -C "$OUT"
+fi
 $probe collect --out "$OUT/collected" --settings agentic $COUNTS --counts.beneath 0 \
     --points 0-1000 --workers "$WORKERS"
 

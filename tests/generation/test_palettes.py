@@ -6,8 +6,9 @@ from typing import Any
 
 import pytest
 
+from probe.assets.library import Library, open_library
 from probe.generation import palettes
-from probe.generation.palettes import ThingColour, has_one_main_colour
+from probe.generation.palettes import ThingColour, has_one_main_colour, palette_of
 
 
 @pytest.mark.parametrize(
@@ -19,3 +20,15 @@ def test_a_main_colour_leads_clearly(shares, has, monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(palettes, "palette_of", lambda *_: colours)
     library: Any = None
     assert has_one_main_colour(library, "some_thing") is has
+
+
+def test_a_palette_is_measured_once_and_then_read(cache, monkeypatch: pytest.MonkeyPatch):
+    found = palette_of(open_library("procedural", None, cache), "proc_red_mug")
+    assert found[0].share > 0.5 and all(0 < colour.share <= 1 for colour in found)
+
+    def nobody(self: Library, object_id: str, looks: int = 1) -> None:
+        raise AssertionError(object_id)
+
+    monkeypatch.setattr(Library, "body", nobody)
+    palette_of.cache_clear()
+    assert palette_of(open_library("procedural", None, cache), "proc_red_mug") == found

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 
+from probe.assets.cache import content_key
 from probe.assets.colour.names import lab, nearest_colours
 from probe.assets.library import Library
 from probe.assets.mesh.lattice import colours_at, spots
+from probe.assets.mesh.mesh import Body
+from probe.assets.recipes import recipe
 from probe.types import Array
 
 _SPOTS = 4000
@@ -36,9 +41,29 @@ class ThingColour:
 
 @lru_cache(maxsize=2048)
 def palette_of(library: Library, object_id: str) -> tuple[ThingColour, ...]:
-    """Colours of an object's surface, by its texture."""
-    mesh = library.body(object_id).mesh
-    return shades(colours_at(mesh, *spots(mesh.vertices, mesh.faces, _SPOTS)))
+    """Colours of an object's surface, by its texture; measured once, then kept."""
+    return _unpacked(library.measured(object_id, "palettes", _recipe(), _measured))
+
+
+@lru_cache(maxsize=1)
+def _recipe() -> str:
+    """A hash of all that decides an object's palette, except for its body."""
+    code = recipe("probe.assets.colour"), recipe("probe.assets.mesh")
+    return content_key(*code, Path(__file__).read_bytes())
+
+
+def _measured(body: Body) -> dict[str, Array]:
+    mesh = body.mesh
+    palette = shades(colours_at(mesh, *spots(mesh.vertices, mesh.faces, _SPOTS)))
+    return {
+        "lab": np.array([colour.lab for colour in palette]),
+        "shares": np.array([colour.share for colour in palette]),
+    }
+
+
+def _unpacked(stored: Mapping[str, Array]) -> tuple[ThingColour, ...]:
+    colours = zip(stored["lab"].tolist(), stored["shares"].tolist(), strict=True)
+    return tuple(ThingColour((lightness, a, b), share) for (lightness, a, b), share in colours)
 
 
 def main_colour(library: Library, object_id: str) -> Array:
