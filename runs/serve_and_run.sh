@@ -7,7 +7,8 @@
 #   SERVERS=8 WORKERS=2 runs/serve_and_run.sh NAME FOLDER     # 8 servers, 2 processes ask each
 #
 # FOLDER has the model; the runs go to $OUT/runs/NAME-ARM. A server replies to one request at a time,
-# so a machine with many cores, or a GPU, should have several: at ports from $PORT on.
+# so a machine with many cores, or a GPU, should have several: at ports from $PORT on. What each has
+# answered is in $OUT/shards, until all have.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -60,13 +61,13 @@ for arm in $ARMS; do
         ask "$arm" "$PORT" "$out"
         continue
     fi
-    runs=()
+    runs=() shards=$OUT/shards/$name-$arm
     for i in "${!servers[@]}"; do
-        ask "$arm" $((PORT + i)) "$out.shards/$i" --shard "$i/$SERVERS" &
+        ask "$arm" $((PORT + i)) "$shards/$i" --shard "$i/$SERVERS" &
         runs+=($!)
     done
     for run in "${runs[@]}"; do wait "$run"; done
-    [ -d "$out" ] || $probe merge "$out".shards/* --out "$out"
+    [ -d "$out" ] || $probe merge "$shards"/* --out "$out"
 done
 kill "${servers[@]}"
 wait "${servers[@]}" || true

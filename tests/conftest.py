@@ -30,6 +30,7 @@ LONGEST = (
     "test_on_ray.py",
     "test_ray.py",
     "test_distill.py",
+    "test_student.py",
     "test_tutorials.py",
     "test_attacks.py",
     "test_compare.py",

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import os
 import shutil
-import socket
-import subprocess
-import sys
-from contextlib import suppress
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import pytest
 
@@ -17,8 +13,8 @@ from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.tasks.suite import part, selection
 from probe.tasks.suite_file import demo_suite, write_suite
+from recipe_scripts import free_ports, run_script
 
-ROOT = Path(__file__).resolve().parents[1]
 SMALL = {
     "ARMS": "direct",
     "COUNTS": "--counts.count 1 --counts.find 0 --counts.size 0 --counts.reduce 0 "
@@ -26,20 +22,12 @@ SMALL = {
     "SELECT": "--slack 9 --no-near",
     "TINY": "--width 48 --layers 2 --words 600 --vision-width 32 --vision-layers 2 --side-px 64",
     "TRAIN": "--learning-rate 1e-3 --global-batch 1 --epochs 1",
-    "PROBE": f"{sys.executable} -m probe",
 }
 
 
-def script(folder: Path, port: str, *words: str, **more: str) -> subprocess.CompletedProcess[str]:
-    settings = {"SUITE": str(folder / "one.json"), "OUT": str(folder / "out"), "PORT": port}
-    name, *arguments = words
-    return subprocess.run(
-        [str(ROOT / "runs" / name), *arguments],
-        env={**os.environ, **SMALL, **settings, **more},
-        capture_output=True,
-        text=True,
-        timeout=900,
-    )
+def script(folder: Path, port: int, *words: str, **more: str) -> CompletedProcess[str]:
+    settings = {"SUITE": str(folder / "one.json"), "OUT": str(folder / "out"), "PORT": str(port)}
+    return run_script(*words, **SMALL, **(settings | more))
 
 
 def who_answered(folder: Path) -> set[str]:
@@ -56,10 +44,7 @@ def test_the_recipe(tmp_path):
     demo = demo_suite()
     one = next(task for task in demo.tasks if task.question_type == "count")
     write_suite(tmp_path / "one.json", part(demo, one))
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = str(free.getsockname()[1])
-    done = script(tmp_path, port, "distill.sh")
+    done = script(tmp_path, free_ports(), "distill.sh")
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
     out = tmp_path / "out"
     table = (out / "table.md").read_text()
@@ -79,32 +64,21 @@ def several_servers_share_the_tasks(folder: Path) -> None:
     write_suite(folder / "two.json", selection(demo, demo.tasks[:2], demo.name))
     again = {"SERVERS": "2", "SUITE": two, "OUT": str(folder / "again")}
     model = str(folder / "out/trained/model")
-    done = script(folder, str(two_free_ports()), "serve_and_run.sh", "trained", model, **again)
+    done = script(folder, free_ports(2), "serve_and_run.sh", "trained", model, **again)
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
     runs = folder / "again/runs"
     assert {it.task for it in read_records(runs / "trained-direct" / RECORDS)} == {
         task.id for task in demo.tasks[:2]
     }
-    for shard in ("0", "1"):
-        assert len(read_records(runs / "trained-direct.shards" / shard / RECORDS)) == 1
-
-
-def two_free_ports() -> int:
-    """The first of two ports in a row at which nobody listens."""
-    while True:
-        with socket.socket() as one, socket.socket() as other:
-            one.bind(("127.0.0.1", 0))
-            port = one.getsockname()[1]
-            with suppress(OSError, OverflowError):
-                other.bind(("127.0.0.1", port + 1))
-                return port
+    for shard in (folder / "again/shards/trained-direct").iterdir():
+        assert len(read_records(shard / RECORDS)) == 1
 
 
 def nobody_else_answers(folder: Path) -> None:
     """The model again, where a stranger listens who says something to everybody."""
     shutil.rmtree(folder / "out/runs")
     with serving(lambda number, body: Reply("ANSWER: A")) as stranger:
-        port = stranger.url.rpartition(":")[2].removesuffix("/v1")
+        port = int(stranger.url.rpartition(":")[2].removesuffix("/v1"))
         done = script(
             folder, port, "serve_and_run.sh", "trained", str(folder / "out/trained/model")
         )

@@ -3,7 +3,7 @@ import pytest
 from probe.agents.reading import ShortList, read_graph, read_handle, read_handles
 from probe.perception.oracle import Oracle
 from probe.scene.setup import UR5_TABLE
-from probe.toolshed.toolshed import Toolshed
+from probe.toolshed.toolshed import TURNS, Toolshed
 from tabletops import Block, Obedient, PaintedStation, spec
 
 SPECS = {1: spec("red mug"), 2: spec("red mug"), 3: spec("blue book", "blue")}
@@ -32,6 +32,19 @@ def test_a_list_holds_the_ids_and_a_failed_search_no_single_one():
     graph = read_graph(reply("perceive_scene"))
     assert [seen.object_id for seen in graph.objects] == ["object_1", "object_2", "object_3"]
     assert read_handle(reply("find_object", description="green mug")) is None
+
+
+@pytest.mark.parametrize(
+    ("tool", "arguments"), [("perceive_scene", {}), ("find_object", {"description": "mug"})]
+)
+def test_the_last_reply_is_read_like_any_other(tool, arguments):
+    shed = Toolshed(PaintedStation(BLOCKS), Oracle(SPECS), Obedient(), UR5_TABLE)
+    for _ in range(TURNS - 1):
+        shed.call("perceive_scene", {})
+    last = shed.call(tool, arguments)
+    assert last.ended and "last turn" in last.text
+    assert read_graph(last.text) == read_graph(reply(tool, **arguments))
+    assert read_handles(last.text) == read_handles(reply(tool, **arguments))
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ import yaml
 
 from probe.errors import ProbeError
 from probe.perception.tokens import tokens
+from probe.toolshed.result import LAST_TURN
 
 Box = tuple[int, int, int, int]
 
@@ -136,7 +137,7 @@ def read_graph(text: str) -> Graph:
     """
     if _SHORT_LIST.search(text):
         raise ShortList
-    told: object = yaml.load(text, yaml.CSafeLoader)
+    told = _loaded(text)
     if not isinstance(told, dict) or "objects" not in told:
         return Graph()
     content = cast("dict[str, Any]", told)
@@ -166,7 +167,7 @@ def read_exact(text: str) -> list[str]:
     """The object_ids of all that find_object found which is called what was asked for."""
     if read_handle(text) is None:
         return []
-    content = cast("dict[str, Any]", yaml.load(text, yaml.CSafeLoader))
+    content = cast("dict[str, Any]", _loaded(text))
     others: list[Any] = content.get("others_that_fit_as_well") or []
     return [] if "note" in content else [it["object_id"] for it in (content, *others)]
 
@@ -179,7 +180,7 @@ def read_handles(text: str) -> dict[str, str]:
     if " Nearest: " in text:
         return dict(_NEAREST.findall(text.rpartition(" Nearest: ")[2]))
     try:
-        told: object = yaml.load(text, yaml.CSafeLoader)
+        told = _loaded(text)
     except (yaml.YAMLError, ValueError, RecursionError):  # none that our tools wrote
         return {}
     if not isinstance(told, dict):
@@ -192,6 +193,12 @@ def read_handles(text: str) -> dict[str, str]:
         for item in items
         if "object_id" in item
     }
+
+
+def _loaded(text: str) -> object:
+    """What a reply lists, without what the last one says below."""
+    listed, _, _ = text.partition(f"\n{LAST_TURN}")
+    return yaml.load(listed, yaml.CSafeLoader)
 
 
 def read_away(text: str) -> str | None:

@@ -12,6 +12,9 @@ Status = Literal["done", "failed", "malformed", "refused"]
 MOVING = ("grasp_and_remove", "push")
 """Tools that move something."""
 
+LAST_TURN = "This was the last turn; the episode has ended."
+"""The last line of the last reply, if there is no answer by then."""
+
 
 @dataclass(frozen=True, eq=False)
 class ToolResult:

@@ -25,7 +25,7 @@ from probe.toolshed.outcomes import OutcomeText, grasp_words, nothing_moved, pus
 from probe.toolshed.parse import parse
 from probe.toolshed.pictures import outlined
 from probe.toolshed.refusals import BudgetSpent, EpisodeOver, PointMissing, Refusal
-from probe.toolshed.result import Answer, ToolResult
+from probe.toolshed.result import LAST_TURN, Answer, ToolResult
 from probe.toolshed.skills import SkillOutcome, Skills
 from probe.toolshed.tools import (
     AnswerQuestion,
@@ -48,7 +48,6 @@ _UNREADABLE = (
     "The perception model's reply could not be used: {reason}. Nothing changed on the table. Call "
     "{tool} again, or go by the picture."
 )
-_LAST_TURN = "This was the last turn; the episode has ended."
 
 
 class Toolshed:
@@ -135,7 +134,7 @@ class Toolshed:
             text = _UNREADABLE.format(reason=failure, tool=name)
             result = ToolResult(text, self._picture(), status="failed")
         if self.turns >= TURNS and self.answer is None and not self.ended:
-            result = replace(result, text=f"{result.text}\n{_LAST_TURN}")
+            result = replace(result, text=f"{result.text}\n{LAST_TURN}")
         self.ended = self.ended or self.answer is not None or self.turns >= TURNS
         return replace(result, ended=self.ended)
 

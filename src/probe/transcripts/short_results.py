@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import yaml
 
-from probe.toolshed.result import MOVING
+from probe.toolshed.result import LAST_TURN, MOVING
 from probe.transcripts.short_graphs import ListEntry, entries_of, short_list
 
 _MOVED = re.compile(
@@ -19,7 +19,7 @@ _MOVED = re.compile(
     r"Manipulations left)\b)"
 )
 _OTHERS = "Others moved, too. "
-_LAST_TURN = "\nThis was the last turn"
+_LAST_TURN = f"\n{LAST_TURN}"
 
 _FOUND = "object_id: "
 _NEEDED = {"object_id", "description", "point", "box"}
