@@ -1,8 +1,7 @@
 # Each target does all of its own set-up: virtual environment, pinned packages, Vulkan driver.
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 BIN := .venv/bin
-# More than cores: many tests wait, for an arm that moves by the clock or a process that hangs, and
-# of the slow ones more.
+# One more than cores: many tests wait, for an arm that moves by the clock or a process that hangs.
 WORKERS ?= 3
 
 .PHONY: help demo docs test test-slow check bench mutants format driver browser
@@ -25,7 +24,6 @@ demo: .venv/.ready driver
 
 # A core for each worker: threads of several that share one wait for each other in loops.
 test test-slow: export OMP_NUM_THREADS = 1
-test-slow: WORKERS = 4
 
 test: .venv/.ready driver
 	$(BIN)/pytest -m "not slow and not gpu" -n $(WORKERS) --dist loadfile --no-loadscope-reorder
