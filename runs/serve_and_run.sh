@@ -8,7 +8,7 @@
 #
 # FOLDER has the model; the runs go to $OUT/runs/NAME-ARM. A server replies to one request at a time,
 # so a machine with many cores, or a GPU, should have several: at ports from $PORT on. What each has
-# answered is in $OUT/shards, until all have.
+# answered stays in $OUT/shards.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

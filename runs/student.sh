@@ -28,8 +28,10 @@ step() { echo; echo "== $*"; }
 
 step "collect: the scripted teacher answers training tasks, with tools alone"
 if [ -n "$TEACHER" ] && [ ! -d "$OUT/collected" ]; then
-    mkdir -p "$OUT"
-    tar xf "$TEACHER" -C "$OUT"
+    mkdir -p "$OUT/.teacher"
+    tar xf "$TEACHER" -C "$OUT/.teacher"
+    mv "$OUT/.teacher/collected" "$OUT/collected"  # whole or not at all
+    rmdir "$OUT/.teacher"
 fi
 $probe collect --out "$OUT/collected" --settings agentic $COUNTS --counts.beneath 0 \
     --points 0-1000 --workers "$WORKERS"

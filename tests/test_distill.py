@@ -27,7 +27,7 @@ SMALL = {
 
 def script(folder: Path, port: int, *words: str, **more: str) -> CompletedProcess[str]:
     settings = {"SUITE": str(folder / "one.json"), "OUT": str(folder / "out"), "PORT": str(port)}
-    return run_script(*words, **SMALL, **(settings | more))
+    return run_script(*words, **(SMALL | settings | more))
 
 
 def who_answered(folder: Path) -> set[str]:
