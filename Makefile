@@ -4,7 +4,7 @@ BIN := .venv/bin
 # One more than cores: many tests wait, for an arm that moves by the clock or a process that hangs.
 WORKERS ?= 3
 
-.PHONY: help demo docs test test-slow check bench mutants format driver browser
+.PHONY: help demo docs test test-slow every-object check bench mutants format driver browser
 .DELETE_ON_ERROR:
 # Where this is set, each of the many processes that tests start compiles all of its modules again.
 unexport PYTHONDONTWRITEBYTECODE
@@ -13,6 +13,7 @@ help:
 	@echo "make demo       a scripted agent solves a task of each of seven types; outputs/demo/index.html"
 	@echo "make test       the fast tests"
 	@echo "make test-slow  the slow ones; installs PyTorch, Blender, Ray, Rerun and a Chromium"
+	@echo "make every-object   all built-in objects, where something that decides them has changed"
 	@echo "make docs       the pages as a site; outputs/site/index.html"
 	@echo "make check      format, lint, types, architecture"
 	@echo "make bench      what things cost"
@@ -31,6 +32,13 @@ test: .venv/.ready driver
 test-slow: .venv/.ready driver browser .venv/.blender .venv/.torch
 test-slow: .venv/.docs .venv/.openenv .venv/.ray .venv/.rerun
 	$(BIN)/pytest -m "slow and not gpu" --durations 40 -n $(WORKERS) --dist loadfile --no-loadscope-reorder
+
+# Minutes. What passed is noted with a hash of what decides the objects, for you to commit; until
+# that changes, the slow tests go through a share of the objects alone.
+every-object: .venv/.ready driver
+	state=$$($(BIN)/python tests/deciding.py) && \
+		OMP_NUM_THREADS=1 $(BIN)/pytest -m every_object -n $(WORKERS) && \
+		echo "$$state" > tests/every_object.sha256
 
 check: .venv/.ready
 	$(BIN)/ruff format --check

@@ -11,6 +11,7 @@ from hypothesis import settings
 
 # Before any test imports NumPy: what they compute and keep must be what `probe` computes.
 import probe
+from deciding import all_passed
 
 # The same examples in every run: what a change is judged by mustn't depend on luck.
 # No deadline: a slow disk or a busy machine is no defect.
@@ -39,9 +40,16 @@ LONGEST = (
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with the files that take longest, so that no worker is left with them at the end."""
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Begin with the files that take longest, so that no worker is left with them at the end.
+
+    What goes through every built-in object is left out while that is known to pass.
+    """
     items.sort(key=lambda item: (*LONGEST, item.path.name).index(item.path.name))
+    left_out = [item for item in items if item.get_closest_marker("every_object")]
+    if left_out and "every_object" not in config.option.markexpr and all_passed():
+        config.hook.pytest_deselected(items=left_out)
+        items[:] = [item for item in items if item not in set(left_out)]
 
 
 @pytest.fixture(scope="session", autouse=True)

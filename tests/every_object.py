@@ -41,9 +41,9 @@ class MadeObject:
     wrong: str
 
 
-def every_object() -> dict[str, MadeObject]:
-    """All built-in objects by id; takes minutes."""
-    return {spec.id: _made(spec) for spec in specs(NEWEST_EDITION)}
+def every_object(nth: int = 1) -> dict[str, MadeObject]:
+    """All built-in objects by id, which takes minutes, or every nth."""
+    return {spec.id: _made(spec) for spec in specs(NEWEST_EDITION)[::nth]}
 
 
 def looking_the_same(

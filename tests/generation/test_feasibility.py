@@ -42,7 +42,8 @@ class Mixed(Library):
         return Cache(self.cache / "bodies").path(procedural_key(object_id, looks))
 
     def body(self, object_id: str, looks: Looks = 1) -> Body:
-        return procedural_body(object_id, Cache(self.cache / "bodies"), looks)
+        bodies, data = Cache(self.cache / "bodies"), Cache(self.cache / "specs")
+        return procedural_body(object_id, bodies, data, looks)
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ from probe.assets.library import Library
 from probe.assets.tables import table_ids
 from probe.generation.build import without_notes
 from probe.render.renderer import Renderer
-from probe.tasks.suite import check_objects
+from probe.tasks.suite import check_objects, selection
 from probe.tasks.suite_file import packaged_suite
 from probe.tasks.task import Task
 from probe.verification.balance import balances
@@ -80,9 +80,15 @@ def test_letters_and_crossings_of_v1_balance():
 
 
 @pytest.mark.slow
+@pytest.mark.every_object
 def test_objects_are_those_that_v1_was_made_of(library: Library):
     check_objects(V1, library)
     check_objects(UNFILTERED, library)
+
+
+@pytest.mark.slow
+def test_objects_of_some_tasks_are_those_that_v1_was_made_of(library: Library):
+    check_objects(selection(V1, V1.tasks[::25], "some"), library)
 
 
 @pytest.mark.slow

@@ -115,7 +115,7 @@ class Library:
         if body is None:
             cache = Cache(self.cache / "bodies")
             if spec.origin == "procedural":
-                body = procedural_body(object_id, cache, looks)
+                body = procedural_body(object_id, cache, Cache(self.cache / "specs"), looks)
             elif spec.origin == "own":
                 body = own_body(object_id, own_folder(self.own), cache)
             else:

@@ -35,6 +35,15 @@ def parted(alike: list[NearPair]) -> list[tuple[str, str]]:
 
 
 @pytest.mark.slow
+def test_a_share_of_all_objects_is_sound():
+    made = every_object(nth=24)
+    assert len(made) > 100
+    assert {name: it.wrong for name, it in made.items() if it.wrong} == {}
+    assert parted(like_pairs({name: it.seen for name, it in made.items()})) == []
+
+
+@pytest.mark.slow
+@pytest.mark.every_object
 def test_every_object_is_sound_and_unlike_the_others_and_pools_are_apart(script):
     """One test, so that each object is built once.
 

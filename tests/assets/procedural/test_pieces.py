@@ -19,7 +19,8 @@ FEW = ("mug", "salad_bowl", "hat", "tray", "own goblet", "own hard hat", "own la
 SOME = ("mug", "bowl", "tray", "banana", "book", "can", "apple")
 
 
-ALL = [pytest.param(s, marks=() if s in SOME else pytest.mark.slow) for s in first_of_each_shape()]
+SHARES = 24
+"""All shapes are checked in so many tests."""
 
 
 @cache
@@ -52,7 +53,7 @@ def joined(sheets: list[Sheet]) -> trimesh.Trimesh:
     return trimesh.Trimesh(np.vstack(points), np.vstack(faces), process=False)
 
 
-@pytest.mark.parametrize("shape", ALL)
+@pytest.mark.parametrize("shape", SOME)
 def test_each_piece_is_convex_and_small_enough(shape: str) -> None:
     pieces = pieces_of(shape)
     assert 1 <= len(pieces) <= 40
@@ -64,7 +65,7 @@ def test_each_piece_is_convex_and_small_enough(shape: str) -> None:
         assert hull.volume > 1e-9
 
 
-@pytest.mark.parametrize("shape", ALL)
+@pytest.mark.parametrize("shape", SOME)
 def test_pieces_cover_the_mesh(shape: str) -> None:
     planes = [hull.equations for hull in hulls_of(shape)]
     for mesh, solid in closed_parts(shape):
@@ -73,7 +74,7 @@ def test_pieces_cover_the_mesh(shape: str) -> None:
             assert np.min(outside, axis=0).max() < TIGHT
 
 
-@pytest.mark.parametrize("shape", ALL)
+@pytest.mark.parametrize("shape", SOME)
 def test_pieces_keep_to_the_mesh(shape: str) -> None:
     samples = np.vstack(
         [trimesh.convex.convex_hull(c).sample(300, seed=0) for c in pieces_of(shape)]
@@ -103,14 +104,7 @@ def is_closed(entry: ProceduralEntry) -> bool:
     return hollow and cavity_of(entry).inner[0][0] == 0
 
 
-HOLLOW = [
-    pytest.param(shape, marks=() if shape in FEW else pytest.mark.slow)
-    for shape, entry in first_of_each_shape().items()
-    if entry.hollow and is_closed(entry)
-]
-
-
-@pytest.mark.parametrize("shape", HOLLOW)
+@pytest.mark.parametrize("shape", FEW)
 def test_a_ray_down_the_cavity_meets_its_floor(shape: str) -> None:
     entry = first_of_each_shape()[shape]
     profile = cavity_of(entry)
@@ -134,3 +128,26 @@ def test_a_ray_down_the_cavity_meets_its_floor(shape: str) -> None:
     under = (base + floor) / 2
     point = np.array([*middle, top - under if mouth_down else bottom + under])
     assert any((p[:, :3] @ point + p[:, 3]).max() < 0.001 for p in planes)
+
+
+def check_share(share: int, subtests: pytest.Subtests) -> None:
+    """All that holds for any shape, of every 24th from one on."""
+    for shape, entry in list(first_of_each_shape().items())[share::SHARES]:
+        with subtests.test(shape):
+            test_each_piece_is_convex_and_small_enough(shape)
+            test_pieces_cover_the_mesh(shape)
+            test_pieces_keep_to_the_mesh(shape)
+            if entry.hollow and is_closed(entry):
+                test_a_ray_down_the_cavity_meets_its_floor(shape)
+
+
+@pytest.mark.slow
+def test_a_share_of_all_shapes(subtests: pytest.Subtests) -> None:
+    check_share(0, subtests)
+
+
+@pytest.mark.slow
+@pytest.mark.every_object
+@pytest.mark.parametrize("share", range(1, SHARES))
+def test_all_other_shapes(share: int, subtests: pytest.Subtests) -> None:
+    check_share(share, subtests)

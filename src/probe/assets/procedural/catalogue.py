@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import dataclass, field
 from functools import cache
 
 import numpy as np
@@ -11,7 +12,7 @@ from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body, ConvexPiece
 from probe.assets.procedural.atlas import SIDE_PX, paint
 from probe.assets.procedural.form.sheet import Sheet
-from probe.assets.procedural.parts import Painted
+from probe.assets.procedural.parts import Painted, Part
 from probe.assets.procedural.tables import NEWEST_EDITION, Edition, ProceduralEntry, entries
 from probe.assets.spec import ObjectSpec
 from probe.errors import UnknownName
@@ -44,18 +45,26 @@ def assemble(entry: ProceduralEntry) -> tuple[list[Painted], list[Array]]:
     rest = resting([sheet for sheet, _ in surfaces])
     pieces = [
         rest.apply(corners * entry.scale * np.array(entry.stretch))
-        for corners in _raw_pieces(entry.shape)
+        for corners in _raw_pieces(_Shape(entry.shape, entry.parts))
     ]
     return [(sheet.moved(rest), name) for sheet, name in surfaces], pieces
 
 
+@dataclass(frozen=True)
+class _Shape:
+    """A shape by its name, which stands for its parts."""
+
+    name: str
+    parts: tuple[Part, ...] = field(compare=False)
+
+
 @cache
-def _raw_pieces(shape: str) -> tuple[Array, ...]:
+def _raw_pieces(shape: _Shape) -> tuple[Array, ...]:
     """Convex pieces in the shape's own frame and size; its objects, often many, share them."""
     return tuple(
         corners
-        for k, part in enumerate(first_of_each_shape()[shape].parts)
-        for corners in part.placed_hulls(rng_of(f"{shape} {k}"))
+        for k, part in enumerate(shape.parts)
+        for corners in part.placed_hulls(rng_of(f"{shape.name} {k}"))
     )
 
 
@@ -108,7 +117,11 @@ def build(object_id: str, looks: Looks = 1, side_px: int = SIDE_PX) -> Body:
     known = entries(NEWEST_EDITION)
     if object_id not in known:
         raise UnknownName("procedural object", object_id, list(known))
-    entry = known[object_id]
+    return build_entry(known[object_id], looks, side_px)
+
+
+def build_entry(entry: ProceduralEntry, looks: Looks = 1, side_px: int = SIDE_PX) -> Body:
+    """As build(), of an object that has been read already."""
     surfaces, pieces = assemble(entry)
     painted = [(sheet, entry.paints[name]) for sheet, name in surfaces]
     wear = None if looks == 1 else rng_of(f"{entry.id} in use")
