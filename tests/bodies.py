@@ -66,6 +66,9 @@ class _Shelf(Library):
     def body(self, object_id: str, looks: Looks = 1) -> Body:
         return self._kept[object_id, 1]
 
+    def form(self, object_id: str) -> Body:
+        return self._kept[object_id, 1]
+
 
 _CACHE = Path(__file__).resolve().parents[1] / ".cache" / "probe"
 

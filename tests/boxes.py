@@ -29,6 +29,9 @@ class BoxLibrary(Library):
     def body(self, object_id: str, looks: Looks = 1) -> Body:
         return self.bodies[object_id]
 
+    def form(self, object_id: str) -> Body:
+        return self.bodies[object_id]
+
 
 def box_library(**sizes_and_colours: tuple[float, float, float, int, int, int]) -> BoxLibrary:
     """Boxes by name ("red_box"): size along x, y, z in metres, then sRGB."""

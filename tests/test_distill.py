@@ -1,24 +1,31 @@
-"""runs/distill.sh from top to bottom, much smaller than it is."""
+"""runs/distill.sh from top to bottom, much smaller than it is; the task to teach is there already."""
 
 from __future__ import annotations
 
 import shutil
+import tarfile
+from dataclasses import replace
 from pathlib import Path
 from subprocess import CompletedProcess
 
 import pytest
 
+from lessons import FIRST_SEED
 from model_server import Reply, serving
+from probe.assets.library import TRAINING_POOL, open_library
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
+from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.tasks.suite import part, selection
-from probe.tasks.suite_file import demo_suite, write_suite
-from recipe_scripts import free_ports, run_script
+from probe.tasks.suite_file import demo_suite, read_suite, write_suite
+from probe.train.collect.batches import TASKS
+from probe.train.collect.training import FIRST_EPISODE
+from recipe_scripts import ROOT, free_ports, run_script
 
 SMALL = {
     "ARMS": "direct",
     "COUNTS": "--counts.count 1 --counts.find 0 --counts.size 0 --counts.reduce 0 "
-    "--counts.compare 0 --batch 2",
+    "--counts.compare 0 --batch 1",
     "SELECT": "--slack 9 --no-near",
     "TINY": "--width 48 --layers 2 --words 600 --vision-width 32 --vision-layers 2 --side-px 64",
     "TRAIN": "--learning-rate 1e-3 --global-batch 1 --epochs 1",
@@ -28,6 +35,20 @@ SMALL = {
 def script(folder: Path, port: int, *words: str, **more: str) -> CompletedProcess[str]:
     settings = {"SUITE": str(folder / "one.json"), "OUT": str(folder / "out"), "PORT": str(port)}
     return run_script(*words, **(SMALL | settings | more))
+
+
+def make_ready(collected: Path, cache: Path) -> None:
+    """The first task of a collection, one of those whose episodes are packaged."""
+    packaged = "collected/batches/0of1-00000/suite.json"
+    with tarfile.open(ROOT / "runs/data/teacher.tar.xz") as archive:
+        archive.extract(packaged, collected.parent / "packaged", filter="data")
+    tasks = read_suite(collected.parent / "packaged" / packaged).tasks
+    task = next(task for task in tasks if task.id == "count-87d88442")
+    BuildFolder(collected / TASKS).keep(
+        TaskSlot("count", FIRST_EPISODE),
+        replace(task, id="count-00000001", seed=FIRST_SEED),
+        open_library(TRAINING_POOL, None, cache),
+    )
 
 
 def who_answered(folder: Path) -> set[str]:
@@ -40,7 +61,8 @@ def who_answered(folder: Path) -> set[str]:
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("default")
-def test_the_recipe(tmp_path):
+def test_the_recipe(tmp_path, cache):
+    make_ready(tmp_path / "out/collected", cache)
     demo = demo_suite()
     one = next(task for task in demo.tasks if task.question_type == "count")
     write_suite(tmp_path / "one.json", part(demo, one))

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import shutil
 import time
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +11,10 @@ import pytest
 from probe.assets.cache import Cache
 from probe.assets.library import Library, open_library, warm
 from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
+from probe.assets.mesh.mesh import Body
 from probe.assets.mesh.packing import pack_body, unpack_body
 from probe.assets.pools.procedural import procedural_key
+from probe.assets.procedural import catalogue
 from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
 from probe.errors import BadData, BadMesh, UnknownName
@@ -57,15 +60,39 @@ def test_a_body_is_the_same_from_the_cache(library, tmp_path):
         assert (a.vertices == b.vertices).all()
 
 
+def _same_shape(one: Body, other: Body) -> bool:
+    pairs = [
+        (getattr(one.mesh, k), getattr(other.mesh, k)) for k in ("vertices", "normals", "faces")
+    ]
+    pairs += [(a.vertices, b.vertices) for a, b in zip(one.pieces, other.pieces, strict=True)]
+    return all(a.dtype == b.dtype and np.array_equal(a, b) for a, b in pairs)
+
+
+def test_a_form_has_the_shape_of_the_body_and_needs_no_paint(library, tmp_path, monkeypatch):
+    some = _few(library, 3, tmp_path)
+    with monkeypatch.context() as patch:
+        patch.setattr(catalogue, "paint", None)
+        forms = [some.form(spec.id) for spec in some.specs]
+        again = [_few(library, 3, tmp_path).form(spec.id) for spec in some.specs]
+    for spec, form, kept in zip(some.specs, forms, again, strict=True):
+        body = some.body(spec.id)
+        assert _same_shape(form, body) and _same_shape(kept, body)
+        assert _same_shape(body.unpainted(), body)
+        assert form.mesh.surface.texture.shape == (1, 1, 3) != body.mesh.surface.texture.shape
+        assert len(form.mesh.uvs) == len(form.mesh.vertices)
+
+
 def test_what_is_measured_on_a_body_is_measured_once_and_again_by_another_recipe(library, tmp_path):
     some, bodies = library.specs[:2], []
 
-    def heights(body) -> dict[str, np.ndarray]:
-        bodies.append(body.mesh.digest())
-        return {"height": body.mesh.vertices[:, 2].max(), "none": np.array([])}
-
     def measured(id: str, recipe: str) -> float:
         fresh = _few(library, 2, tmp_path)  # another process, as far as memory goes
+
+        def heights() -> dict[str, np.ndarray]:
+            body = fresh.form(id)
+            bodies.append(id)
+            return {"height": body.mesh.vertices[:, 2].max(), "none": np.array([])}
+
         return float(fresh.measured(id, "heights", recipe, heights)["height"])
 
     for spec in some:
@@ -124,7 +151,8 @@ def test_warming_fills_the_cache_and_resumes(library, tmp_path):
     few = _few(library, 4, tmp_path)
     warm(few, processes=2)
     entries = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.npz")}
-    assert len(entries) == 4
+    kept = Counter(path.relative_to(tmp_path).parts[0] for path in entries)
+    assert kept == {"bodies": 4, "forms": 4, "specs": 1}
     warm(few, processes=1)
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.npz")} == entries
 

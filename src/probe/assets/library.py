@@ -16,10 +16,16 @@ from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
 from probe.assets.mesh.kept_fingerprint import key_of_file, pack_fingerprint, unpack_fingerprint
 from probe.assets.mesh.mesh import Body
+from probe.assets.mesh.packing import pack_body, unpack_body
 from probe.assets.pools import scans
 from probe.assets.pools.division import PARTS, part_of_object
 from probe.assets.pools.own import own_body, own_key, own_specs
-from probe.assets.pools.procedural import procedural_body, procedural_key, procedural_specs
+from probe.assets.pools.procedural import (
+    procedural_body,
+    procedural_form,
+    procedural_key,
+    procedural_specs,
+)
 from probe.assets.procedural.tables import NEWEST_EDITION, Edition
 from probe.assets.spec import ObjectSpec, Origin
 from probe.assets.tables import TableMaterial, load_table
@@ -48,6 +54,9 @@ _EDITIONS: dict[Pool, Edition] = {
 KEPT = 64
 """Bodies kept in memory; one with a 1024-pixel texture takes about 4 MB."""
 
+FORMS_KEPT = 512
+"""Shapes kept in memory; one takes about 0.1 MB."""
+
 
 @dataclass(frozen=True, eq=False)
 class Library:
@@ -72,6 +81,7 @@ class Library:
     _kept: dict[tuple[str, Looks], Body] = field(
         default_factory=dict[tuple[str, Looks], Body], init=False, repr=False
     )
+    _forms: dict[str, Body] = field(default_factory=dict[str, Body], init=False, repr=False)
     _prints: dict[tuple[str, Looks], Fingerprint] = field(
         default_factory=dict[tuple[str, Looks], Fingerprint], init=False, repr=False
     )
@@ -125,14 +135,36 @@ class Library:
             del self._kept[next(iter(self._kept))]
         return body
 
+    def form(self, object_id: str) -> Body:
+        """The shape of an object, the same as body() gives, but unpainted.
+
+        Made by formula, it is there in a third of the time; it is read in a sixth.
+
+        Raises:
+            UnknownName, BadMesh, OutputFailed: As body().
+        """
+        form = self._forms.pop(object_id, None)
+        if form is None:
+            kept, key = Cache(self.cache / "forms"), self._body_file(object_id, 1).stem
+            stored = kept.load(key)
+            form = self._new_form(object_id) if stored is None else unpack_body(stored)
+            if stored is None:
+                kept.store(key, pack_body(form))
+        self._forms[object_id] = form
+        if len(self._forms) > FORMS_KEPT:
+            del self._forms[next(iter(self._forms))]
+        return form
+
+    def _new_form(self, object_id: str) -> Body:
+        painted = self._body_file(object_id, 1).is_file()
+        if self[object_id].origin == "procedural" and not painted:
+            return procedural_form(object_id, Cache(self.cache / "specs"))
+        return self.body(object_id).unpainted()
+
     def measured(
-        self,
-        object_id: str,
-        what: str,
-        recipe: str,
-        measure: Callable[[Body], Mapping[str, Array]],
+        self, object_id: str, what: str, recipe: str, measure: Callable[[], Mapping[str, Array]]
     ) -> Mapping[str, Array]:
-        """What is measured on an object's shape; computed once, then read from the cache.
+        """What is measured on an object's body; computed once, then read from the cache.
 
         Args:
             object_id: Which object.
@@ -147,7 +179,7 @@ class Library:
         key = content_key(what, recipe, self._body_file(object_id, 1).stem)
         found = kept.load(key)
         if found is None:
-            found = measure(self.body(object_id))
+            found = measure()
             kept.store(key, found)
         return found
 
@@ -287,3 +319,4 @@ def warm(library: Library, processes: int) -> None:
 def _compute(library: Library, object_id: str) -> None:
     """Fill the cache; returns nothing so that no mesh travels between processes."""
     library.body(object_id)
+    library.form(object_id)

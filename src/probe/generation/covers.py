@@ -10,7 +10,6 @@ from functools import lru_cache
 import numpy as np
 
 from probe.assets.library import Library
-from probe.assets.mesh.mesh import Body
 from probe.assets.spec import ObjectSpec
 from probe.generation.cover_shape import packed, shape_of, shape_recipe, unpacked
 from probe.scene.turns import in_turn
@@ -248,8 +247,8 @@ def low_footprint_of(library: Library, object_id: str) -> Footprint:
 def footprint_of(library: Library, object_id: str) -> Footprint:
     """The footprint of an object, measured on its mesh once, then kept."""
 
-    def measured(body: Body) -> dict[str, Array]:
-        x, y, _ = body.mesh.vertices.T
+    def measured() -> dict[str, Array]:
+        x, y, _ = library.form(object_id).mesh.vertices.T
         return {"width": np.array(2 * float(np.hypot(x, y).max()))}
 
     size = library[object_id].size
@@ -283,8 +282,8 @@ def cover_of(library: Library, object_id: str) -> Cover | None:
     """
     spec = library[object_id]
 
-    def measured(body: Body) -> dict[str, Array]:
-        return packed(shape_of(spec, body.mesh))
+    def measured() -> dict[str, Array]:
+        return packed(shape_of(spec, library.form(object_id).mesh))
 
     shape = unpacked(library.measured(object_id, "covers", shape_recipe(spec), measured))
     if shape is None:

@@ -13,7 +13,7 @@ from probe.assets.cache import content_key
 from probe.assets.colour.names import lab, nearest_colours
 from probe.assets.library import Library
 from probe.assets.mesh.lattice import colours_at, spots
-from probe.assets.mesh.mesh import Body
+from probe.assets.mesh.mesh import TexturedMesh
 from probe.assets.recipes import recipe
 from probe.types import Array
 
@@ -42,7 +42,11 @@ class ThingColour:
 @lru_cache(maxsize=2048)
 def palette_of(library: Library, object_id: str) -> tuple[ThingColour, ...]:
     """Colours of an object's surface, by its texture; measured once, then kept."""
-    return _unpacked(library.measured(object_id, "palettes", _recipe(), _measured))
+
+    def measured() -> dict[str, Array]:
+        return _measured(library.body(object_id).mesh)
+
+    return _unpacked(library.measured(object_id, "palettes", _recipe(), measured))
 
 
 @lru_cache(maxsize=1)
@@ -52,8 +56,7 @@ def _recipe() -> str:
     return content_key(*code, Path(__file__).read_bytes())
 
 
-def _measured(body: Body) -> dict[str, Array]:
-    mesh = body.mesh
+def _measured(mesh: TexturedMesh) -> dict[str, Array]:
     palette = shades(colours_at(mesh, *spots(mesh.vertices, mesh.faces, _SPOTS)))
     return {
         "lab": np.array([colour.lab for colour in palette]),

@@ -9,7 +9,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.mesh.lattice import places, spots, topmost
-from probe.assets.mesh.mesh import Material, TexturedMesh
+from probe.assets.mesh.mesh import Material
 from probe.render.protocol import TableTop
 from probe.render.renderer import Renderer
 from probe.scene.cameras import View
@@ -40,9 +40,8 @@ class SceneView:
         self.camera = setup.camera(view)
         self._setup = setup
         self._renderer = renderer
-        self._meshes = {id: library.body(id).mesh for id in dict.fromkeys(object_ids)}
-        shapes = {id: _untextured(mesh) for id, mesh in self._meshes.items()}
-        renderer.load(shapes, TableTop(_GREY, 1.0, setup.table_size))
+        self._meshes = {id: library.form(id).mesh for id in dict.fromkeys(object_ids)}
+        renderer.load(self._meshes, TableTop(_GREY, 1.0, setup.table_size))
 
     def seen_from(self, view: View) -> SceneView:
         """The same objects as another of the cameras sees them."""
@@ -102,8 +101,3 @@ def _spots_shown(scene: Scene, labels: Array, number: int, points: Array, camera
     u, v = pixels[:, 0].clip(0, width - 1), pixels[:, 1].clip(0, height - 1)
     cell = (v // _COARSE) * width + u // _COARSE
     return (labels[v, u] == number) & topmost(cell, world[:, 2], height * width, _SKIN)
-
-
-def _untextured(mesh: TexturedMesh) -> TexturedMesh:
-    """Labels need no texture, and a scene's textures take a second to hand over."""
-    return TexturedMesh(mesh.vertices, mesh.normals, mesh.uvs, mesh.faces, _GREY)

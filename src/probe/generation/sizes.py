@@ -15,5 +15,5 @@ from probe.tasks.truth import Extent
 def extent_of(library: Library, object_id: str) -> Extent:
     """Longest side and footprint of its box in the resting pose, and volume of its hull."""
     x, y, _ = size = library[object_id].size
-    vertices = np.asarray(library.body(object_id).mesh.vertices, float)
+    vertices = np.asarray(library.form(object_id).mesh.vertices, float)
     return Extent(max(size), x * y, float(ConvexHull(vertices).volume))

@@ -65,7 +65,7 @@ class Stage:
     ) -> None:
         self._setup = setup
         self._posts = tuple(posts)
-        self.items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]
+        self.items = [Item(n, spec, library.form(spec.id)) for n, spec in enumerate(specs, start=1)]
         self._pile = Pile(self.items, posts, setup)
         self._corners = {
             item.instance: np.concatenate([piece.vertices for piece in item.body.pieces])

@@ -35,7 +35,7 @@ def scene_unrest(scene: Scene, library: Library) -> str | None:
     than STILL, be it that something turns or creeps steadily.
     """
     items = [
-        Item(placed.instance, library[placed.object_id], library.body(placed.object_id))
+        Item(placed.instance, library[placed.object_id], library.form(placed.object_id))
         for placed in scene.objects
     ]
     pile, poses = (

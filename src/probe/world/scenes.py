@@ -87,7 +87,7 @@ def _settled(
     library: Library, count: int, pile: PileSettings, rng: np.random.Generator, setup: Setup
 ) -> tuple[PlacedObject, ...]:
     specs = draw_objects(library.specs, count, rng, library.leads)
-    items = [Item(n, spec, library.body(spec.id)) for n, spec in enumerate(specs, start=1)]
+    items = [Item(n, spec, library.form(spec.id)) for n, spec in enumerate(specs, start=1)]
     falls = draw_pile(specs, pile, rng)
     drops = {items[index].instance: drop for index, drop in falls}
     return settle([items[index] for index, _ in falls], drops, rng, setup)

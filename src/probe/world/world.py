@@ -35,7 +35,7 @@ class World:
 
     def __init__(self, scene: Scene, library: Library) -> None:
         items = [
-            Item(placed.instance, library[placed.object_id], library.body(placed.object_id))
+            Item(placed.instance, library[placed.object_id], library.form(placed.object_id))
             for placed in scene.objects
         ]
         self._scene = scene

@@ -74,3 +74,13 @@ class Body:
 
     mesh: TexturedMesh
     pieces: tuple[ConvexPiece, ...] = field(default=())
+
+    def unpainted(self) -> Body:
+        """The same shape in plain grey."""
+        return Body(unpainted(self.mesh.vertices, self.mesh.normals, self.mesh.faces), self.pieces)
+
+
+def unpainted(vertices: Array, normals: Array, faces: Array) -> TexturedMesh:
+    """A mesh of one grey pixel, where only its shape matters."""
+    grey = Material(np.full((1, 1, 3), 128, dtype=np.uint8))
+    return TexturedMesh(vertices, normals, np.zeros((len(vertices), 2), np.float32), faces, grey)

@@ -13,7 +13,7 @@ from probe.assets.mesh.mesh import Body
 from probe.assets.mesh.packing import LAYOUT, pack_body, pack_specs, unpack_body, unpack_specs
 from probe.assets.procedural import build, specs
 from probe.assets.procedural.atlas import SIDE_PX
-from probe.assets.procedural.catalogue import build_entry
+from probe.assets.procedural.catalogue import build_entry, build_form
 from probe.assets.procedural.tables import NEWEST_EDITION, Edition, ProceduralEntry, entries
 from probe.assets.recipes import recipe
 from probe.assets.spec import ObjectSpec
@@ -59,6 +59,16 @@ def procedural_body(object_id: str, bodies: Cache, data: Cache, looks: Looks = 1
     body = build_entry(_entry(object_id, data), looks)
     bodies.store(key, pack_body(body))
     return body
+
+
+def procedural_form(object_id: str, data: Cache) -> Body:
+    """As procedural_body(), unpainted and not kept.
+
+    Raises:
+        UnknownName: No procedural object has this id.
+        OutputFailed: The cache can't be written.
+    """
+    return build_form(_entry(object_id, data))
 
 
 def _entry(object_id: str, cache: Cache) -> ProceduralEntry:

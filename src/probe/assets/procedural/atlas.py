@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from probe.assets.mesh.mesh import Material, TexturedMesh
+from probe.assets.mesh.mesh import Material, TexturedMesh, unpainted
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.paint.canvas import Canvas
 from probe.assets.procedural.paint.data import Paint
@@ -59,7 +60,8 @@ def paint(
         uvs.append((offset + sheet.uvs.reshape(-1, 2) * [width, height]) / side_px)
     maps = () if wear is None else (normal, rough)
     surface = Material(texture, roughness, metallic, *maps)
-    return _joined([sheet for sheet, _ in sheets], uvs, surface)
+    whole = joined([sheet for sheet, _ in sheets])
+    return replace(whole, uvs=np.vstack(uvs).astype(np.float32), surface=surface)
 
 
 def _byte(values: Array | float) -> Array:
@@ -74,15 +76,14 @@ def _put(whole: Array, picture: Array, x: int, y: int) -> None:
     whole[y : y + framed.shape[0], x : x + framed.shape[1]] = framed
 
 
-def _joined(sheets: list[Sheet], uvs: list[Array], surface: Material) -> TexturedMesh:
+def joined(sheets: Sequence[Sheet]) -> TexturedMesh:
+    """All surfaces in one mesh, in their order, in plain grey."""
     starts = np.cumsum([0, *(sheet.points[..., 0].size for sheet in sheets)])
     faces = [sheet.faces + start for sheet, start in zip(sheets, starts[:-1], strict=True)]
-    return TexturedMesh(
+    return unpainted(
         vertices=np.vstack([s.points.reshape(-1, 3) for s in sheets]).astype(np.float32),
         normals=np.vstack([s.normals.reshape(-1, 3) for s in sheets]).astype(np.float32),
-        uvs=np.vstack(uvs).astype(np.float32),
         faces=np.vstack(faces).astype(np.int32),
-        surface=surface,
     )
 
 

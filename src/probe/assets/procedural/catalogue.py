@@ -10,7 +10,7 @@ import numpy as np
 
 from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body, ConvexPiece
-from probe.assets.procedural.atlas import SIDE_PX, paint
+from probe.assets.procedural.atlas import SIDE_PX, joined, paint
 from probe.assets.procedural.form.sheet import Sheet
 from probe.assets.procedural.parts import Painted, Part
 from probe.assets.procedural.tables import NEWEST_EDITION, Edition, ProceduralEntry, entries
@@ -126,6 +126,13 @@ def build_entry(entry: ProceduralEntry, looks: Looks = 1, side_px: int = SIDE_PX
     painted = [(sheet, entry.paints[name]) for sheet, name in surfaces]
     wear = None if looks == 1 else rng_of(f"{entry.id} in use")
     mesh = paint(painted, entry.roughness, entry.metallic, rng_of(entry.id), wear, side_px)
+    return Body(mesh, tuple(ConvexPiece(corners) for corners in pieces))
+
+
+def build_form(entry: ProceduralEntry) -> Body:
+    """The shape that build() gives, unpainted: most of its time is for the texture."""
+    surfaces, pieces = assemble(entry)
+    mesh = joined([sheet for sheet, _ in surfaces])
     return Body(mesh, tuple(ConvexPiece(corners) for corners in pieces))
 
 

@@ -37,6 +37,6 @@ def across(library: Library, object_id: str) -> float:
     """The longest line across the outline of a thing that lies as a cover, from above, metres."""
     cover = cover_of(library, object_id)
     turned = Pose(wxyz=cover.wxyz) if cover else Pose()
-    corners: Array = turned.apply(library.body(object_id).mesh.vertices)[:, :2]
+    corners: Array = turned.apply(library.form(object_id).mesh.vertices)[:, :2]
     rim = corners[ConvexHull(corners).vertices]
     return float(np.linalg.norm(rim[:, None] - rim[None], axis=2).max())

@@ -84,7 +84,7 @@ def _covers(
 
 def lying(library: Library, cover: Cover, room: Sequence[Footprint]) -> Footprint:
     """Room that a cover needs where it lies over the highest of some things."""
-    corners = Pose(wxyz=cover.wxyz).apply(library.body(cover.spec.id).mesh.vertices)[:, :2]
+    corners = Pose(wxyz=cover.wxyz).apply(library.form(cover.spec.id).mesh.vertices)[:, :2]
     middle = (corners.min(axis=0) + corners.max(axis=0)) / 2
     width = 2 * float(np.linalg.norm(corners - middle, axis=1).max())
     lifted = max(0.0, max(item.height for item in room) - cover.depth)
