@@ -57,7 +57,7 @@ step "question-only learns from the same tasks"
 
 step "serve and evaluate: as it was and as it is now, the teacher beside them"
 export SUITE WORKERS PORT OUT PROBE="$probe" ARMS=text-only RUN="--graphs short"
-export SERVE="--cpu-bfloat16 --most-tokens 200"
+export SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
 runs/serve_and_run.sh base "$BASE"
 runs/serve_and_run.sh student "$OUT/trained/model"
 $probe run "$SUITE" --agent scripted --out "$OUT/runs/scripted" --workers "$WORKERS"

@@ -19,7 +19,7 @@ def run_script(name: str, *arguments: str, **settings: str) -> subprocess.Comple
         env={**os.environ, "PROBE": f"{sys.executable} -m probe", **settings},
         capture_output=True,
         text=True,
-        timeout=900,
+        timeout=1800,
     )
 
 

@@ -1,4 +1,4 @@
-"""runs/distill.sh from top to bottom, much smaller than it is; the task to teach is there already."""
+"""runs/distill.sh from top to bottom, much smaller than it is; its one task is made already."""
 
 from __future__ import annotations
 
@@ -29,6 +29,7 @@ SMALL = {
     "SELECT": "--slack 9 --no-near",
     "TINY": "--width 48 --layers 2 --words 600 --vision-width 32 --vision-layers 2 --side-px 64",
     "TRAIN": "--learning-rate 1e-3 --global-batch 1 --epochs 1",
+    "SERVE": "--most-tokens 16",
 }
 
 

@@ -20,8 +20,8 @@ pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
-def nodes():
-    with nodes_and_store() as started:
+def nodes(cache):
+    with nodes_and_store(cache) as started:
         yield started
 
 

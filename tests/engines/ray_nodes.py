@@ -25,6 +25,7 @@ import probe
 TESTS = Path(__file__).resolve().parents[1]
 MODULES = f"{Path(probe.__file__).parents[1]}{os.pathsep}{TESTS}"
 """PYTHONPATH with the program that runs here, and the tests' jobs."""
+FORMULAIC = ("bodies", "forms", "specs", "covers", "fingerprints")
 RAY = Path(sys.executable).with_name("ray")
 
 
@@ -37,7 +38,7 @@ class Nodes:
         token: Lets one in.
         folder: Of Ray's own files.
         objects: Address of an object store that speaks S3's protocol; empty for none.
-        cache: What the nodes have computed already; None for an empty cache for each.
+        cache: What has been computed already, of which each node's cache is a copy.
     """
 
     address: str
@@ -77,14 +78,21 @@ class Nodes:
     def start_first(self) -> None:
         """Start the head."""
         head = ("--head", "--include-dashboard=false", "--temp-dir", str(self.folder))
-        cache = str(self.cache or self.folder / "cache-1")
+        cache = self._cache("cache-1")
         port = self.address.rpartition(":")[2]
         self.first = self.start(*head, "--port", port, XDG_CACHE_HOME=cache)
 
     def add_second(self, cache: str = "cache-2") -> None:
         """Start the second node; a new cache is in a folder of its own."""
-        there = str(self.cache or self.folder / cache)
-        self.second = self.start("--address", self.address, XDG_CACHE_HOME=there)
+        self.second = self.start("--address", self.address, XDG_CACHE_HOME=self._cache(cache))
+
+    def _cache(self, name: str) -> str:
+        """A node's own folder, with what is made by formula in it, and nothing that is fetched."""
+        for made in FORMULAIC if self.cache else ():
+            there = self.folder / name / self.cache.name / made
+            if (self.cache / made).is_dir() and not there.exists():
+                shutil.copytree(self.cache / made, there, copy_function=os.symlink)
+        return str(self.folder / name)
 
     def kill_first(self) -> None:
         """End all of the head's processes at once, its workers too."""
@@ -105,7 +113,8 @@ def two_nodes(objects: str = "", cache: Path | None = None) -> Generator[Nodes]:
 
     Args:
         objects: Address of an object store that speaks S3's protocol.
-        cache: What the nodes have computed already; None for an empty cache for each.
+        cache: What has been computed already, of which each node's cache is a copy; None for an
+            empty cache for each.
     """
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -127,7 +136,8 @@ def nodes_and_store(cache: Path | None = None) -> Generator[Nodes]:
     """Two nodes, and a local server of an object store for them; skips where Ray isn't there.
 
     Args:
-        cache: What the nodes have computed already; None for an empty cache for each.
+        cache: What has been computed already, of which each node's cache is a copy; None for an
+            empty cache for each.
     """
     # Not by an import: Ray reads its variables when it is imported.
     if find_spec("ray") is None:

@@ -160,7 +160,7 @@ def main(
         seed: Of the moments.
     """
     os.environ.pop("PROBE_ASSETS", None)  # v1's things are drawn, not scanned
-    with tempfile.TemporaryDirectory() as kept, nodes_and_store(cache_folder().parent) as nodes:
+    with tempfile.TemporaryDirectory() as kept, nodes_and_store(cache_folder()) as nodes:
         os.environ.update(nodes.environment)
         if store:
             fsspec.filesystem("s3").mkdir("work")

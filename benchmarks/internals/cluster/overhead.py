@@ -83,7 +83,7 @@ def main(tasks: int = 20, runs: int = 3, rounds: int = 2) -> None:
         runs: Episodes of each.
         rounds: How often each way is measured.
     """
-    with tempfile.TemporaryDirectory() as kept, two_nodes(cache=cache_folder().parent) as nodes:
+    with tempfile.TemporaryDirectory() as kept, two_nodes(cache=cache_folder()) as nodes:
         suite = write_tasks(Path(kept) / "suite.json", tasks)
         idle = held(nodes.second)
         print(f"{tasks * runs} episodes; an idle node holds {idle / MEGABYTE:.0f} MB", flush=True)
