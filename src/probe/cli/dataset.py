@@ -18,6 +18,7 @@ from probe.episodes.participation import Points
 from probe.errors import BadData
 from probe.files import check_new
 from probe.scene.setup import UR5_TABLE
+from probe.tasks.suite import check_known
 from probe.train.choose.chosen import LoadedSelection, read_selection
 from probe.train.dataset.augment.augmenting import (
     Augmentation,
@@ -79,10 +80,12 @@ def dataset(
     again = augmented(chosen.episodes, augment or [], seed)
     opened = opener(pool)
     things = opened()
-    check(chosen.suite, things)
     kept = out.with_name(f"{out.name}.pictures")
     worker = DrawingWorker(chosen.suite, opened, Cache(kept), side)
-    if setting is None:
+    if setting is not None:
+        check_known(chosen.suite, things)
+    else:
+        check(chosen.suite, things)
         drawn = draw(worker, chosen.episodes, LocalEngine(workers))
         for _ in track(drawn, "Drawing", total=len(chosen.episodes)):
             pass

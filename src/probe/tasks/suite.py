@@ -108,15 +108,29 @@ def check_objects(
     """
     looks = _looks_of(suite.tasks)
     for object_id in watch(suite.objects):
-        frozen = suite.objects[object_id]
-        try:
-            found = library.fingerprint(object_id, looks.get(object_id, 1))
-        except UnknownName as error:
-            reason, remedy = f"there is no {object_id} here", _remedy(object_id)
-            raise BadData(f"suite {suite.name}", reason, remedy) from error
-        if not same(found, frozen):
+        _check_known(suite, object_id, library)
+        found = library.fingerprint(object_id, looks.get(object_id, 1))
+        if not same(found, suite.objects[object_id]):
             reason = f"{object_id} has changed since"
             raise BadData(f"suite {suite.name}", reason, _remedy(object_id))
+
+
+def check_known(suite: Suite, library: Library) -> None:
+    """Refuse a library that lacks an object of the suite; whether it has changed isn't seen.
+
+    Raises:
+        BadData: An object is missing.
+    """
+    for object_id in suite.objects:
+        _check_known(suite, object_id, library)
+
+
+def _check_known(suite: Suite, object_id: str, library: Library) -> None:
+    try:
+        library[object_id]
+    except UnknownName as error:
+        reason, remedy = f"there is no {object_id} here", _remedy(object_id)
+        raise BadData(f"suite {suite.name}", reason, remedy) from error
 
 
 def _remedy(object_id: str) -> str:
