@@ -10,6 +10,7 @@ from subprocess import CompletedProcess
 
 import pytest
 
+from free_ports import free_ports
 from lessons import FIRST_SEED
 from model_server import Reply, serving
 from probe.assets.library import TRAINING_POOL, open_library
@@ -20,7 +21,7 @@ from probe.tasks.suite import part, selection
 from probe.tasks.suite_file import demo_suite, read_suite, write_suite
 from probe.train.collect.batches import TASKS
 from probe.train.collect.training import FIRST_EPISODE
-from recipe_scripts import ROOT, free_ports, run_script
+from recipe_scripts import ROOT, run_script
 
 SMALL = {
     "ARMS": "direct",

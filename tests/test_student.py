@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from free_ports import free_ports
 from probe.tasks.suite import part
 from probe.tasks.suite_file import demo_suite, write_suite
-from recipe_scripts import free_ports, run_script
+from recipe_scripts import run_script
 from small_models import small_dataset, small_model
 
 

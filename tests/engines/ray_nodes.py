@@ -6,7 +6,6 @@ import os
 import secrets
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -21,6 +20,7 @@ import psutil
 import pytest
 
 import probe
+from free_ports import free_ports
 
 TESTS = Path(__file__).resolve().parents[1]
 MODULES = f"{Path(probe.__file__).parents[1]}{os.pathsep}{TESTS}"
@@ -116,9 +116,7 @@ def two_nodes(objects: str = "", cache: Path | None = None) -> Generator[Nodes]:
         cache: What has been computed already, of which each node's cache is a copy; None for an
             empty cache for each.
     """
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
+    port = free_ports()
     folder = Path(tempfile.mkdtemp(prefix="ray-"))
     nodes = Nodes(f"127.0.0.1:{port}", secrets.token_hex(32), folder, objects, cache)
     try:

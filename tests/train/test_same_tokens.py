@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import gc
-import socket
 import threading
 import time
 from contextlib import contextmanager
@@ -14,6 +13,7 @@ import pytest
 
 from bench.painted import demo, plan
 from bench.sitting_in import kept, run_in, seat_of
+from free_ports import free_ports
 from probe.train.choose.efficiency import reminded
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.rows import trl_row
@@ -78,9 +78,7 @@ def listening(speaker):
     """The server as `probe serve-model` has it, in a thread."""
     import uvicorn
 
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
+    port = free_ports()
     app = application(speaker, "scripted")
     server = uvicorn.Server(uvicorn.Config(app, port=port, log_level="warning"))
     thread = threading.Thread(target=server.run)
