@@ -13,7 +13,7 @@ help:
 	@echo "make demo       a scripted agent solves a task of each of seven types; outputs/demo/index.html"
 	@echo "make test       the fast tests"
 	@echo "make test-slow  the slow ones; installs PyTorch, Blender, Ray, Rerun and a Chromium"
-	@echo "make every-object   all built-in objects, where something that decides them has changed"
+	@echo "make every-object   checks all built-in objects; the slow tests check a share of them"
 	@echo "make docs       the pages as a site; outputs/site/index.html"
 	@echo "make check      format, lint, types, architecture"
 	@echo "make bench      what things cost"

@@ -20,6 +20,7 @@ TEACHER=${TEACHER-runs/data/teacher.tar.xz}
 COUNTS=${COUNTS:---counts.count 6 --counts.find 6 --counts.size 4 --counts.reduce 2 --counts.compare 4}
 SELECT=${SELECT:---slack 3 --no-near --counts count 6 find 6 size 4 reduce 2 compare 4}
 TRAIN=${TRAIN:---learning-rate 3e-4 --global-batch 2 --epochs 1 --warmup 0.1 --no-save-memory}
+SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
 probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch .venv/.student
@@ -57,7 +58,7 @@ step "question-only learns from the same tasks"
 
 step "serve and evaluate: as it was and as it is now, the teacher beside them"
 export SUITE WORKERS PORT OUT PROBE="$probe" ARMS=text-only RUN="--graphs short"
-export SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
+export SERVE
 runs/serve_and_run.sh base "$BASE"
 runs/serve_and_run.sh student "$OUT/trained/model"
 $probe run "$SUITE" --agent scripted --out "$OUT/runs/scripted" --workers "$WORKERS"

@@ -46,10 +46,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     What goes through every built-in object is left out while that is known to pass.
     """
     items.sort(key=lambda item: (*LONGEST, item.path.name).index(item.path.name))
-    left_out = [item for item in items if item.get_closest_marker("every_object")]
+    left_out = {item for item in items if item.get_closest_marker("every_object")}
     if left_out and "every_object" not in config.option.markexpr and all_passed():
-        config.hook.pytest_deselected(items=left_out)
-        items[:] = [item for item in items if item not in set(left_out)]
+        config.hook.pytest_deselected(items=list(left_out))
+        items[:] = [item for item in items if item not in left_out]
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -9,24 +9,35 @@ from __future__ import annotations
 
 import hashlib
 import re
+from collections.abc import Iterable
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PASSED = Path(__file__).with_name("every_object.sha256")
+ASSETS = ROOT / "src/probe/assets"
+TASKS = ROOT / "src/probe/tasks"
 SOURCES = (
-    *("src/probe/types.py", "src/probe/assets/looks.py", "src/probe/assets/colour/names.py"),
-    *("src/probe/assets/procedural", "src/probe/assets/mesh", "src/probe/assets/tabletops"),
-    *("src/probe/assets/collision", "src/probe/assets/pools", "src/probe/assets/data"),
-    *("scripts/divide_objects.py", "tests/every_object.py", "tests/assets/procedural"),
-    "tests/assets/pools/test_pools_apart.py",
+    *(ROOT / "src/probe/__init__.py", ROOT / "src/probe/types.py"),
+    *(ASSETS / "looks.py", ASSETS / "spec.py", ASSETS / "colour/names.py"),
+    *(ASSETS / "library.py", ASSETS / "cache.py", ASSETS / "recipes.py"),
+    *(ASSETS / "procedural", ASSETS / "mesh", ASSETS / "tabletops"),
+    *(ASSETS / "collision", ASSETS / "pools", ASSETS / "data"),
+    *(TASKS / "suite.py", TASKS / "suite_file.py"),
+    *(TASKS / "data/v1.json", TASKS / "data/v1-unfiltered.json"),
+    *(ROOT / "scripts/divide_objects.py", ROOT / "tests/every_object.py"),
+    *(ROOT / "tests/assets/procedural", ROOT / "tests/assets/pools"),
+    ROOT / "tests/verification/test_packaged.py",
 )
-PACKAGES = ("numpy", "scipy", "pillow", "trimesh")
+PACKAGES = (
+    *("numpy", "scipy", "pillow", "trimesh", "embreex"),
+    *("pyyaml", "pydantic", "pydantic-core"),
+)
 
 
-def state() -> str:
-    """A hash of all that decides, the versions of packages included."""
+def state(sources: Iterable[Path] = SOURCES) -> str:
+    """A hash of files, those in folders included, and of the versions of packages."""
     found = hashlib.sha256()
-    for file in _files():
+    for file in _files(sources):
         found.update(f"{file.relative_to(ROOT)} {len(file.read_bytes())} ".encode())
         found.update(file.read_bytes())
     pinned = re.findall(r"^([\w-]+)==(\S+)", (ROOT / "requirements.lock").read_text(), re.M)
@@ -39,11 +50,11 @@ def all_passed() -> bool:
     return PASSED.is_file() and PASSED.read_text().strip() == state()
 
 
-def _files() -> list[Path]:
+def _files(sources: Iterable[Path]) -> list[Path]:
     found: list[Path] = []
-    for source in SOURCES:
-        path = ROOT / source
-        inside = path.rglob("*") if path.is_dir() else (path,)
+    for source in sources:
+        assert source.exists(), f"{source} has gone: say in {__file__} what decides instead"
+        inside = source.rglob("*") if source.is_dir() else (source,)
         found += [it for it in inside if it.is_file() and "__pycache__" not in it.parts]
     return sorted(found)
 

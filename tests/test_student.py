@@ -27,7 +27,7 @@ def test_from_the_packaged_episodes_to_a_table(tmp_path):
         BASE=str(base),
         SELECT="--no-near --counts count 2 find 2",
         TRAIN="--learning-rate 1e-3 --global-batch 2 --epochs 1",
-        SERVE="--most-tokens 16",
+        SERVE="--cpu-bfloat16 --most-tokens 16",
     )
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
     card = (out / "trained/README.md").read_text()

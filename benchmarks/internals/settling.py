@@ -182,7 +182,7 @@ def main(
     mine = [seed for seed in part.of(wanted) if seed not in done]
     # So that no scene's time has it; procedural ones are made on demand, and kept.
     for spec in things.specs if mine and pool != "procedural" else ():
-        things.body(spec.id)
+        things.form(spec.id)
     with Renderer() as renderer, (out / f"{part.number}-of-{part.count}.jsonl").open("a") as file:
         for seed in mine:
             line = measured(seed, settings, things, renderer if shares else None)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from probe.assets import library as library_module
 from probe.assets.cache import Cache
 from probe.assets.library import Library, open_library, warm
 from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
@@ -64,8 +65,9 @@ def _same_shape(one: Body, other: Body) -> bool:
     pairs = [
         (getattr(one.mesh, k), getattr(other.mesh, k)) for k in ("vertices", "normals", "faces")
     ]
-    pairs += [(a.vertices, b.vertices) for a, b in zip(one.pieces, other.pieces, strict=True)]
-    return all(a.dtype == b.dtype and np.array_equal(a, b) for a, b in pairs)
+    pairs += [(a.vertices, b.vertices) for a, b in zip(one.pieces, other.pieces, strict=False)]
+    same = len(one.pieces) == len(other.pieces)
+    return same and all(a.dtype == b.dtype and np.array_equal(a, b) for a, b in pairs)
 
 
 def test_a_form_has_the_shape_of_the_body_and_needs_no_paint(library, tmp_path, monkeypatch):
@@ -73,6 +75,7 @@ def test_a_form_has_the_shape_of_the_body_and_needs_no_paint(library, tmp_path, 
     with monkeypatch.context() as patch:
         patch.setattr(catalogue, "paint", None)
         forms = [some.form(spec.id) for spec in some.specs]
+        patch.setattr(library_module, "procedural_form", None)
         again = [_few(library, 3, tmp_path).form(spec.id) for spec in some.specs]
     for spec, form, kept in zip(some.specs, forms, again, strict=True):
         body = some.body(spec.id)
@@ -80,6 +83,25 @@ def test_a_form_has_the_shape_of_the_body_and_needs_no_paint(library, tmp_path, 
         assert _same_shape(body.unpainted(), body)
         assert form.mesh.surface.texture.shape == (1, 1, 3) != body.mesh.surface.texture.shape
         assert len(form.mesh.uvs) == len(form.mesh.vertices)
+
+
+def test_a_form_is_taken_from_a_body_that_is_there(library, tmp_path, monkeypatch):
+    some = _few(library, 1, tmp_path)
+    (spec,) = some.specs
+    body = some.body(spec.id)
+    monkeypatch.setattr(library_module, "procedural_form", None)
+    assert _same_shape(some.form(spec.id), body)
+
+
+def test_a_form_that_isnt_the_bodys_is_forgotten_where_suites_are_compared(library, tmp_path):
+    one, other = (spec.id for spec in library.specs[:2])
+    few = _few(library, 2, tmp_path)
+    strange = few.form(other)
+    Cache(tmp_path / "forms").store(procedural_key(one, 1), pack_body(strange))
+    assert _same_shape(few.form(one), strange)
+    few.fingerprint(one)
+    for each in (few, _few(library, 2, tmp_path)):
+        assert _same_shape(each.form(one), each.body(one))
 
 
 def test_what_is_measured_on_a_body_is_measured_once_and_again_by_another_recipe(library, tmp_path):

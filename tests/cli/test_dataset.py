@@ -37,6 +37,7 @@ def test_pictures_are_drawn_of_unchanged_objects_alone(tmp_path):
 
 def test_without_pictures_no_object_is_built(tmp_path, monkeypatch):
     monkeypatch.setattr(Library, "body", None)
+    monkeypatch.setattr(Library, "form", None)
     out = tmp_path / "data"
     dataset(selected(tmp_path, TASK), out, setting="text-only", pool="procedural")
     assert (check_dataset(out).total, check_dataset(out).pictures) == (1, 0)

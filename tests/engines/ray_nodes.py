@@ -25,7 +25,10 @@ from free_ports import free_ports
 TESTS = Path(__file__).resolve().parents[1]
 MODULES = f"{Path(probe.__file__).parents[1]}{os.pathsep}{TESTS}"
 """PYTHONPATH with the program that runs here, and the tests' jobs."""
-FORMULAIC = ("bodies", "forms", "specs", "covers", "fingerprints")
+COMPUTED = (
+    *("bodies", "forms", "specs", "fingerprints", "covers", "footprints", "palettes"),
+    *("tables", "light"),
+)
 RAY = Path(sys.executable).with_name("ray")
 
 
@@ -38,7 +41,7 @@ class Nodes:
         token: Lets one in.
         folder: Of Ray's own files.
         objects: Address of an object store that speaks S3's protocol; empty for none.
-        cache: What has been computed already, of which each node's cache is a copy.
+        cache: What has been computed already, which each node's cache links to.
     """
 
     address: str
@@ -87,11 +90,11 @@ class Nodes:
         self.second = self.start("--address", self.address, XDG_CACHE_HOME=self._cache(cache))
 
     def _cache(self, name: str) -> str:
-        """A node's own folder, with what is made by formula in it, and nothing that is fetched."""
-        for made in FORMULAIC if self.cache else ():
-            there = self.folder / name / self.cache.name / made
-            if (self.cache / made).is_dir() and not there.exists():
-                shutil.copytree(self.cache / made, there, copy_function=os.symlink)
+        """A node's own folder; in it are links to what was computed, and nothing of a bundle."""
+        for kind in COMPUTED:
+            there = self.folder / name / "probe" / kind
+            if self.cache and (self.cache / kind).is_dir() and not there.exists():
+                shutil.copytree(self.cache.resolve() / kind, there, copy_function=os.symlink)
         return str(self.folder / name)
 
     def kill_first(self) -> None:
@@ -113,7 +116,7 @@ def two_nodes(objects: str = "", cache: Path | None = None) -> Generator[Nodes]:
 
     Args:
         objects: Address of an object store that speaks S3's protocol.
-        cache: What has been computed already, of which each node's cache is a copy; None for an
+        cache: What has been computed already, which each node's cache links to; None for an
             empty cache for each.
     """
     port = free_ports()
@@ -134,7 +137,7 @@ def nodes_and_store(cache: Path | None = None) -> Generator[Nodes]:
     """Two nodes, and a local server of an object store for them; skips where Ray isn't there.
 
     Args:
-        cache: What has been computed already, of which each node's cache is a copy; None for an
+        cache: What has been computed already, which each node's cache links to; None for an
             empty cache for each.
     """
     # Not by an import: Ray reads its variables when it is imported.

@@ -45,6 +45,9 @@ class Mixed(Library):
         bodies, data = Cache(self.cache / "bodies"), Cache(self.cache / "specs")
         return procedural_body(object_id, bodies, data, looks)
 
+    def form(self, object_id: str) -> Body:
+        return self.body(object_id)
+
 
 @pytest.fixture(scope="module")
 def mixed(library: Library) -> Library:

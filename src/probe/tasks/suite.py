@@ -108,9 +108,12 @@ def check_objects(
     """
     looks = _looks_of(suite.tasks)
     for object_id in watch(suite.objects):
-        _check_known(suite, object_id, library)
-        found = library.fingerprint(object_id, looks.get(object_id, 1))
-        if not same(found, suite.objects[object_id]):
+        frozen = suite.objects[object_id]
+        try:
+            found = library.fingerprint(object_id, looks.get(object_id, 1))
+        except UnknownName as error:
+            raise _missing(suite, object_id) from error
+        if not same(found, frozen):
             reason = f"{object_id} has changed since"
             raise BadData(f"suite {suite.name}", reason, _remedy(object_id))
 
@@ -121,16 +124,14 @@ def check_known(suite: Suite, library: Library) -> None:
     Raises:
         BadData: An object is missing.
     """
+    here = {spec.id for spec in library.specs}
     for object_id in suite.objects:
-        _check_known(suite, object_id, library)
+        if object_id not in here:
+            raise _missing(suite, object_id)
 
 
-def _check_known(suite: Suite, object_id: str, library: Library) -> None:
-    try:
-        library[object_id]
-    except UnknownName as error:
-        reason, remedy = f"there is no {object_id} here", _remedy(object_id)
-        raise BadData(f"suite {suite.name}", reason, remedy) from error
+def _missing(suite: Suite, object_id: str) -> BadData:
+    return BadData(f"suite {suite.name}", f"there is no {object_id} here", _remedy(object_id))
 
 
 def _remedy(object_id: str) -> str:

@@ -39,7 +39,6 @@ def test_a_share_of_all_objects_is_sound():
     made = every_object(nth=24)
     assert len(made) > 100
     assert {name: it.wrong for name, it in made.items() if it.wrong} == {}
-    assert parted(like_pairs({name: it.seen for name, it in made.items()})) == []
 
 
 @pytest.mark.slow

@@ -7,6 +7,7 @@ from probe.assets.cache import Cache
 from probe.assets.pools import procedural
 from probe.assets.pools.procedural import procedural_body
 from probe.assets.procedural import build
+from probe.assets.procedural.tables import entries
 from probe.errors import UnknownName
 
 
@@ -25,6 +26,15 @@ def test_data_files_are_read_once_for_all_objects(tmp_path, monkeypatch):
         assert len(kept.pieces) == len(fresh.pieces)
         for one, other in zip(kept.pieces, fresh.pieces, strict=True):
             assert np.array_equal(one.vertices, other.vertices)
+
+
+@pytest.mark.slow
+def test_what_is_kept_of_each_object_is_what_the_files_say(tmp_path):
+    data = Cache(tmp_path)
+    for _ in ("made", "read"):
+        procedural._texts.cache_clear()
+        for object_id, entry in entries(2).items():
+            assert procedural._entry(object_id, data) == entry
 
 
 def test_an_unknown_object_is_refused(tmp_path):

@@ -81,6 +81,9 @@ class Body:
 
 
 def unpainted(vertices: Array, normals: Array, faces: Array) -> TexturedMesh:
-    """A mesh of one grey pixel, where only its shape matters."""
+    """A mesh of one grey pixel, where only its shape matters.
+
+    Caches hold such meshes: raise `packing.LAYOUT` if they are to be made otherwise.
+    """
     grey = Material(np.full((1, 1, 3), 128, dtype=np.uint8))
     return TexturedMesh(vertices, normals, np.zeros((len(vertices), 2), np.float32), faces, grey)

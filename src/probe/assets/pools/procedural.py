@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
+from collections.abc import Iterable
+from functools import lru_cache
 
 import numpy as np
 
@@ -45,7 +45,7 @@ def procedural_body(object_id: str, bodies: Cache, data: Cache, looks: Looks = 1
     Args:
         object_id: Which.
         bodies: Where bodies are kept.
-        data: Where it is kept what the data files say.
+        data: Where the data files' entries are kept.
         looks: How its surface looks.
 
     Raises:
@@ -74,29 +74,31 @@ def procedural_form(object_id: str, data: Cache) -> Body:
 def _entry(object_id: str, cache: Cache) -> ProceduralEntry:
     """What the data files say of an object.
 
-    To read them all takes as long as to build ten objects, so what they say is kept, and one
-    object's share of it is read.
+    To read the files takes as long as to build ten objects. So all entries are kept together, and
+    an object's own is the only one that is made of the text.
     """
-    key = content_key("procedural entries", recipe(_PACKAGE))
+    texts = _texts(cache)
+    if object_id not in texts:
+        raise UnknownName("procedural object", object_id, list(texts))
+    return ProceduralEntry.model_validate_json(texts[object_id])
+
+
+@lru_cache(maxsize=1)
+def _texts(cache: Cache) -> dict[str, bytes]:
+    """Every object's entry as JSON, by id."""
+    key = content_key("procedural entries", LAYOUT, recipe(_PACKAGE))
     stored = cache.load(key)
     if stored is None:
-        stored = _packed(entries(NEWEST_EDITION))
+        known = entries(NEWEST_EDITION)
+        texts = (entry.model_dump_json() for entry in known.values())
+        stored = {"ids": _lines(known), "texts": _lines(texts)}
         cache.store(key, stored)
-    ids = json.loads(stored["ids"].tobytes())
-    if object_id not in ids:
-        raise UnknownName("procedural object", object_id, ids)
-    start, end = stored["ends"][ids.index(object_id) :][:2]
-    return ProceduralEntry.model_validate_json(stored["texts"][start:end].tobytes())
+    ids, texts = (stored[name].tobytes().splitlines() for name in ("ids", "texts"))
+    return {id.decode(): text for id, text in zip(ids, texts, strict=True)}
 
 
-def _packed(known: Mapping[str, ProceduralEntry]) -> dict[str, Array]:
-    """Entries as JSON in one row of bytes, where each ends, and whose they are."""
-    texts = [entry.model_dump_json().encode() for entry in known.values()]
-    return {
-        "ids": np.frombuffer(json.dumps(list(known)).encode(), np.uint8),
-        "ends": np.cumsum([0, *map(len, texts)]),
-        "texts": np.frombuffer(b"".join(texts), np.uint8),
-    }
+def _lines(texts: Iterable[str]) -> Array:
+    return np.frombuffer("\n".join(texts).encode(), np.uint8)
 
 
 def body_to_compare(object_id: str) -> Body:
