@@ -2,7 +2,6 @@ from __future__ import annotations
 
 import shutil
 import time
-from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +9,7 @@ import pytest
 
 from probe.assets import library as library_module
 from probe.assets.cache import Cache
-from probe.assets.library import Library, open_library, warm
+from probe.assets.library import Library, open_library
 from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
 from probe.assets.mesh.mesh import Body
 from probe.assets.mesh.packing import pack_body, unpack_body
@@ -166,17 +165,6 @@ def test_a_damaged_body_is_made_again(library, tmp_path):
     (entry,) = (tmp_path / "bodies").rglob("*.npz")
     entry.write_bytes(entry.read_bytes()[:1000])
     assert _few(library, 1, tmp_path).body(id).mesh.digest() == fresh.mesh.digest()
-
-
-@pytest.mark.slow
-def test_warming_fills_the_cache_and_resumes(library, tmp_path):
-    few = _few(library, 4, tmp_path)
-    warm(few, processes=2)
-    entries = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.npz")}
-    kept = Counter(path.relative_to(tmp_path).parts[0] for path in entries)
-    assert kept == {"bodies": 4, "forms": 4, "specs": 1}
-    warm(few, processes=1)
-    assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.npz")} == entries
 
 
 def test_scans_without_assets_say_what_to_set(cache, tmp_path):

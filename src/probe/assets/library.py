@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from dataclasses import dataclass, field, replace
-from multiprocessing import get_context
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
-from rich.progress import track
 
 from probe.assets.cache import Cache, content_key
 from probe.assets.looks import Looks
@@ -303,34 +300,3 @@ def scans_folder(assets: Path | None) -> Path:
     if not folder.is_dir():
         raise BadData(folder, "is not a folder", remedy)
     return folder
-
-
-def warm(library: Library, processes: int) -> None:
-    """Compute all bodies and forms that aren't cached yet, with a progress bar; may be interrupted.
-
-    Args:
-        library: Its cache is filled.
-        processes: How many work at once.
-
-    Raises:
-        BadMesh: A scan's file can't be used; the others stay cached.
-    """
-    ids = [spec.id for spec in library.specs]
-    if processes == 1:
-        for object_id in track(ids, "Preparing objects"):
-            _compute(library, object_id)
-        return
-    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
-        fresh = replace(library)
-        waiting = [pool.submit(_compute, fresh, object_id) for object_id in ids]
-        done: Iterable[object] = as_completed(waiting)
-        for _ in track(done, "Preparing objects", total=len(ids)):
-            pass
-        for future in waiting:
-            future.result()
-
-
-def _compute(library: Library, object_id: str) -> None:
-    """Fill the cache; returns nothing so that no mesh travels between processes."""
-    library.body(object_id)
-    library.form(object_id)
