@@ -3,10 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 
-from probe.generation.solve import MOST_MANIPULATIONS, SolveAttempt, enough
+from probe.generation import solve
+from probe.generation.solve import MOST_MANIPULATIONS, SolveAttempt, enough, trials
+from probe.scene.lighting import AMBIENT
+from probe.tasks.suite_file import demo_suite
+
+
+def test_a_task_of_a_shadowed_room_is_tried_in_even_light_and_an_older_one_as_it_was_made(
+    monkeypatch,
+):
+    frozen = demo_suite().tasks[0]
+    setup = replace(frozen.setup, lighting="day_room_3")
+    shadowed = replace(frozen, version=3, scene=replace(frozen.scene, setup=setup))
+    seen = []
+
+    def play(task, agent, name, library, renderer, circumstances):
+        seen.append(circumstances.viewpoint)
+        raise InterruptedError
+
+    monkeypatch.setattr(solve, "play", play)
+    for task in (shadowed, replace(shadowed, version=2)):
+        with pytest.raises(InterruptedError):
+            trials(task, None, None)  # pyright: ignore[reportArgumentType] # nothing is looked up
+    assert shadowed.viewpoint.lighting.name == "day_room_3"
+    assert seen == [replace(shadowed.viewpoint, lighting=AMBIENT), None]
 
 
 def attempts(*manipulations: int, solved: int | None = None) -> Iterator[SolveAttempt]:

@@ -66,6 +66,9 @@ what shows, several casts may be tried, and colours are compared of what has one
 ONCE_RULES: RulesVersion = 3
 """Since these, no two tasks of a suite ask about the same things."""
 
+TRIAL_RULES: RulesVersion = 3
+"""Since these, scripted agents try a task in even light, whatever light it is drawn in."""
+
 NEWEST_RULES: RulesVersion = 3
 
 
