@@ -57,8 +57,7 @@ step "question-only learns from the same tasks"
     $probe suite learn "$OUT"/collected/batches/*/suite.json --out "$OUT/question_only.json"
 
 step "serve and evaluate: as it was and as it is now, the teacher beside them"
-export SUITE WORKERS PORT OUT PROBE="$probe" ARMS=text-only RUN="--graphs short"
-export SERVE
+export SUITE WORKERS PORT OUT SERVE PROBE="$probe" ARMS=text-only RUN="--graphs short"
 runs/serve_and_run.sh base "$BASE"
 runs/serve_and_run.sh student "$OUT/trained/model"
 $probe run "$SUITE" --agent scripted --out "$OUT/runs/scripted" --workers "$WORKERS"
