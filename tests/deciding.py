@@ -18,14 +18,15 @@ ASSETS = ROOT / "src/probe/assets"
 TASKS = ROOT / "src/probe/tasks"
 SOURCES = (
     *(ROOT / "src/probe/__init__.py", ROOT / "src/probe/types.py"),
-    *(ASSETS / "looks.py", ASSETS / "spec.py", ASSETS / "colour/names.py"),
-    *(ASSETS / "library.py", ASSETS / "cache.py", ASSETS / "recipes.py"),
+    *(ASSETS / "looks.py", ASSETS / "spec.py", ASSETS / "tables.py", ASSETS / "colour/names.py"),
+    *(ASSETS / "library.py", ASSETS / "cache.py", ASSETS / "recent.py", ASSETS / "recipes.py"),
     *(ASSETS / "procedural", ASSETS / "mesh", ASSETS / "tabletops"),
     *(ASSETS / "collision", ASSETS / "pools", ASSETS / "data"),
     *(TASKS / "suite.py", TASKS / "suite_file.py"),
     *(TASKS / "data/v1.json", TASKS / "data/v1-unfiltered.json"),
     *(ROOT / "scripts/divide_objects.py", ROOT / "tests/every_object.py"),
     *(ROOT / "tests/assets/procedural", ROOT / "tests/assets/pools"),
+    ROOT / "tests/assets/test_tables.py",
     ROOT / "tests/verification/test_packaged.py",
 )
 PACKAGES = (

@@ -12,16 +12,23 @@ GROUPS = (
     *("page", "line", "kills", "replies"),
 )
 
+TRIED = tuple(group for group in GROUPS if group not in ("page", "kills"))
+
 
 @pytest.mark.slow
 def test_no_attack_gets_through():
-    """All groups of one process: the run that they spoil is played once."""
+    """Groups of one process: the run that they spoil is played once.
+
+    What the others try, a person's port and kills, has tests of its own that take less time.
+    """
     ended = subprocess.run(
-        [sys.executable, str(SCRIPT), "--scale", "0.02"], capture_output=True, text=True
+        [sys.executable, str(SCRIPT), "--only", *TRIED, "--scale", "0.02"],
+        capture_output=True,
+        text=True,
     )
     assert ended.returncode == 0, ended.stdout + ended.stderr
     assert [line for line in ended.stdout.splitlines() if line.endswith(" ...")] == [
-        f"{group} ..." for group in GROUPS
+        f"{group} ..." for group in TRIED
     ]
     (head,) = (line for line in ended.stdout.splitlines() if "tried" in line)
     assert "crashed" in head and "read wrongly" in head

@@ -25,6 +25,7 @@ from recipe_scripts import ROOT, run_script
 
 SMALL = {
     "ARMS": "direct",
+    "WORKERS": "1",
     "COUNTS": "--counts.count 1 --counts.find 0 --counts.size 0 --counts.reduce 0 "
     "--counts.compare 0 --batch 1",
     "SELECT": "--slack 9 --no-near",

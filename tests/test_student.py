@@ -21,6 +21,7 @@ def test_from_the_packaged_episodes_to_a_table(tmp_path):
     base = small_model(tmp_path, small_dataset(tmp_path, pictures=False), pictures=False)
     done = run_script(
         "student.sh",
+        WORKERS="1",
         SUITE=str(tmp_path / "one.json"),
         OUT=str(out),
         PORT=str(free_ports()),

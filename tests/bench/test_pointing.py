@@ -38,8 +38,8 @@ def both(number: int, body: dict[str, Any]) -> Reply:
     return acting(number, body) if body.get("tools") else pointing(number, body)
 
 
-def real(out, pointer):
-    library = partial(open_library, "procedural", None, out / "cache")
+def real(out, cache, pointer):
+    library = partial(open_library, "procedural", None, cache)
     return replace(
         plan(out, "agentic", SUITE, cache=None, workers=1), library=library, pointer=pointer
     )
@@ -53,9 +53,9 @@ def check(record) -> None:
         assert "object_" in step.text and "clay flower pot" not in step.text
 
 
-def test_the_model_itself_points(tmp_path):
+def test_the_model_itself_points(tmp_path, cache):
     with serving(both) as server:
-        run_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup)
+        run_in(real(tmp_path, cache, "self"), server.url, EpisodeWorkerSetup)
     record = kept(tmp_path)[TASK.id]
     assert record.setting == "agentic, pointer self"
     check(record)
@@ -66,11 +66,14 @@ def test_the_model_itself_points(tmp_path):
     assert (len(seat.replies), seat.tokens_in, seat.tokens_out) == (3, 400, 40)
 
 
-def test_another_model_points(tmp_path):
+def test_another_model_points(tmp_path, cache):
     with serving(acting) as server, serving(pointing) as other:
         role = get_model("openai-api/other/eyes", base_url=other.url, api_key="none")
         run_in(
-            real(tmp_path, "role"), server.url, EpisodeWorkerSetup, model_roles={"pointer": role}
+            real(tmp_path, cache, "role"),
+            server.url,
+            EpisodeWorkerSetup,
+            model_roles={"pointer": role},
         )
     record = kept(tmp_path)[TASK.id]
     assert record.setting == "agentic, pointer openai-api/other/eyes"
@@ -78,12 +81,12 @@ def test_another_model_points(tmp_path):
     assert (len(server.bodies), len(other.bodies)) == (3, 1)
 
 
-def test_an_empty_pointing_reply_costs_a_turn_and_not_the_episode(tmp_path):
+def test_an_empty_pointing_reply_costs_a_turn_and_not_the_episode(tmp_path, cache):
     def mute(number: int, body: dict[str, Any]) -> Reply:
         return acting(number, body) if body.get("tools") else Reply("")
 
     with serving(mute) as server:
-        run_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup)
+        run_in(real(tmp_path, cache, "self"), server.url, EpisodeWorkerSetup)
     record = kept(tmp_path)[TASK.id]
     assert record.end == "answered", record.fault
     assert [step.status for step in record.steps] == ["failed", "failed", "done"]
@@ -91,9 +94,9 @@ def test_an_empty_pointing_reply_costs_a_turn_and_not_the_episode(tmp_path):
     assert seat_of(record).faults == ("pointing 1: empty", "pointing 2: empty")
 
 
-def test_a_limit_reached_in_a_pointing_reply_ends_the_episode_without_an_answer(tmp_path):
+def test_a_limit_reached_in_a_pointing_reply_ends_the_episode_without_an_answer(tmp_path, cache):
     with serving(both) as server:
-        log = run_in(real(tmp_path, "self"), server.url, EpisodeWorkerSetup, token_limit=200)
+        log = run_in(real(tmp_path, cache, "self"), server.url, EpisodeWorkerSetup, token_limit=200)
     record = kept(tmp_path)[TASK.id]
     # The reply that pointed is the second: 220 tokens by then, and its call came to nothing.
     assert (record.end, record.answer, record.steps) == ("stopped", None, ())

@@ -22,7 +22,7 @@ from probe.runs.episode_worker import EpisodeWorkerSetup
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
-SUITE = demo(2)
+SUITE = demo(1)
 
 
 def test_a_policy_over_the_wire_gives_the_same_bytes(tmp_path, cache):

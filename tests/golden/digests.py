@@ -56,23 +56,29 @@ def chosen(suite: str, question_type: str) -> Task:
     return [task for task in packaged_suite(suite).tasks if task.question_type == question_type][-1]
 
 
-def digests(task: Task, library: Library, renderer: Renderer) -> dict[str, str]:
-    """What a task is, shows and gives, by name; 64 hex digits each, but for the grade."""
+def looks(task: Task, library: Library, renderer: Renderer) -> dict[str, str]:
+    """What a task is and shows, by name; 64 hex digits each."""
     table = library.table(task.scene.table)
     load_scene(renderer, task.scene, library, table)
     frame = photograph(renderer, task.scene)
     assert frame.rgb is not None and frame.labels is not None
-    agent = Watched(make_agent("scripted", task, 0, library, renderer))
-    paper = Circumstances(noise=NOISES["paper"])
-    record = play(task, agent, "scripted", library, renderer, paper, pictures=True)
-    worth = score(task, record, renderer)
-    texts = "\n".join(step.text for step in record.steps)
     return {
         "task": digest_of(task),
         "scene": _hash(SceneDocument.of(task.scene).model_dump_json().encode()),
         "picture": _hash(frame.rgb.tobytes()),
         "depth": _hash(frame.depth.tobytes()),
         "labels": _hash(frame.labels.tobytes()),
+    }
+
+
+def plays(task: Task, library: Library, renderer: Renderer) -> dict[str, str]:
+    """What the scripted agent is told and does, by name; 64 hex digits each, but for the grade."""
+    agent = Watched(make_agent("scripted", task, 0, library, renderer))
+    paper = Circumstances(noise=NOISES["paper"])
+    record = play(task, agent, "scripted", library, renderer, paper, pictures=True)
+    worth = score(task, record, renderer)
+    texts = "\n".join(step.text for step in record.steps)
+    return {
         "texts": _hash(texts.encode()),
         "pictures given": agent.seen.hexdigest(),
         "record": _hash(line_of(record, timed=False)),
@@ -89,8 +95,10 @@ def main() -> None:
     library = everything()
     with Renderer() as renderer:
         found = {
-            f"{suite} {question_type}": digests(chosen(suite, question_type), library, renderer)
+            f"{suite} {question_type}": looks(task, library, renderer)
+            | plays(task, library, renderer)
             for suite, question_type in CHOSEN
+            for task in [chosen(suite, question_type)]
         }
     GOLDEN.write_text(json.dumps(found, indent=1) + "\n")
 

@@ -93,12 +93,12 @@ def test_objects_of_some_tasks_are_those_that_v1_was_made_of(library: Library):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("task", FIRST, ids=lambda task: task.id)
-def test_one_task_of_each_type_holds_and_is_solved_again(
-    library: Library, renderer: Renderer, task
-):
-    verdict = check(task, library, renderer, CheckDepth(solve=True))
+def test_one_task_of_each_type_holds(library: Library, renderer: Renderer, task):
+    """That the scripted agent acts as it did is what tests/golden shows, for a task of each."""
+    solve = task.question_type == "beneath"
+    verdict = check(task, library, renderer, CheckDepth(solve=solve))
     assert {name: found for name, found in verdict.problems.items() if found} == {}
-    assert verdict.solved
+    assert verdict.solved == solve
 
 
 @pytest.mark.slow

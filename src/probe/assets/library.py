@@ -14,7 +14,7 @@ from probe.assets.looks import Looks
 from probe.assets.mesh.fingerprint import Fingerprint, fingerprint
 from probe.assets.mesh.kept_fingerprint import key_of_file, pack_fingerprint, unpack_fingerprint
 from probe.assets.mesh.mesh import Body
-from probe.assets.mesh.packing import pack_body, unpack_body
+from probe.assets.mesh.packing import LAYOUT, pack_body, unpack_body
 from probe.assets.pools import scans
 from probe.assets.pools.division import PARTS, part_of_object
 from probe.assets.pools.own import own_body, own_key, own_specs
@@ -25,6 +25,7 @@ from probe.assets.pools.procedural import (
     procedural_specs,
 )
 from probe.assets.procedural.tables import NEWEST_EDITION, Edition
+from probe.assets.recent import Recent
 from probe.assets.spec import ObjectSpec, Origin
 from probe.assets.tables import TableMaterial, load_table
 from probe.errors import BadData, UnknownName
@@ -76,10 +77,12 @@ class Library:
     own: Path | None = None
     leading: Origin | None = None
     pool: Pool | None = None
-    _kept: dict[tuple[str, Looks], Body] = field(
-        default_factory=dict[tuple[str, Looks], Body], init=False, repr=False
+    _bodies: Recent[tuple[str, Looks], Body] = field(
+        default_factory=lambda: Recent[tuple[str, Looks], Body](KEPT), init=False, repr=False
     )
-    _forms: dict[str, Body] = field(default_factory=dict[str, Body], init=False, repr=False)
+    _forms: Recent[str, Body] = field(
+        default_factory=lambda: Recent[str, Body](FORMS_KEPT), init=False, repr=False
+    )
     _prints: dict[tuple[str, Looks], Fingerprint] = field(
         default_factory=dict[tuple[str, Looks], Fingerprint], init=False, repr=False
     )
@@ -119,13 +122,7 @@ class Library:
         """
         spec = self[object_id]
         its = looks if spec.origin == "procedural" else 1
-        body = self._kept.pop((object_id, its), None)
-        if body is None:
-            body = self._read_body(object_id, looks)
-        self._kept[object_id, its] = body
-        if len(self._kept) > KEPT:
-            del self._kept[next(iter(self._kept))]
-        return body
+        return self._bodies.get((object_id, its), lambda: self._read_body(object_id, looks))
 
     def _read_body(self, object_id: str, looks: Looks) -> Body:
         """From the cache or the files, as they are now."""
@@ -144,17 +141,14 @@ class Library:
         Raises:
             UnknownName, BadMesh, OutputFailed: As body().
         """
-        form = self._forms.pop(object_id, None)
-        if form is None:
-            kept, key = Cache(self.cache / "forms"), self._body_file(object_id, 1).stem
-            stored = kept.load(key)
-            form = self._new_form(object_id) if stored is None else unpack_body(stored)
-            if stored is None:
-                kept.store(key, pack_body(form))
-        self._forms[object_id] = form
-        if len(self._forms) > FORMS_KEPT:
-            del self._forms[next(iter(self._forms))]
-        return form
+        return self._forms.get(object_id, lambda: self._read_form(object_id))
+
+    def _read_form(self, object_id: str) -> Body:
+        """From the cache, the body or the shape generator."""
+        packed = self.measured(
+            object_id, "forms", LAYOUT, lambda: pack_body(self._new_form(object_id))
+        )
+        return unpack_body(packed)
 
     def _new_form(self, object_id: str) -> Body:
         painted = self._body_file(object_id, 1).is_file()
@@ -176,13 +170,15 @@ class Library:
         Raises:
             UnknownName, BadMesh, OutputFailed: As body().
         """
-        kept = Cache(self.cache / what)
-        key = content_key(what, recipe, self._body_file(object_id, 1).stem)
+        kept, key = Cache(self.cache / what), self._measured_key(object_id, what, recipe)
         found = kept.load(key)
         if found is None:
             found = measure()
             kept.store(key, found)
         return found
+
+    def _measured_key(self, object_id: str, what: str, recipe: str) -> str:
+        return content_key(what, recipe, self._body_file(object_id, 1).stem)
 
     def fingerprint(self, object_id: str, looks: Looks = 1) -> Fingerprint:
         """What tells whether an object is still the same; computed once.
@@ -211,11 +207,11 @@ class Library:
 
     def _forget_other_form(self, object_id: str, body: Body) -> None:
         """Forget a form that isn't the body's, which is what suites are compared with."""
-        kept, key = Cache(self.cache / "forms"), self._body_file(object_id, 1).stem
+        kept, key = Cache(self.cache / "forms"), self._measured_key(object_id, "forms", LAYOUT)
         stored, own = kept.load(key), pack_body(body.unpainted())
         if stored and not all(np.array_equal(stored[name], own[name]) for name in own):
             kept.path(key).unlink(missing_ok=True)
-            self._forms.pop(object_id, None)
+            self._forms.drop(object_id)
 
     def _body_file(self, object_id: str, looks: Looks) -> Path:
         """Where the cache keeps an object's body."""
