@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -60,14 +61,17 @@ def at(x: float, y: float, z: float = 0.0) -> Pose:
     return Pose((x, y, z))
 
 
+@dataclass(frozen=True, eq=False)
 class _Shelf(Library):
     """A library of a test's own items."""
 
+    held: Mapping[str, Body] = field(default_factory=dict[str, Body])
+
     def body(self, object_id: str, looks: Looks = 1) -> Body:
-        return self._kept[object_id, 1]
+        return self.held[object_id]
 
     def form(self, object_id: str) -> Body:
-        return self._kept[object_id, 1]
+        return self.held[object_id]
 
 
 _CACHE = Path(__file__).resolve().parents[1] / ".cache" / "probe"
@@ -75,6 +79,5 @@ _CACHE = Path(__file__).resolve().parents[1] / ".cache" / "probe"
 
 def shelf(items: Sequence[Item]) -> Library:
     """A library that holds these items and nothing else."""
-    library = _Shelf(tuple(item.spec for item in items), None, _CACHE)
-    library._kept.update({(item.spec.id, 1): item.body for item in items})
-    return library
+    held = {item.spec.id: item.body for item in items}
+    return _Shelf(tuple(item.spec for item in items), None, _CACHE, held=held)
