@@ -14,8 +14,8 @@ from probe.assets.annotation.notes import read_notes
 pytestmark = pytest.mark.slow
 
 GOOD = {"name": "green thing", "category": "thing", "colours": ["green"], "description": "A thing."}
-COUNT = 6
-"""As many as the server has moods."""
+COUNT = 10
+"""More than are drawn at once, and than the moods of the server."""
 
 
 def probe(*arguments, **environment):
@@ -29,13 +29,13 @@ def probe(*arguments, **environment):
 
 
 def moody(number: int, body: dict[str, object]) -> Reply:
-    """Of every ten requests: one that is late, broken words, a refusal, errors, and good ones."""
+    """Of every ten requests: good ones, broken words, a refusal, errors, and one that is late."""
     moods = {
-        1: Reply(json.dumps(GOOD), wait=4.0),
         2: Reply("I see a lovely thing."),
         4: Reply(refusal="I can't help with that."),
         5: Reply(status=429),
         6: Reply(status=500),
+        8: Reply(json.dumps(GOOD), wait=4.0),
     }
     return moods.get(number % 10, Reply(json.dumps(GOOD)))
 
@@ -50,7 +50,7 @@ def test_nothing_is_lost_and_the_rest_is_asked_again(assets, tmp_path):
         assert first.returncode == 0, first.stderr
     notes = read_notes(tmp_path)
     failed = [note for note in notes if note.problem]
-    assert len(notes) == COUNT and 1 <= len(failed) <= COUNT / 2
+    assert len(notes) == COUNT and 1 <= len(failed) < COUNT / 2
     assert f"{COUNT - len(failed)} described, {len(failed)} without" in first.stdout
     content = served.bodies[0]["messages"][0]["content"]  # type: ignore[index]
     assert [part["type"] for part in content] == ["image_url"] * 6 + ["text"]

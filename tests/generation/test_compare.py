@@ -21,8 +21,8 @@ from probe.tasks.task import Task
 
 TABLES = ("oak_planks",)
 
-SEED = 1000
-"""It gives a task; most give none."""
+SEEDS = 1000, 4000
+"""The first gives a task, the other none."""
 
 
 def opposite(one: TaskPlan) -> TaskPlan:
@@ -50,17 +50,26 @@ def picture(task: Task, library: Library, renderer: Renderer):
 def test_the_opposite_plan_gives_the_same_picture_and_the_other_answer(
     library: Library, renderer: Renderer
 ):
-    wanted = OPEN_QUARTER.put(plan("compare", SEED), value=False)
-    one, other = (made(SEED, each, library, renderer) for each in (wanted, opposite(wanted)))
-    assert not isinstance(one, str) and not isinstance(other, str)
-    assert one.answer != other.answer and one.question == other.question
-    assert one.certificate.candidates[:2] == other.certificate.candidates[2:]
-    assert [o.pose for o in one.scene.objects] == [o.pose for o in other.scene.objects]
-    apart = np.abs(picture(one, library, renderer) - picture(other, library, renderer)).max(axis=-1)
-    assert [mark.instance for mark in one.marks] == [mark.instance for mark in other.marks]
-    # Grain differs, where something of the two shows; nothing else does.
-    assert (apart > 40).sum() <= 20
-    assert (apart > 0).mean() < 0.02
+    kept = 0
+    for seed in SEEDS:
+        wanted = OPEN_QUARTER.put(plan("compare", seed), value=False)
+        one, other = (made(seed, each, library, renderer) for each in (wanted, opposite(wanted)))
+        if isinstance(one, str) or isinstance(other, str):
+            assert one == other
+            continue
+        kept += 1
+        assert one.answer != other.answer and one.question == other.question
+        assert one.certificate.candidates[:2] == other.certificate.candidates[2:]
+        assert [o.pose for o in one.scene.objects] == [o.pose for o in other.scene.objects]
+        apart = np.abs(picture(one, library, renderer) - picture(other, library, renderer)).max(
+            axis=-1
+        )
+        marked = [mark.instance for mark in one.marks]
+        assert marked == [mark.instance for mark in other.marks]
+        # Grain differs, where something of the two shows; nothing else does.
+        assert (apart > 40).sum() <= 20
+        assert (apart > 0).mean() < 0.02
+    assert kept
 
 
 def openly_darker(library: Library, renderer: Renderer) -> Iterator[tuple[Task, Task]]:
