@@ -179,6 +179,7 @@ class Frame:
         measured: Where the camera had a reading, bool, shape (h, w); elsewhere the depth is that
             of the nearest pixel that has one. None if it had one everywhere.
         taken: Only on simulated frames: simulated seconds from the table's beginning.
+        painter: Only on simulated frames without colours: paints them as they were at that moment.
     """
 
     camera: Camera
@@ -189,6 +190,7 @@ class Frame:
     depth_noise: float = 0.0
     measured: Array | None = None
     taken: float | None = None
+    painter: Callable[[], Array] | None = None
 
 
 @dataclass(frozen=True)

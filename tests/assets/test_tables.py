@@ -17,7 +17,7 @@ A_SHARE = [
     id if n % 4 == 0 else pytest.param(id, marks=pytest.mark.every_object)
     for n, id in enumerate(ONE_OF_EACH)
 ]
-""""every_object": see tests/deciding.py."""
+"""`every_object`: see tests/deciding.py."""
 
 
 def _material(folder, name="Wood001", **maps):

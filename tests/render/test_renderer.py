@@ -82,6 +82,13 @@ def test_labels_alone_are_those_of_a_frame(loaded):
     assert set(np.unique(alone)) == {0, *(item.instance for item in OBJECTS)}
 
 
+def test_colours_alone_are_those_of_a_frame(loaded):
+    camera = UR5_TABLE.top.camera(256)
+    alone = loaded.paint(OBJECTS, camera)
+    assert (alone == loaded.draw(OBJECTS, camera, rgb=True).rgb).all()
+    assert alone.std() > 10
+
+
 def test_outlines_show_each_object_alone(loaded):
     camera = UR5_TABLE.top.camera(512)
     outlines = loaded.outlines(OBJECTS, camera)

@@ -6,10 +6,10 @@ from probe.episodes.turns import Question
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 
 _INSTRUCTIONS = """\
-Before you stands a table with a pile of objects, seen by a camera from above, with a robot arm \
-beside it. You are asked one question about these objects that can't be answered by looking \
-alone: move what is in the way, look again, then answer with answer_question. You may answer \
-once; an episode that ends without an answer counts as wrong.
+Before you stands a table with a pile of objects, seen by a camera, with a robot arm beside it. \
+You are asked one question about these objects. Often the first picture doesn't show the answer: \
+then move what is in the way and look again. Answer with answer_question. You may answer once; an \
+episode that ends without an answer counts as wrong.
 
 You have {turns} tool calls in all, and {manipulations} of them may be grasps or pushes."""
 

@@ -15,6 +15,7 @@ from probe.manipulation.recognition import found_again
 from probe.manipulation.removal import remove
 from probe.manipulation.shove import Shove, shove
 from probe.scene.setup import Setup
+from probe.station.colours import paintable
 from probe.station.station import Station
 from probe.types import Array, Frame
 
@@ -118,7 +119,7 @@ def _attempted(
             result = replace(result, status=plan.lack, candidates=plan.candidates)
         if removal is None:
             break
-        before = frame if frame.rgb is not None else station.observe(rgb=True)
+        before = paintable(station, frame)
         done = remove(station, removal, shape)
         after = station.observe(rgb=False)
         stayed = still_there(frame, after, mask)

@@ -12,6 +12,7 @@ from probe.manipulation.recognition import found_again
 from probe.manipulation.stroke import Stroke, stroke
 from probe.manipulation.terrain import lifted
 from probe.scene.setup import Setup
+from probe.station.colours import paintable
 from probe.station.station import Station
 from probe.types import Array, Frame, Pose
 
@@ -104,7 +105,7 @@ def push(
         rest = 0.0 if result.status == "blocked" else (1 - _FAR_ENOUGH) * distance_m
         if left < max(_LEAST, rest):
             break
-        before = result.frame if result.frame.rgb is not None else station.observe(rgb=True)
+        before = paintable(station, result.frame)
         done = stroke(station, before, track.mask, along, left, setup, track.in_vain)
         if done.end in ("no_space", "unreachable"):
             return result if result.strokes else PushResult(done.end, done.frame)

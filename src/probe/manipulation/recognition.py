@@ -10,6 +10,7 @@ from scipy import ndimage
 from probe.manipulation.looking import NOWHERE, Found, above_table, changed, tracked
 from probe.manipulation.palette import Palette
 from probe.manipulation.terrain import lifted
+from probe.station.colours import coloured, in_colour
 from probe.station.station import Station
 from probe.types import Array, Frame
 
@@ -35,7 +36,7 @@ def found_again(
 
     Args:
         station: Looks.
-        before: Where the mask is known; with colours.
+        before: Where the mask is known; with colours, or a painter of them.
         after: The table as it is now.
         mask: bool, shape (h, w), not empty.
         way: A straight line from where it was, on which it may have stopped anywhere, metres,
@@ -46,8 +47,8 @@ def found_again(
     """
     found = tracked(before, after, mask, way)
     if found is None or found.merit < _CERTAIN:
-        after = station.observe(rgb=True)
-        found = recognised(before, after, mask, way, found)
+        after = in_colour(station, after)
+        found = recognised(coloured(before), after, mask, way, found)
     return after, found
 
 

@@ -16,6 +16,7 @@ from probe.manipulation.stroke import stroke
 from probe.manipulation.target import Target, target_of
 from probe.manipulation.terrain import CELL, Terrain
 from probe.scene.setup import Basket, Setup
+from probe.station.colours import paintable
 from probe.station.station import Hand, Station
 from probe.types import Array, Camera, Frame
 
@@ -63,7 +64,7 @@ def shove(station: Station, plan: GraspPlan, mask: Array, setup: Setup) -> Shove
     if not (stands_free(plan.target, plan.terrain) and _fits_alone(plan, mask, station.hand)):
         return None
     ways = emptiest(plan.target, plan.terrain, plan.frame.camera, setup.basket)
-    before = plan.frame if not ways or plan.frame.rgb is not None else station.observe(rgb=True)
+    before = plan.frame if not ways else paintable(station, plan.frame)
     for direction in ways:
         along = ALONG[direction]
         done = stroke(station, before, mask, along, DISTANCE, setup, clear=True)

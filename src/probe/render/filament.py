@@ -8,7 +8,7 @@ Depth and labels don't dither; they are drawn again and again with one Context.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import mujoco
 import mujoco.studio.window  # pyright: ignore[reportUnusedImport] # registers material files
@@ -19,6 +19,7 @@ from probe.render.filament_parts import FAR, NEAR, Factory, Uploaded, filament_c
 from probe.render.gaps import without_gaps
 from probe.render.light_packing import PackedLight
 from probe.render.packing import PackedMesh
+from probe.render.sight import may_show
 from probe.scene.scene import PlacedObject
 from probe.types import Array, Camera
 
@@ -79,16 +80,23 @@ class Drawer:
         self._renderables: dict[tuple[int, str], mjrf.Renderable] = {}
         self._shown: set[tuple[int, str]] = set()
         self._backdrop = light.backdrop is not None
+        self._casts_shadows = light.sun is not None
         self._add_light(light)
         self._table = self._factory.renderable(self._factory.upload(table), label=0)
         self._scene.add_renderable(self._table)
 
-    def rgb(self, objects: Iterable[PlacedObject], camera: Camera, far: float = FAR) -> Array:
+    def rgb(self, objects: Sequence[PlacedObject], camera: Camera, far: float = FAR) -> Array:
         """Colour picture, uint8, shape (h, w, 3), of what lies within so many metres."""
-        self._place(objects)
+        self._place(objects if self._casts_shadows else self._in_sight(objects, camera))
         picture = _canvas(camera, (3,), np.uint8)
         self._read(camera, picture, mjrf.DrawMode.DRAW_MODE_DEFAULT, far)
         return picture
+
+    def _in_sight(self, objects: Sequence[PlacedObject], camera: Camera) -> list[PlacedObject]:
+        """Those that may show. To hand over a texture takes as long as to draw the object."""
+        return [
+            it for it in objects if may_show(self._meshes[it.object_id].bounds, it.pose, camera)
+        ]
 
     def labels(self, objects: Iterable[PlacedObject], camera: Camera) -> Array:
         """Instance numbers, int32, shape (h, w); 0 where no object is."""

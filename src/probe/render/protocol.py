@@ -49,6 +49,15 @@ class DrawRequest:
 
 
 @dataclass(frozen=True, eq=False)
+class DrawColours:
+    """Draw the loaded objects' colours alone; the answer is Pictures of one."""
+
+    objects: tuple[PlacedObject, ...]
+    camera: Camera
+    light: Illumination
+
+
+@dataclass(frozen=True, eq=False)
 class DrawSeries:
     """Draw colour pictures of several moments; the answers are Pictures of one each.
 
@@ -115,5 +124,5 @@ class Pictures:
     rgb: tuple[Array, ...]
 
 
-Request = Load | DrawRequest | DrawSeries | Label | Outline
+Request = Load | DrawRequest | DrawColours | DrawSeries | Label | Outline
 Answer = DrawReply | Labels | Outlines | Pictures | None

@@ -16,6 +16,7 @@ from probe.render.driver import require_blender, require_driver
 from probe.render.illumination import AMBIENT, Illumination
 from probe.render.protocol import (
     Answer,
+    DrawColours,
     DrawReply,
     DrawRequest,
     DrawSeries,
@@ -123,6 +124,19 @@ class Renderer:
         assert isinstance(answer, DrawReply)
         return Frame(camera, answer.depth, answer.rgb, answer.labels)
 
+    def paint(
+        self, objects: Sequence[PlacedObject], camera: Camera, light: Illumination = AMBIENT
+    ) -> Array:
+        """The picture of loaded objects, uint8, shape (h, w, 3), as draw() has it; sooner.
+
+        Raises:
+            RenderFailed: The worker died twice on this request.
+            ValueError: An object isn't loaded.
+        """
+        answer = self._ask_of(DrawColours(tuple(objects), camera, light))
+        assert isinstance(answer, Pictures)
+        return answer.rgb[0]
+
     def labels(self, objects: Sequence[PlacedObject], camera: Camera) -> Array:
         """Instance numbers of loaded objects, int32, shape (h, w), as draw() has them; sooner.
 
@@ -164,7 +178,7 @@ class Renderer:
         assert isinstance(drawn, Pictures)
         return drawn.rgb
 
-    def _ask_of(self, request: DrawRequest | DrawSeries | Label | Outline) -> Answer:
+    def _ask_of(self, request: DrawRequest | DrawColours | DrawSeries | Label | Outline) -> Answer:
         loaded = self._load.meshes if self._load else {}
         missing = sorted({each.object_id for each in request.objects} - loaded.keys())
         if missing:

@@ -25,6 +25,7 @@ from probe.render.packing import PackedMesh, pack, table_quad
 from probe.render.painters import BlenderPainter, FilamentPainter, Painter
 from probe.render.protocol import (
     Answer,
+    DrawColours,
     DrawReply,
     DrawRequest,
     DrawSeries,
@@ -122,7 +123,9 @@ def serve(client: Connection, painter: Painter) -> None:
 
 
 def _answers(
-    request: DrawRequest | DrawSeries | Label | Outline, loaded: _Loaded, painter: Painter
+    request: DrawRequest | DrawColours | DrawSeries | Label | Outline,
+    loaded: _Loaded,
+    painter: Painter,
 ) -> Iterator[Answer]:
     """One answer, or one for each picture of a series."""
     if isinstance(request, DrawSeries):
@@ -130,6 +133,9 @@ def _answers(
             yield Pictures((picture,))
     elif isinstance(request, DrawRequest):
         yield loaded.draw(request, painter)
+    elif isinstance(request, DrawColours):
+        painter.begin(DrawRequest(request.objects, request.camera, request.light))
+        yield Pictures((painter.finish(),))
     elif isinstance(request, Label):
         yield loaded.labels(request)
     else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -84,7 +85,10 @@ class SimulatedStation:
         outlines = self._alone([placed for placed in objects if placed.instance in shown], camera)
         counts = np.bincount(frame.labels.ravel())
         shares = {number: counts[number] / size for number, size in outlines.items()}
-        return replace(self._measured(frame), shares=shares, taken=self._world.time)
+        painter = None if rgb else partial(self._renderer.paint, objects, camera, self._light)
+        return replace(
+            self._measured(frame), shares=shares, taken=self._world.time, painter=painter
+        )
 
     def _measured(self, frame: Frame) -> Frame:
         """A frame fused of several with noise; the same table gives the same noise again."""

@@ -8,6 +8,7 @@ from probe.changes.change import Changes
 from probe.changes.sighting import Look, Sighting, sightings
 from probe.perception.things import Detector, Thing
 from probe.scene.setup import Basket
+from probe.station.colours import in_colour
 from probe.station.station import Station
 from probe.types import Array, Frame
 
@@ -48,17 +49,15 @@ class CurrentView:
     @property
     def coloured(self) -> Frame:
         """The current frame with its colours."""
-        if self._frame.rgb is None:
-            self._frame = self._station.observe(rgb=True)
+        self._frame = in_colour(self._station, self._frame)
         return self._frame
 
     @property
     def things(self) -> tuple[Thing, ...]:
         """What perception makes of it."""
         if self._things is None:
-            if self._frame.rgb is None and self._detector.needs_rgb(self._frame):
-                self._frame = self._station.observe(rgb=True)
-            self._things = self._detector.detect(self._frame)
+            needed = self._frame.rgb is None and self._detector.needs_rgb(self._frame)
+            self._things = self._detector.detect(self.coloured if needed else self._frame)
         return self._things
 
     @property

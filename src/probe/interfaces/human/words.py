@@ -6,9 +6,9 @@ from probe.errors import OutputFailed, ProbeError
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 
 RULES = (
-    "You see a table with a pile of objects, by a camera from above, and a robot arm stands beside "
-    "it. Each question is about these objects and can't be answered by looking alone: move what "
-    "is in the way, look again, then answer.",
+    "A camera shows you a table with a pile of objects, and a robot arm stands beside it. Each "
+    "question is about these objects. Often the first picture doesn't show the answer: then move "
+    "what is in the way, look again, and answer.",
     f"For each question you have {TURNS} calls of tools in all, and {MANIPULATIONS} of them, or as "
     "many as the question says, may be grasps or pushes, failed ones included. You may answer "
     "once; whether it was right isn't told.",
