@@ -24,6 +24,7 @@ MUG = Block(1, (100, 100, 219, 219))
 BOOK = Block(2, (500, 300, 799, 699), height=0.02, colour=(30, 60, 150))
 BALL = Block(3, (600, 450, 679, 529), height=0.08, colour=(240, 240, 240))
 TWIN = Block(4, (850, 450, 929, 529), height=0.08, colour=(240, 240, 240))
+LEFT, RIGHT = (100, 100, 124, 150), (125, 100, 150, 150)
 CM = round(0.01 * 1024 / UR5_TABLE.view_size)
 
 
@@ -381,3 +382,55 @@ def test_what_was_missing_is_known_in_the_basket():
     assert [s.thing.words.name for s in back.back_in_basket] == ["white ball"]
     assert back.newly_in_basket == () and [s.thing.words.name for s in back.missing] == ["red mug"]
     assert compare(before, look(MUG, TWIN)).missing == ()
+
+
+def guessed(seen: Look) -> Look:
+    """A look by whoever may outline a thing in two pieces, or in one with its neighbour."""
+    return replace(seen, guessed=True)
+
+
+def test_two_pieces_of_what_was_dropped_are_one_thing_where_outlines_are_guessed():
+    pieces = [Block(n, box, 0.08, BALL.colour) for n, box in ((3, LEFT), (4, RIGHT))]
+    before, after = look(MUG, BALL), look(MUG, basket=tuple(pieces))
+    ball = next(s for s in before.things if s.thing.words.name == "white ball")
+    assert len(compare(before, after, ball).newly_in_basket) == 1
+    changes = compare(guessed(before), guessed(after), ball)
+    assert changes.of(ball).fate == "basket" and changes.newly_in_basket == ()
+
+
+def test_another_piece_of_what_lay_there_is_nothing_new_where_outlines_are_guessed():
+    whole = Block(3, (100, 100, 150, 150), 0.08, BALL.colour)
+    pieces = [Block(n, box, 0.05, BALL.colour) for n, box in ((3, LEFT), (4, RIGHT))]
+    before, after = look(MUG, basket=(whole,)), look(MUG, basket=tuple(pieces))
+    assert len(compare(before, after).newly_in_basket) == 1
+    assert compare(guessed(before), guessed(after)).newly_in_basket == ()
+
+
+def test_what_came_along_is_told_where_outlines_are_guessed():
+    inside = Block(3, (100, 100, 150, 150), 0.08, BALL.colour)
+    along = Block(2, (200, 100, 250, 150), 0.02, BOOK.colour)
+    before, after = look(MUG, BALL), look(MUG, basket=(inside, along))
+    changes = compare(guessed(before), guessed(after))
+    assert [s.thing.words.name for s in changes.newly_in_basket] == ["blue book"]
+
+
+@pytest.mark.parametrize("grown", [True, False])
+def test_what_was_held_may_be_in_one_piece_with_what_lay_in_the_basket(grown: bool):
+    """Where outlines are guessed, the basket shows by its change that something has come."""
+    lay = Block(2, (100, 100, 150, 150), 0.02, BOOK.colour)
+    lies = Block(2, (100, 100, 199, 199), 0.06, BOOK.colour) if grown else lay
+    before, after = look(MUG, BALL, TWIN, basket=(lay,)), look(MUG, basket=(lies,))
+    ball = next(s for s in before.things if s.thing.box_px == BALL.box)
+    assert compare(before, after, ball).of(ball).fate == "lost"
+    changes = compare(guessed(before), guessed(after), ball)
+    assert changes.of(ball).fate == ("basket" if grown else "lost")
+    assert [change.fate for change in changes.but(ball)] == ["stayed", "lost"]
+
+
+def test_nothing_is_said_to_be_gone_for_certain_where_outlines_are_guessed():
+    """It may be in one piece with its neighbour now, and so may half of what was dropped."""
+    before, after = look(MUG, BALL), look(MUG)
+    (ball,) = compare(before, after).but(before.things[0])
+    assert (ball.fate, ball.doubtful) == ("lost", False)
+    (ball,) = compare(guessed(before), guessed(after)).but(before.things[0])
+    assert (ball.fate, ball.doubtful) == ("lost", True)

@@ -60,7 +60,8 @@ def compare(before: Look, after: Look, held: Sighting | None = None) -> Changes:
         for sighting in before.things
     )
     in_basket = tuple(other.sighting for other in rest if other.where == "basket")
-    things, in_basket = with_held(changes, in_basket, held)
+    arrived = tuple(other.sighting for other in new if other.where == "basket")
+    things, in_basket = with_held(changes, in_basket, held, arrived if before.guessed else ())
     return with_earlier(before, things, left, rest, in_basket)
 
 
@@ -113,7 +114,9 @@ def _gone(
     fate: Fate = "covered" if covered(before.table, after.table, mask) else "lost"
     like = any(may_be(one, it.sighting) for it in new)
     # A lid is of another colour than its pot: a part may belong to whatever came to light.
-    doubtful = like or (not one.thing.nameable and any(it.where == "table" for it in rest))
+    lid = not one.thing.nameable and any(it.where == "table" for it in rest)
+    # Where outlines are guessed, it may be in one piece with its neighbour now.
+    doubtful = before.guessed or like or lid
     perhaps = only_like(one, left, rest)
     return Change(one, fate, None, np.zeros(3), doubtful, perhaps=perhaps)
 

@@ -52,7 +52,12 @@ def may_be(one: Sighting, other: Sighting) -> bool:
     Of one of the two only a part shows, so that names and sizes don't tell, and colours agree.
     """
     partly = one.thing.words.name is None or other.thing.words.name is None
-    return partly and agreement(one.colours, other.colours) >= _HINT
+    return partly and may_be_piece(one, other)
+
+
+def may_be_piece(one: Sighting, other: Sighting) -> bool:
+    """Whether what was outlined as a thing of its own may be a piece of another, by its colours."""
+    return agreement(one.colours, other.colours) >= _HINT
 
 
 def only_like(

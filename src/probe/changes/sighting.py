@@ -40,8 +40,8 @@ class Look:
         basket: The frame of the camera above the basket, with colours.
         in_basket: What that one shows between the basket's walls.
         beside: What it shows outside of them, and the table's frame doesn't.
-        guessed: Whether things are told apart by colours and depth, so that the same thing may be
-            outlined otherwise next time.
+        guessed: Whether the same thing may be outlined otherwise next time: in two pieces, or in
+            one with its neighbour.
         buried: Of earlier looks: what showed in the basket, and doesn't now.
         missing: Of earlier looks: what showed on the table, and hasn't been found since.
     """

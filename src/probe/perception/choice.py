@@ -30,8 +30,8 @@ class Perception:
         detector: Finds things in a frame.
         finder: Finds what words describe; None to match them with the words of detected things.
         teller: Tells the scene graph; None to make it from detected things.
-        guessed: Whether the detector tells things apart by colours and depth, so that the same
-            thing may be outlined otherwise next time.
+        guessed: Whether the same thing may be outlined otherwise next time: in two pieces, or in
+            one with its neighbour.
     """
 
     detector: Detector
@@ -96,7 +96,8 @@ def dialled(dials: Dials, seed: int, run: int = 0, rumours: Sequence[ObjectSpec]
     def perceiver(words: Mapping[int, ObjectSpec], poses: Poses) -> Perception:
         present = {spec.name for spec in words.values()}
         absent = [words_of(spec) for spec in rumours if spec.name not in present]
-        return Perception(NoisyDetector(Oracle(words, poses), dials, poses, seed, run, absent))
+        detector = NoisyDetector(Oracle(words, poses), dials, poses, seed, run, absent)
+        return Perception(detector, guessed=dials.over > 0 or dials.under > 0)
 
     return perceiver
 

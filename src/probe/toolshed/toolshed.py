@@ -86,8 +86,8 @@ class Toolshed:
             finder: Finds what words describe; None to match them with what the detector finds.
             teller: Tells the scene graph; None to make it from what the detector finds.
             form: What a complete answer is; by default any letter without a point.
-            guessed: Whether the detector tells things apart by colours and depth, so that the same
-                thing may be outlined otherwise next time.
+            guessed: Whether the same thing may be outlined otherwise next time: in two pieces, or
+                in one with its neighbour.
             budget: Manipulations in the episode.
         """
         self.answer: Answer | None = None

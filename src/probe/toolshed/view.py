@@ -19,7 +19,7 @@ class CurrentView:
     def __init__(
         self, station: Station, detector: Detector, basket: Basket, *, guessed: bool = False
     ) -> None:
-        """Look once. Guessed: whether the detector tells things apart by colours and depth."""
+        """Look once. Guessed: whether the same thing may be outlined otherwise next time."""
         self._guessed = guessed
         self._station = station
         self._basket = basket
