@@ -73,7 +73,7 @@ def test_a_camera_takes_its_picture_while_the_table_stands_so():
     def observe(*, rgb: bool) -> Frame:
         taken.append(rgb)
         colours = np.zeros((2, 2, 3), np.uint8) if rgb else None
-        return Frame(SCENE.setup.camera(2), np.ones((2, 2), np.float32), colours)
+        return Frame(SCENE.setup.top.camera(2), np.ones((2, 2), np.float32), colours)
 
     camera = cast(Station, SimpleNamespace(observe=observe))
     held = paintable(camera, observe(rgb=False))
@@ -84,6 +84,6 @@ def test_a_camera_takes_its_picture_while_the_table_stands_so():
 
 
 def test_a_look_without_colours_or_painter_is_refused():
-    frame = Frame(SCENE.setup.camera(2), np.ones((2, 2), np.float32))
+    frame = Frame(SCENE.setup.top.camera(2), np.ones((2, 2), np.float32))
     with pytest.raises(ValueError, match="paintable"):
         coloured(frame)
