@@ -15,6 +15,7 @@ from probe.generation.attempt import Attempt
 from probe.generation.build_folder import (
     IMMOVABLE,
     KEPT,
+    LOOK_ALIKE,
     REPEATED,
     RESTLESS,
     UNSOLVED,
@@ -24,6 +25,7 @@ from probe.generation.build_folder import (
     TaskSlot,
 )
 from probe.generation.generate import make
+from probe.generation.look_alikes import look_alike
 from probe.generation.movable import immovable
 from probe.generation.plan import ATTEMPTS
 from probe.generation.restored_stage import RestoredStage
@@ -246,6 +248,8 @@ def _attempt(
         return result, ()
     if restless := RestoredStage.of(result.task.scene, resources.library).unrest():
         return Rejection(RESTLESS, restless), ()
+    if alike := look_alike(result.task, resources.library, resources.renderer):
+        return Rejection(LOOK_ALIKE, alike), ()
     if resources.unchecked:
         return result, ()
     if stuck := immovable(result.task, resources.library, resources.renderer):

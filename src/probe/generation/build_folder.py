@@ -23,15 +23,17 @@ from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionType, RulesVersion, Task
 from probe.texts import cell, uncell
 
-KEPT, UNSOLVED, RESTLESS, IMMOVABLE, REPEATED = (
+KEPT, UNSOLVED, RESTLESS, LOOK_ALIKE, IMMOVABLE, REPEATED = (
     "kept",
     "solvable",
     "at rest",
+    "look-alikes",
     "movable",
     "repeated",
 )
 """Names of results: a task; a candidate that failed only the scripted agents' check; one whose
-things move once its table stands alone; one that asks about the same things as another task."""
+things move once its table stands alone; one whose answer looks like another candidate; one in
+which something that has to go can't be moved; one that asks about the same things as another."""
 
 _UNTRIED = "-"
 _MAKING = "making.json"

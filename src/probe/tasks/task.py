@@ -69,6 +69,9 @@ ONCE_RULES: RulesVersion = 3
 TRIAL_RULES: RulesVersion = 3
 """Since these, scripted agents try a task in even light, whatever light it is drawn in."""
 
+APART_RULES: RulesVersion = 3
+"""Since these, what shows of a hidden thing tells it from the other candidates."""
+
 NEWEST_RULES: RulesVersion = 3
 
 

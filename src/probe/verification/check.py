@@ -10,6 +10,7 @@ from probe.generation.attempt import Attempt
 from probe.generation.build import without_notes
 from probe.generation.first_look import look_at
 from probe.generation.generate import make
+from probe.generation.look_alikes import look_alike
 from probe.generation.observer import observe
 from probe.generation.result import TaskCandidate
 from probe.generation.solve import is_noted_as_solved, solves_as_noted, trials
@@ -56,6 +57,8 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
         "hidden": tuple(hidden_problems(task, anew)),
         "unambiguous": tuple(clarity_problems(task, anew)),
     }
+    if alike := look_alike(task, library, renderer):
+        problems["unambiguous"] += (alike,)
     untrue = list(truth_problems(task, anew))
     problems["at rest"] = tuple(filter(None, [anew.restaged.unrest()]))
     played = reachable = 0
