@@ -39,13 +39,13 @@ def opened(question_type: QuestionType, *, wanted: bool) -> Iterator[int]:
 def kept(
     question_type: QuestionType, library: Library, renderer: Renderer, *, wanted: bool
 ) -> Task:
-    """The first task of such an episode."""
+    """The first task of such an episode whose answer looks like no other option."""
     for episode in opened(question_type, wanted=wanted):
         for number in range(3):
             made = make(
                 Attempt(TaskSlot(question_type, episode), number), library, renderer, TABLES
             )
-            if isinstance(made, TaskCandidate):
+            if isinstance(made, TaskCandidate) and not look_alike(made.task, library, renderer):
                 return made.task
     raise AssertionError
 
@@ -68,10 +68,7 @@ def test_an_open_task_shows_all_that_decides_and_needs_nothing(
         assert all(it.fraction >= 0.3 and it.visible_px >= 400 for it in shown.values())
     assert task.certificate.measures["necessary"] == 0
     verdict = check(task, library, renderer, CheckDepth(solve=False))
-    # The generator alone doesn't look for look-alikes; a build does.
-    alike = look_alike(task, library, renderer)
-    expected = {"unambiguous": (alike,)} if alike else {}
-    assert {name: found for name, found in verdict.problems.items() if found} == expected
+    assert {name: found for name, found in verdict.problems.items() if found} == {}
 
 
 @pytest.mark.slow
@@ -82,10 +79,7 @@ def test_a_task_that_is_not_open_needs_removals(
     task = kept(question_type, library, renderer, wanted=False)
     assert task.certificate.measures["necessary"] >= 1
     verdict = check(task, library, renderer, CheckDepth(solve=False))
-    # The generator alone doesn't look for look-alikes; a build does.
-    alike = look_alike(task, library, renderer)
-    expected = {"unambiguous": (alike,)} if alike else {}
-    assert {name: found for name, found in verdict.problems.items() if found} == expected
+    assert {name: found for name, found in verdict.problems.items() if found} == {}
 
 
 @pytest.mark.parametrize(("question_type", "number"), [*zip(OPENED, (40, 40, 40, 30), strict=True)])

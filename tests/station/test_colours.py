@@ -1,7 +1,6 @@
 """Colours that are painted later: those of the moment of the look, and none where nobody asks."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from types import SimpleNamespace
 from typing import cast
 
@@ -38,8 +37,7 @@ def test_they_are_those_that_the_look_would_have_had(station, look):
     assert (late.shares, late.taken) == (painted.shares, painted.taken)
 
 
-def test_simulation_looks_and_paints_no_more_than_it_has_to(station, renderer, monkeypatch):
-    plain = station.observe(rgb=False)
+def test_simulation_paints_once_and_draws_nothing_again(station, renderer, monkeypatch):
     drawn: list[str] = []
 
     def noted(name: str) -> None:
@@ -53,18 +51,14 @@ def test_simulation_looks_and_paints_no_more_than_it_has_to(station, renderer, m
 
     for name in ("draw", "paint", "labels", "outlines"):
         noted(name)
+    plain = station.observe(rgb=False)
+    drawn.clear()
     assert paintable(station, plain) is plain
     assert not drawn
-    with_colours = in_colour(station, replace(plain, painter=renderer_painter(renderer, station)))
+    with_colours = in_colour(station, plain)
     assert drawn == ["paint"]
     assert in_colour(station, with_colours) is with_colours
     assert drawn == ["paint"]
-
-
-def renderer_painter(renderer, station):
-    """Paints what stands there now, as the renderer is now."""
-    objects = station.snapshot().objects
-    return lambda: renderer.paint(objects, SCENE.setup.camera())
 
 
 def test_a_camera_takes_its_picture_while_the_table_stands_so():

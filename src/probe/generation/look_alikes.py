@@ -6,6 +6,8 @@ can't say which one it is.
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 
 from probe.assets.library import Library
@@ -43,25 +45,37 @@ def look_alike(task: Task, library: Library, renderer: Renderer) -> str | None:
     meshes = {id: library.body(id, task.scene.setup.looks).mesh for id in candidates}
     load_scene(renderer, task.scene, library, more=meshes)
     for target in decide:
+        own = _Seen(target, task, renderer)
         for other in candidates:
-            twin = PlacedObject(target.instance, other, target.pose)
-            if other != target.object_id and _apart(target, twin, task, renderer) < LEAST_APART:
+            twin = _Seen(PlacedObject(target.instance, other, target.pose), task, renderer)
+            if other != target.object_id and own.apart(twin) < LEAST_APART:
                 one, two = library[target.object_id].name, library[other].name
                 return f"what shows of {one} is like what would show of {two}"
     return None
 
 
-def _apart(one: PlacedObject, other: PlacedObject, task: Task, renderer: Renderer) -> float:
-    """Share of the pixels of either that differ; outlines alone if they differ enough."""
-    camera = task.viewpoint.camera
-    masks = [renderer.outlines([it], camera)[it.instance] for it in (one, other)]
-    either = masks[0] | masks[1]
-    beyond = _share(masks[0] ^ masks[1], either)
-    if beyond >= LEAST_APART:
-        return beyond
-    pictures = [renderer.paint([it], camera).astype(int) for it in (one, other)]
-    differs = np.abs(pictures[0] - pictures[1]).max(axis=2) > _OTHER_COLOUR
-    return _share(differs & either, either)
+class _Seen:
+    """A thing alone, seen by a task's camera; each picture is drawn once, if it is needed."""
+
+    def __init__(self, thing: PlacedObject, task: Task, renderer: Renderer) -> None:
+        self._thing, self._camera, self._renderer = thing, task.viewpoint.camera, renderer
+
+    @cached_property
+    def mask(self) -> Array:
+        return self._renderer.outlines([self._thing], self._camera)[self._thing.instance]
+
+    @cached_property
+    def picture(self) -> Array:
+        return self._renderer.paint([self._thing], self._camera).astype(int)
+
+    def apart(self, other: _Seen) -> float:
+        """Share of the pixels of either that differ; by outlines alone if these do enough."""
+        either = self.mask | other.mask
+        beyond = _share(self.mask ^ other.mask, either)
+        if beyond >= LEAST_APART:
+            return beyond
+        differs = np.abs(self.picture - other.picture).max(axis=2) > _OTHER_COLOUR
+        return _share(differs & either, either)
 
 
 def _share(some: Array, all_: Array) -> float:

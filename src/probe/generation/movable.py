@@ -137,7 +137,7 @@ def _goes_aside(
     task: Task, instance: int, number: int, station: SimulatedStation, skills: ArmSkills
 ) -> bool:
     rng = generator(task.seed, "aside", instance, number)
-    frame = station.observe(rgb=True)
+    frame = station.observe(rgb=False)
     assert frame.labels is not None
     mask = frame.labels == instance
     if not mask.any():

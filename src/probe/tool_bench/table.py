@@ -62,7 +62,7 @@ def lay(
     scene = drawn.scene
     load_scene(renderer, scene, things)
     world = World(scene, things)
-    frame = SimulatedStation(world, renderer).observe(rgb=tool == "push")
+    frame = SimulatedStation(world, renderer).observe(rgb=False)
     rng = generator(seed, "trials", tool)
     targets = _targets(scene, frame, rng)
     return TrialTable(scene, drawn.restless, world, frame, world.save(), targets, rng)
