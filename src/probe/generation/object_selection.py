@@ -107,8 +107,8 @@ def needs_alike(
 
 def draw_cast(
     library: Library,
+    pool: Sequence[ObjectSpec],
     draw_over: CoverDraw,
-    largest: float,
     tolerance: float,
     rng: np.random.Generator,
     count: int = DEFAULT_COUNT,
@@ -121,8 +121,8 @@ def draw_cast(
 
     Args:
         library: To choose from.
+        pool: What may be hidden; see hideable().
         draw_over: Draws the cover: draw_cover(), draw_lean() or draw_slab().
-        largest: Longest side of a candidate, metres.
         tolerance: By how much their longest sides differ, as a share.
         rng: Draws everything.
         count: Things on the table.
@@ -133,7 +133,7 @@ def draw_cast(
     Raises:
         Rejected: The library has no such set.
     """
-    pool, failure = hideable(library, largest), Rejected("cover", "nothing was drawn")
+    failure = Rejected("cover", "nothing was drawn")
     for number in range(CAST_TRIES):
         candidates = draw_alike(
             pool,

@@ -57,7 +57,8 @@ PILE_RULES: RulesVersion = 3
 """Since these, things may lie on a cover, and count as what hides with it."""
 
 KIND_RULES: RulesVersion = 3
-"""Since these, candidates are of several categories where that can be."""
+"""Since these, candidates are of several categories where that can be, and Reduce draws what hides
+them from all slabs, narrow ones too."""
 
 AIM_RULES: RulesVersion = 3
 """Since these, covers of marked things have no holes. Compare's are aimed by what is wrong with

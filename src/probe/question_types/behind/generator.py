@@ -10,7 +10,7 @@ from probe.assets.library import Library
 from probe.generation.alike import TWIN_TOLERANCE
 from probe.generation.covers import Footprint, footprint_of
 from probe.generation.frame import SceneFrame, frame_of
-from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
+from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
 from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
@@ -78,7 +78,7 @@ def generate_behind(
 def select_behind(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """Who plays; see draw_cast()."""
     count = int(rng.integers(_FEWEST, _MOST + 1))
-    return draw_cast(library, draw_occluder, LARGEST, TWIN_TOLERANCE, rng, count)
+    return draw_cast(library, hideable(library, LARGEST), draw_occluder, TWIN_TOLERANCE, rng, count)
 
 
 def _rooms(cast: ObjectSelection, library: Library) -> list[Footprint]:

@@ -10,7 +10,13 @@ import numpy as np
 from probe.assets.library import Library
 from probe.generation.alike import TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_COVER, draw_cover
-from probe.generation.object_selection import LARGEST, ObjectSelection, draw_cast, needs_alike
+from probe.generation.object_selection import (
+    LARGEST,
+    ObjectSelection,
+    draw_cast,
+    hideable,
+    needs_alike,
+)
 from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.setting_up import set_up
@@ -79,7 +85,9 @@ def generate_beneath(
 def select_beneath(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """Who plays; see draw_cast() and with_toppings()."""
     sides = sides_of(plan.rules)
-    cast = draw_cast(library, draw_cover, LARGEST, TWIN_TOLERANCE, rng, sides=sides)
+    cast = draw_cast(
+        library, hideable(library, LARGEST), draw_cover, TWIN_TOLERANCE, rng, sides=sides
+    )
     return with_toppings(library, cast, [0], rng) if is_topped(plan) else cast
 
 

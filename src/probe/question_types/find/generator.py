@@ -12,7 +12,7 @@ from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, sides_of
 from probe.generation.covers import NEEDS_COVER, NEEDS_LEAN, draw_cover, draw_lean
 from probe.generation.frame import SceneFrame
 from probe.generation.in_view import OPEN
-from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
+from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
 from probe.generation.setting_up import set_up
@@ -94,9 +94,18 @@ def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> O
     """
     if is_partly(plan):
         # A colour that shows would tell; so all candidates have it.
-        return draw_cast(library, draw_lean, LARGEST_PARTLY, LOOSE_TOLERANCE, rng, one_colour=True)
+        return draw_cast(
+            library,
+            hideable(library, LARGEST_PARTLY),
+            draw_lean,
+            LOOSE_TOLERANCE,
+            rng,
+            one_colour=True,
+        )
     sides = sides_of(plan.rules)
-    cast = draw_cast(library, draw_cover, LARGEST_HIDDEN, TWIN_TOLERANCE, rng, sides=sides)
+    cast = draw_cast(
+        library, hideable(library, LARGEST_HIDDEN), draw_cover, TWIN_TOLERANCE, rng, sides=sides
+    )
     if is_find_open(plan):
         return with_secret(library, cast, LARGEST_HIDDEN, rng)
     return with_toppings(library, cast, [0], rng) if is_topped(plan) else cast

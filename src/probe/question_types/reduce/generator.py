@@ -11,8 +11,8 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.alike import TWIN_TOLERANCE, sides_of
-from probe.generation.covers import NEEDS_SLAB, Cover, draw_slab, draw_topping
-from probe.generation.object_selection import ObjectSelection, draw_cast, needs_alike
+from probe.generation.covers import NEEDS_SLAB, Cover, draw_slab, draw_topping, footprint_of
+from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
 from probe.generation.removal import GhostRemoval, RemovalView
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.setting_up import set_up
@@ -39,6 +39,7 @@ from probe.generation.visibility_rules import (
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
 from probe.tasks.english import listed
+from probe.tasks.task import KIND_RULES
 from probe.tasks.truth import which_on_table
 from probe.types import Array
 
@@ -115,8 +116,19 @@ def select_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
     many = REMOVALS.of(plan) >= _MANY
     count = int(rng.integers(_FEWEST, (_FEWEST if many else _MOST) + 1))
     more = ([draw_slab] * (len(_SAILS) - 1) + [draw_topping])[: REMOVALS.of(plan) - 1]
-    largest, sides = LARGEST_BENEATH_MORE if more else LARGEST, sides_of(plan.rules)
-    return draw_cast(library, draw_slab, largest, TWIN_TOLERANCE, rng, count, more, sides=sides)
+    pool = hideable(library, LARGEST_BENEATH_MORE if more else LARGEST)
+    if plan.rules >= KIND_RULES:
+        pool = _hidden_by_one(library, pool, rng)
+    sides = sides_of(plan.rules)
+    return draw_cast(library, pool, draw_slab, TWIN_TOLERANCE, rng, count, more, sides=sides)
+
+
+def _hidden_by_one(
+    library: Library, pool: Sequence[ObjectSpec], rng: np.random.Generator
+) -> list[ObjectSpec]:
+    """What a slab hides that is drawn of all: else the few widest ones would be in most tasks."""
+    slab = draw_slab(library, library.specs, (), rng)
+    return [spec for spec in pool if slab and slab.hides(footprint_of(library, spec.id))]
 
 
 def _fanned(cast: ObjectSelection) -> Lay:
