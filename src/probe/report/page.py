@@ -18,6 +18,7 @@ from probe.report.highlight import highlight_of
 from probe.report.outcome_figure import CLASSES, panels
 from probe.report.rendering import digest, joined, script_json, write_page
 from probe.report.result_words import TOO_FEW, result_words
+from probe.report.steps_figure import HEIGHT, TICKS, WIDTH, curves, height
 from probe.report.suite_facts import suite_facts
 from probe.report.summary_tables import effort_table, missing_table, type_table, unknown_measures
 from probe.scores.sight import sight_words
@@ -159,6 +160,9 @@ def _values(report: Report) -> dict[str, object]:
         ],
         "panels": panels(cards),
         "classes": CLASSES,
+        "curves": curves(cards),
+        "plane": (WIDTH, HEIGHT),
+        "shares": [(share, height(share)) for share in TICKS],
         "highlight": highlight,
         "highlight_key": highlight and keys_of(played)[played.index(highlight.played)],
         "facts": suite_facts(report.suite.tasks),

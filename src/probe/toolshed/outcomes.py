@@ -40,7 +40,8 @@ _NO_GRIP_EITHER = "After that there was no grip on it either"
 ADVICE = {
     "no_candidate": "Push it further, or first clear what stands around it.",
     "unreachable": "Push it further, or first clear what stands around it.",
-    "blocked": "First clear or push aside what stands next to it, or push it.",
+    "blocked": "If something stands next to it, clear that or push it aside first. If not, push "
+    "it, or grasp it once more.",
     "slipped": "Grasp it once more, or push it.",
     "dropped": "Grasp it once more, or push it.",
     "moved": "Grasp it once more, or push it.",
