@@ -49,7 +49,7 @@ class Curve:
 
 
 def curves(cards: Iterable[Scorecard]) -> list[Curve]:
-    """The curve of each entrant whose tasks state what is necessary; steps with gaps are left out."""
+    """The curve of each entrant whose tasks state what is necessary, without steps with gaps."""
     return [Curve(card.entrant, _steps(card.by_necessary)) for card in cards if card.by_necessary]
 
 
