@@ -19,6 +19,7 @@ def serve_model(
     name: str | None = None,
     cpu_bfloat16: bool = False,
     most_tokens: int = MOST_TOKENS,
+    constrained: bool = False,
 ) -> None:
     """Serve a model over OpenAI's protocol on this machine, one reply at a time, with transformers.
 
@@ -29,13 +30,17 @@ def serve_model(
         model: A folder that `probe train` wrote, or a name at Hugging Face.
         port: Where to listen.
         name: What the model is called, and must be called in requests; by default its folder's
-            name.
+            name, with "-constrained" behind it if its replies are.
         cpu_bfloat16: Without a GPU, compute in bfloat16 if the processor has instructions for it.
         most_tokens: Of a reply, where a request doesn't say; longer ones are cut off.
+        constrained: Rule out all tokens but those that make a call of one of the request's tools,
+            with a few words before it.
     """
     check_numbers({"--port": port, "--most-tokens": most_tokens})
-    called = name or Path(model).name
+    called = name or f"{Path(model).name}{'-constrained' if constrained else ''}"
     with reserved(port) as held:
-        speaker = ServedModel(model, cpu_bfloat16=cpu_bfloat16, most_tokens=most_tokens)
+        speaker = ServedModel(
+            model, cpu_bfloat16=cpu_bfloat16, most_tokens=most_tokens, constrained=constrained
+        )
         say(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.")
         serve(speaker, called, held)

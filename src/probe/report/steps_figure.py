@@ -15,7 +15,7 @@ TICKS = (0.0, 0.5, 1.0)
 
 
 @dataclass(frozen=True)
-class Step:
+class CurvePoint:
     """Tasks that take equally many manipulations.
 
     Attributes:
@@ -40,7 +40,7 @@ class Curve:
     """One entrant's steps, the fewest manipulations first."""
 
     entrant: Entrant
-    steps: tuple[Step, ...]
+    steps: tuple[CurvePoint, ...]
 
     @property
     def line(self) -> str:
@@ -58,10 +58,10 @@ def height(share: float) -> float:
     return round(HEIGHT * (1 - share), 1)
 
 
-def _steps(figures: tuple[Figure, ...]) -> tuple[Step, ...]:
+def _steps(figures: tuple[Figure, ...]) -> tuple[CurvePoint, ...]:
     counts = [int(figure.name) for figure in figures]
     first, span = min(counts), max(1, max(counts) - min(counts))
-    steps: list[Step] = []
+    steps: list[CurvePoint] = []
     for count, figure in zip(counts, figures, strict=True):
         share = figure.headline.value
         if share is None:
@@ -69,5 +69,7 @@ def _steps(figures: tuple[Figure, ...]) -> tuple[Step, ...]:
         interval = figure.wilson or figure.student
         low, high = (share, share) if interval is None else (interval.low, interval.high)
         x = round(WIDTH * (count - first) / span, 1)
-        steps.append(Step(count, figure.tasks, share, x, height(share), height(high), height(low)))
+        steps.append(
+            CurvePoint(count, figure.tasks, share, x, height(share), height(high), height(low))
+        )
     return tuple(steps)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import Any
 
+from probe.train.serve.constraining import CallForms
 from probe.train.serve.read_before import ReadBefore
 from probe.train.serve.replying import ServedReply, read_reply
 from probe.train.tune import libraries
@@ -45,6 +46,8 @@ class ServedModel:
         model: Its folder, or a name at Hugging Face.
         cpu_bfloat16: Without a GPU, compute in bfloat16 if the processor has instructions for it.
         most_tokens: Of a reply, if a request doesn't say.
+        constrained: A reply to a request with tools is a call that fits the schema of one, whatever
+            the model would rather say.
 
     Raises:
         MissingExtra: A library isn't installed.
@@ -52,13 +55,19 @@ class ServedModel:
     """
 
     def __init__(
-        self, model: str, *, cpu_bfloat16: bool = False, most_tokens: int = MOST_TOKENS
+        self,
+        model: str,
+        *,
+        cpu_bfloat16: bool = False,
+        most_tokens: int = MOST_TOKENS,
+        constrained: bool = False,
     ) -> None:
         torch = libraries.torch()
         loaded, self._processor = load(model, cpu_bfloat16=cpu_bfloat16)
         self._model = loaded.to("cuda" if torch.cuda.is_available() else "cpu").eval()
         fresh = libraries.transformers().DynamicCache
         self._before = None if sees(self._processor) else ReadBefore(fresh)
+        self._forms = CallForms(tokenizer_of(self._processor)) if constrained else None
         self._most_tokens = most_tokens
         self._lock = Lock()
 
@@ -81,7 +90,11 @@ class ServedModel:
         most = int(body.get("max_completion_tokens") or body.get("max_tokens") or 0)
         most = most or self._most_tokens
         warmth = float(body.get("temperature") or 0.0)
-        how = {"do_sample": True, "temperature": warmth} if warmth > 0 else {"do_sample": False}
+        how: dict[str, Any] = {"do_sample": warmth > 0}
+        if warmth > 0:
+            how["temperature"] = warmth
+        if self._forms and (tools := body.get("tools")):
+            how["logits_processor"] = [self._forms.keep_to(tools)]
         with self._lock, libraries.torch().inference_mode():
             made = self._made(asked, {"max_new_tokens": most, **how})
         start = asked["input_ids"].shape[1]
