@@ -285,6 +285,22 @@ def test_right_answers_that_took_more_than_one_needless_manipulation_are_not_res
     assert (card.needless.n, card.needless.total) == (4, 1 + 2 + 0 + 5)
 
 
+def test_accuracy_by_necessary_manipulations_is_of_tasks_and_not_of_types():
+    """Three of four Find tasks and the one of Size are right: 4 of 5, not the mean of 3/4 and 1."""
+    tasks = [*(f"find-{n}" for n in range(4)), "size-1"]
+    options = {"find": 5, "size": 2}
+    listed = {it: Listed(it.split("-")[0], "", options[it.split("-")[0]], 1) for it in tasks}
+    rows = [
+        row(task, task != "find-0", necessary=1, options=one.options)
+        for task, one in listed.items()
+    ]
+    (figure,) = scorecard(rows, listed, 0).by_necessary
+    assert figure.headline.value == pytest.approx(4 / 5)
+    assert figure.chance == pytest.approx((4 * 0.2 + 0.5) / 5)
+    # Wilson's interval of 4 of 5, by the formula with z = 1.96.
+    assert (figure.wilson.low, figure.wilson.high) == pytest.approx((0.3755, 0.9638), abs=1e-4)
+
+
 def test_one_task_that_does_not_state_what_is_necessary_leaves_restraint_unknown():
     rows = [row("find-1", necessary=0), row("find-2")]
     listed = {"find-1": Listed("find", "", 5, 0), "find-2": Listed("find", "", 5)}

@@ -11,7 +11,15 @@ import pydantic
 from probe.scores.estimates import macro
 from probe.scores.roster import Roster, task_of
 from probe.scores.row import Entrant, Row
-from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
+from probe.scores.units import (
+    ContraryRows,
+    Unit,
+    Worth,
+    is_correct,
+    pooled,
+    strata_of,
+    units_of,
+)
 
 
 @dataclass(frozen=True)
@@ -113,7 +121,12 @@ def filled(
 
 
 def headline(
-    rows: Sequence[Row], roster: Roster, worth: Worth = is_correct, runs: Collection[int] = ()
+    rows: Sequence[Row],
+    roster: Roster,
+    worth: Worth = is_correct,
+    runs: Collection[int] = (),
+    *,
+    pool: bool = False,
 ) -> Headline:
     """One entrant's macro average; refused while anything of it is missing.
 
@@ -122,11 +135,13 @@ def headline(
         roster: Tasks.
         worth: What counts as right.
         runs: As in gaps_of.
+        pool: Average tasks instead, whatever their type.
 
     Raises:
         ContraryRows: A run is there twice, or a task isn't on the roster.
     """
     gaps = gaps_of(rows, roster, runs)
-    worst, best = (macro(strata_of(filled(rows, gaps, value, worth))) for value in (0.0, 1.0))
+    strata = [strata_of(filled(rows, gaps, value, worth)) for value in (0.0, 1.0)]
+    worst, best = (macro(pooled(it) if pool else it) for it in strata)
     whole = len(present(rows)) + len(gaps)
     return Headline(None if gaps else worst, worst, best, whole, len(gaps))

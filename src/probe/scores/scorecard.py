@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, TypedDict
 
@@ -26,7 +26,15 @@ from probe.scores.power import detectable_gap
 from probe.scores.restraint import is_restrained, needless
 from probe.scores.roster import Listed, Roster, chance_by_type, naive_by_type
 from probe.scores.row import Entrant, Row
-from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
+from probe.scores.units import (
+    ContraryRows,
+    Unit,
+    Worth,
+    is_correct,
+    pooled,
+    strata_of,
+    units_of,
+)
 from probe.tasks.type_rules import rules_of
 
 
@@ -123,7 +131,7 @@ class Scorecard:
         restrained: As `macro`, of right answers with at most SPARE manipulations more than
             necessary; None, as the next two, unless all tasks state what is necessary. Files then
             leave it out.
-        by_necessary: Accuracy by how many manipulations are necessary.
+        by_necessary: Accuracy by how many manipulations are necessary, over tasks of all types.
         needless: Manipulations more than necessary.
     """
 
@@ -187,7 +195,7 @@ def _restraint(rows: Sequence[Row], roster: Roster, seed: int) -> Restraint:
     return {
         "restrained": _figure("restrained", rows, roster, seed, is_restrained),
         "by_necessary": tuple(
-            _part(str(count), rows, roster, seed, lambda it, n=count: it.necessary == n)
+            _part(str(count), rows, roster, seed, lambda it, n=count: it.necessary == n, pool=True)
             for count in steps
         ),
         "needless": needless(rows),
@@ -231,10 +239,19 @@ def _part(
     seed: int,
     keep: Callable[[Listed], bool],
     worth: Worth = is_correct,
+    *,
+    pool: bool = False,
 ) -> Figure:
     some = {task: listed for task, listed in roster.items() if keep(listed)}
     mine = [row for row in rows if row.task in some]
-    return _figure(name, mine, some, seed, worth, runs_of(rows))
+    return _figure(name, mine, some, seed, worth, runs_of(rows), pool=pool)
+
+
+def _floor(by_type: Mapping[str, float], roster: Roster, *, pool: bool) -> float:
+    """What doesn't take any skill, averaged over types or, pooled, over tasks."""
+    if not pool:
+        return macro_chance(by_type)
+    return float(np.mean([by_type[listed.question_type] for listed in roster.values()]))
 
 
 def _figure(
@@ -244,12 +261,16 @@ def _figure(
     seed: int,
     worth: Worth = is_correct,
     runs: Collection[int] = (),
+    *,
+    pool: bool = False,
 ) -> Figure:
-    top = headline(rows, roster, worth, runs)
-    chance, naive = macro_chance(chance_by_type(roster)), macro_chance(naive_by_type(roster))
+    top = headline(rows, roster, worth, runs, pool=pool)
+    chance, naive = (
+        _floor(by(roster), roster, pool=pool) for by in (chance_by_type, naive_by_type)
+    )
     known = top.value is not None
     units = units_of(rows, worth) if known else []
-    strata = strata_of(units)
+    strata = pooled(strata_of(units)) if pool else strata_of(units)
     single = len(strata) == 1 and all(len(unit.runs) == 1 for unit in units)
     return Figure(
         name=name,

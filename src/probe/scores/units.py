@@ -98,6 +98,11 @@ def strata_of(units: Sequence[Unit]) -> dict[str, Array]:
     }
 
 
+def pooled(strata: Mapping[str, Array]) -> dict[str, Array]:
+    """All tasks in one stratum: types of which few tasks are there aren't averaged alike."""
+    return {"": np.concatenate(list(strata.values()))} if strata else {}
+
+
 def by_entrant(rows: Iterable[Row]) -> dict[Entrant, list[Row]]:
     """Rows by who answered, in order of agent and setting."""
     found: dict[Entrant, list[Row]] = {}
