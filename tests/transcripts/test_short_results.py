@@ -67,11 +67,13 @@ def test_what_else_has_moved_is_mentioned_and_stands_in_the_next_list():
     whole = (
         "Done: object_1 was lifted and dropped into the basket. Also moved: red mug by about 5 cm, "
         "to [20, 30]; part of something (red, what shows is flat) turned or tipped, now at "
-        "[9, 9]. Covered now: blue book that was at [4, 5]. Manipulations left: 9."
+        "[9, 9]. Out of sight, and something else is over that place: blue book that was at "
+        "[4, 5]. Manipulations left: 9."
     )
     assert texts.shortened("grasp_and_remove", whole) == (
-        "Done: object_1 was lifted and dropped into the basket. Others moved, too. Covered now: "
-        "blue book that was at [4, 5]. Manipulations left: 9."
+        "Done: object_1 was lifted and dropped into the basket. Others moved, too. Out of sight, "
+        "and something else is over that place: blue book that was at [4, 5]. Manipulations "
+        "left: 9."
     )
     plain = "Failed: the gripper did not get hold of object_1. Manipulations left: 8."
     assert texts.shortened("push", plain) == plain

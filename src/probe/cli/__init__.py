@@ -43,7 +43,7 @@ class _Command:
 
 COMMANDS: dict[str, _Command] = {
     "doctor": _Command("doctor", "See what is installed, what is missing, and how to get it."),
-    "demo": _Command("demo", "Run the scripted agent on a task of each question type."),
+    "demo": _Command("demo", "Run the scripted agent on a task of each of seven question types."),
     "scene": _Command("scene", "Settle a cluttered table from a seed and photograph it."),
     "run": _Command("run", "Run an agent or a model on a suite."),
     "merge": _Command("merge", "Join folders of records that `probe run --shard` wrote."),

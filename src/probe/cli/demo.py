@@ -1,4 +1,4 @@
-"""`probe demo`: a frozen task of each type, solved by a scripted agent that really manipulates."""
+"""`probe demo`: frozen tasks of seven types, solved by a scripted agent that really manipulates."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from probe.tasks.suite_file import packaged_suite
 
 
 def demo(out: Path = Path("outputs/demo"), renderer: RendererKind = "own") -> None:
-    """Let the scripted agent solve a task of each question type, and write a page of what it did.
+    """Let the scripted agent solve a task of each of seven types, and write a page of what it did.
 
     Args:
         out: Folder for the records, pictures and the page.

@@ -31,7 +31,7 @@ def layout(setup: Setup) -> Any:
         eye_controls=_eye(views, middle, 0.65 * AWAY * forward),
     )
     thought = views.Spatial3DView(
-        name="What the tools saw and thought of",
+        name="What the tools saw and considered",
         contents=["+ /world/seen/**", f"+ /{PLAN}/**"],
         overrides=_hidden(views, ("path", "unchecked")),
         eye_controls=_eye(views, np.array([0.0, 0.0, 0.05]), 0.38 * AWAY * forward),
@@ -40,7 +40,7 @@ def layout(setup: Setup) -> Any:
         views.Spatial2DView(name="What the agent saw last", origin="agent/picture"),
         views.Spatial2DView(name="Things that the tools tell apart", origin="tools"),
     )
-    grasps = views.TextDocumentView(name="Grasps thought of", origin="grasps")
+    grasps = views.TextDocumentView(name="Grasps considered", origin="grasps")
     log = views.TextLogView(
         name="Log",
         origin="log",

@@ -1,0 +1,113 @@
+"""Write docs/get-started/what-is-asked.md: a task of each question type, before and after.
+
+A test sees that the page still says what its tasks say. `--draw-all` draws their pictures as well.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import tyro
+from PIL import Image
+
+from probe.api.resources import library
+from probe.assets.library import Pool
+from probe.episodes.oracle_view import oracle_view
+from probe.files import encode, write_bytes
+from probe.render.renderer import Renderer
+from probe.tasks.suite_file import packaged_suite, read_suite
+from probe.tasks.task import Task
+
+ROOT = Path(__file__).parents[1]
+PAGE = ROOT / "docs/get-started/what-is-asked.md"
+STEPS = ("nested", "decoys", "exact", "ranked", "relation", "budgeted", "memory")
+"""Types that no packaged suite has; a test of each has a frozen task."""
+
+SIDE_PX, GAP_PX = 440, 12
+WHAT = {
+    "beneath": "What did something cover?",
+    "behind": "What did something tall hide from the front camera?",
+    "compare": "Which of two covered things has a colour?",
+    "count": "How many of a kind are there, those under things included?",
+    "find": "Which of these is here, and where?",
+    "reduce": "What comes to light once several things are gone, none of which is enough alone?",
+    "size": "Which of two covered things is larger?",
+    "nested": "What lies under the thing under the cover?",
+    "decoys": "Which of several things lies under any of three covers that look alike?",
+    "exact": "What comes to light, if nothing else may leave or move far?",
+    "ranked": "Which of three hidden things is the longest, the second, the shortest?",
+    "relation": "What lies under the cover next to the one that hides a thing?",
+    "budgeted": "Which of five covers is worth one of three tries?",
+    "memory": "What was where, once the table has been changed as it was asked?",
+}
+"""In few words."""
+
+INTRO = """# What is asked
+
+One task of each question type. On the left is the first picture, as an agent gets it. On the right
+is the same table without what hides the evidence: no agent is shown that, it has to move things.
+[Question types](../reference/rules.md) has the rules, [types with several
+steps](../reference/several-steps.md) those of the last seven.
+
+Four of five options are objects or numbers, and the fifth is "none of the above"; Compare and Size
+have two. The first seven tasks are those of the suite `tour`, which `make demo` plays. Those of the
+last seven types are from our tests, since no packaged suite has such tasks yet."""
+
+
+def tasks() -> list[tuple[Task, Pool]]:
+    """A task of each type, with the pool of its objects."""
+    tour = packaged_suite("tour")
+    first = {task.question_type: (task, tour.pool or "procedural") for task in tour.tasks}
+    for name in STEPS:
+        suite = read_suite(ROOT / "tests/question_types" / name / "tasks.json")
+        first[suite.tasks[0].question_type] = (suite.tasks[0], suite.pool or "procedural")
+    return [first[name] for name in WHAT]
+
+
+def page() -> str:
+    """The page."""
+    return "\n\n".join([INTRO, *(_section(task) for task, _ in tasks())]) + "\n"
+
+
+def _section(task: Task) -> str:
+    name = task.question_type
+    right = next(option for option in task.options if option.letter == task.answer)
+    options = ", ".join(f"{option.letter}: {option.text}" for option in task.options)
+    about = f"{name.capitalize()}: the table at the start, and without what hides the answer."
+    return "\n\n".join(
+        [
+            f"## {name.capitalize()}",
+            WHAT[name],
+            f"![{about}](../pictures/type_{name}.jpg)",
+            f"> {task.question}",
+            f"{options}. Right is **{right.letter}** ({right.text}).",
+        ]
+    )
+
+
+def draw(task: Task, pool: Pool, renderer: Renderer) -> None:
+    """Write a task's two pictures, side by side."""
+    seen = oracle_view(task, library(pool), renderer)
+    pictures = [frame.rgb for frame in seen.frames if frame.rgb is not None]
+    gap = np.full((len(pictures[0]), GAP_PX * len(pictures[0]) // SIDE_PX, 3), 255, np.uint8)
+    image = Image.fromarray(np.concatenate([pictures[0], gap, pictures[1]], axis=1))
+    image = image.resize((round(image.width * SIDE_PX / image.height), SIDE_PX))
+    write_bytes(ROOT / f"docs/pictures/type_{task.question_type}.jpg", encode(image, "JPEG"))
+
+
+def main(*, draw_all: bool = False) -> None:
+    """Write the page anew.
+
+    Args:
+        draw_all: Draw the pictures as well.
+    """
+    PAGE.write_text(page(), "utf-8")
+    if draw_all:
+        with Renderer() as renderer:
+            for task, pool in tasks():
+                draw(task, pool, renderer)
+
+
+if __name__ == "__main__":
+    tyro.cli(main)

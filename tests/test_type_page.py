@@ -1,0 +1,39 @@
+"""The page of what is asked says what its tasks say, and each has its picture."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+from pathlib import Path
+
+import pytest
+
+from probe.tasks.task import QUESTION_TYPES
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.fixture(scope="module")
+def script():
+    spec = importlib.util.spec_from_file_location("type_page", ROOT / "scripts/type_page.py")
+    assert spec and spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_page_is_made_from_its_tasks(script):
+    text = script.PAGE.read_text("utf-8")
+    assert script.page() == text, "run scripts/type_page.py"
+    for task, _ in script.tasks():
+        assert f"> {task.question}\n" in text
+        for option in task.options:
+            assert f"{option.letter}: {option.text}" in text
+
+
+def test_every_type_has_a_task_and_a_small_picture(script):
+    assert sorted(script.WHAT) == sorted(QUESTION_TYPES)
+    shown = re.findall(r"\]\(\.\./(pictures/type_\w+\.jpg)\)", script.PAGE.read_text("utf-8"))
+    assert len(shown) == len(QUESTION_TYPES)
+    for picture in shown:
+        assert (ROOT / "docs" / picture).stat().st_size < 100_000
