@@ -26,13 +26,13 @@ STEPS = ("nested", "decoys", "exact", "ranked", "relation", "budgeted", "memory"
 
 SIDE_PX, GAP_PX = 440, 12
 WHAT = {
-    "beneath": "What did something cover?",
+    "beneath": "What lay under a cover?",
     "behind": "What did something tall hide from the front camera?",
-    "compare": "Which of two covered things has a colour?",
+    "compare": "Which of two marked, partly covered things is darker, or of a given colour?",
     "count": "How many of a kind are there, those under things included?",
     "find": "Which of these is here, and where?",
-    "reduce": "What comes to light once several things are gone, none of which is enough alone?",
-    "size": "Which of two covered things is larger?",
+    "reduce": "What was hidden by the things that are to be removed, one to five of them?",
+    "size": "Which of two marked, partly covered things is larger, or longer?",
     "nested": "What lies under the thing under the cover?",
     "decoys": "Which of several things lies under any of three covers that look alike?",
     "exact": "What comes to light, if nothing else may leave or move far?",
@@ -57,11 +57,11 @@ last seven types are from our tests, since no packaged suite has such tasks yet.
 
 def tasks() -> list[tuple[Task, Pool]]:
     """A task of each type, with the pool of its objects."""
-    tour = packaged_suite("tour")
-    first = {task.question_type: (task, tour.pool or "procedural") for task in tour.tasks}
-    for name in STEPS:
-        suite = read_suite(ROOT / "tests/question_types" / name / "tasks.json")
-        first[suite.tasks[0].question_type] = (suite.tasks[0], suite.pool or "procedural")
+    suites = [read_suite(ROOT / "tests/question_types" / name / "tasks.json") for name in STEPS]
+    first: dict[str, tuple[Task, Pool]] = {}
+    for suite in (packaged_suite("tour"), *suites):
+        for task in suite:
+            first.setdefault(task.question_type, (task, suite.pool or "procedural"))
     return [first[name] for name in WHAT]
 
 
@@ -79,11 +79,16 @@ def _section(task: Task) -> str:
         [
             f"## {name.capitalize()}",
             WHAT[name],
-            f"![{about}](../pictures/type_{name}.jpg)",
+            f"![{about}](../pictures/{picture_of(task)})",
             f"> {task.question}",
             f"{options}. Right is **{right.letter}** ({right.text}).",
         ]
     )
+
+
+def picture_of(task: Task) -> str:
+    """Its file, named after the task: one that changes needs another picture."""
+    return f"type_{task.id}.jpg"
 
 
 def draw(task: Task, pool: Pool, renderer: Renderer) -> None:
@@ -93,7 +98,7 @@ def draw(task: Task, pool: Pool, renderer: Renderer) -> None:
     gap = np.full((len(pictures[0]), GAP_PX * len(pictures[0]) // SIDE_PX, 3), 255, np.uint8)
     image = Image.fromarray(np.concatenate([pictures[0], gap, pictures[1]], axis=1))
     image = image.resize((round(image.width * SIDE_PX / image.height), SIDE_PX))
-    write_bytes(ROOT / f"docs/pictures/type_{task.question_type}.jpg", encode(image, "JPEG"))
+    write_bytes(ROOT / "docs/pictures" / picture_of(task), encode(image, "JPEG"))
 
 
 def main(*, draw_all: bool = False) -> None:

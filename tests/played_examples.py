@@ -12,6 +12,7 @@ from probe.scores.marking import roster_of_tasks, row_of
 from probe.scores.missing import settled
 from probe.scores.summary import summarise
 from probe.tasks.grading import Score
+from probe.tasks.task import Task
 from run_folders import DEMO
 
 TASKS = {task.id: task for task in DEMO.tasks}
@@ -30,9 +31,9 @@ def played(
     return ReportEpisode(task, record, row, counts, pictures)
 
 
-def report_of(episodes: Sequence[ReportEpisode]) -> Report:
+def report_of(episodes: Sequence[ReportEpisode], tasks: Sequence[Task] = DEMO.tasks) -> Report:
     rows = settled(each.row for each in episodes)
-    scores = summarise(DEMO.name, rows, roster_of_tasks(DEMO.tasks))
+    scores = summarise(DEMO.name, rows, roster_of_tasks(tasks))
     return Report(DEMO, scores, tuple(episodes), files=("rows.csv",))
 
 

@@ -33,7 +33,11 @@ def test_the_page_is_made_from_its_tasks(script):
 
 def test_every_type_has_a_task_and_a_small_picture(script):
     assert sorted(script.WHAT) == sorted(QUESTION_TYPES)
-    shown = re.findall(r"\]\(\.\./(pictures/type_\w+\.jpg)\)", script.PAGE.read_text("utf-8"))
-    assert len(shown) == len(QUESTION_TYPES)
+    shown = re.findall(r"\]\(\.\./(pictures/type_[\w-]+\.jpg)\)", script.PAGE.read_text("utf-8"))
+    ids = {task.id for task, _ in script.tasks()}
+    assert {Path(it).stem.removeprefix("type_") for it in shown} == ids
+    assert {it.name for it in (ROOT / "docs/pictures").glob("type_*")} == {
+        Path(it).name for it in shown
+    }, "run scripts/type_page.py --draw-all, and delete the old pictures"
     for picture in shown:
         assert (ROOT / "docs" / picture).stat().st_size < 100_000

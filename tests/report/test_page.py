@@ -111,6 +111,28 @@ def test_a_complete_run_has_a_headline_with_all_that_belongs_to_it(tmp_path):
     assert "one entrant, so nothing to compare" in page.section("differences")
 
 
+def test_accuracy_by_necessary_manipulations_is_drawn_where_tasks_state_them(tmp_path):
+    """Of three tasks that take one all are right, of three that take two one is."""
+    tasks, episodes = [], []
+    for number, task in enumerate(DEMO.tasks):
+        measures = {**task.certificate.measures, "necessary": 1.0 + number % 2}
+        tasks.append(replace(task, certificate=replace(task.certificate, measures=measures)))
+        each = played(episode(task, right=number % 2 == 0 or number == 1))
+        row = each.row.model_copy(update={"necessary": 1 + number % 2})
+        episodes.append(replace(each, task=tasks[-1], row=row))
+    write_report(tmp_path / "index.html", report_of(episodes, tasks))
+    page = Page((tmp_path / "index.html").read_text())
+    assert "Restraint" in page.section("scores")
+    (figure,) = [e for e in page.all("svg") if e.attributes.get("class") == "steps"]
+    assert " ".join((figure.attributes["aria-label"] or "").split()) == (
+        "Right answers by necessary manipulations: 1 necessary: 100 % of 3; 2 necessary: 33 % of 3"
+    )
+    assert len(page.all("circle")) >= 2
+    plain = Page(write_page(tmp_path / "plain", [played(episode(it)) for it in DEMO.tasks]))
+    assert "Restraint" not in plain.section("scores")
+    assert not [e for e in plain.all("svg") if e.attributes.get("class") == "steps"]
+
+
 def test_what_went_wrong_between_models_and_us_is_all_named(tmp_path):
     faults = ("reply 1: the server failed 2 times: 429", "reply 3: empty")
     episodes = [

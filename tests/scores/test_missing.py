@@ -18,6 +18,14 @@ def test_a_failure_of_ours_refuses_it_and_gives_bounds():
     assert headline(rows, ROSTER) == Headline(None, 0.25, 0.5, rows=3, missing=1)
 
 
+def test_pooled_it_is_over_tasks():
+    rows = [row("find-1"), faulty("find-2"), row("size-1", False)]
+    # 1 or 2 of three tasks; over types it would be 1/4 or 1/2.
+    top = headline(rows, ROSTER, pool=True)
+    assert top.value is None and top.missing == 1
+    assert (top.worst, top.best) == (pytest.approx(1 / 3), pytest.approx(2 / 3))
+
+
 def test_what_was_never_run_is_missing_too():
     rows = [row("find-1"), row("find-2")]
     assert headline(rows, ROSTER) == Headline(None, 0.5, 1.0, rows=3, missing=1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from probe.perception.oracle import Oracle
 from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import TURNS, Toolshed
@@ -77,6 +79,25 @@ def test_what_else_has_moved_is_mentioned_and_stands_in_the_next_list():
     )
     plain = "Failed: the gripper did not get hold of object_1. Manipulations left: 8."
     assert texts.shortened("push", plain) == plain
+
+
+@pytest.mark.parametrize(
+    "next_sentence",
+    [
+        "Also moved, and which is which can't be told: egg from [1, 2] and [3, 4] to [5, 6] and "
+        "[7, 8].",
+        "May have moved, as only a part showed before: whisk from [1, 2] to [3, 4].",
+        "Beside the basket, at the edge of the picture or outside it: die that was at [1, 2].",
+        "No longer to be seen on the table or in the basket: die that was at [1, 2].",
+        "Not found again: die that was at [1, 2].",
+    ],
+)
+def test_what_no_list_will_tell_stays(next_sentence):
+    whole = f"Done: x. Also moved: red mug by about 5 cm, to [20, 30]. {next_sentence} "
+    whole += "Manipulations left: 9."
+    assert ShortResults().shortened("push", whole) == (
+        f"Done: x. Others moved, too. {next_sentence} Manipulations left: 9."
+    )
 
 
 def test_what_is_no_list_stays_as_it_is():

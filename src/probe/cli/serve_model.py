@@ -30,7 +30,7 @@ def serve_model(
         model: A folder that `probe train` wrote, or a name at Hugging Face.
         port: Where to listen.
         name: What the model is called, and must be called in requests; by default its folder's
-            name, with "-constrained" behind it if its replies are.
+            name, followed by "-constrained" with that option.
         cpu_bfloat16: Without a GPU, compute in bfloat16 if the processor has instructions for it.
         most_tokens: Of a reply, where a request doesn't say; longer ones are cut off.
         constrained: Rule out all tokens but those that make a call of one of the request's tools,

@@ -160,7 +160,7 @@ def _values(report: Report) -> dict[str, object]:
         ],
         "panels": panels(cards),
         "classes": CLASSES,
-        "curves": curves(cards),
+        "curves": [curve for curve in curves(cards) if len(curve.points) > 1],
         "plane": (WIDTH, HEIGHT),
         "shares": [(share, height(share)) for share in TICKS],
         "highlight": highlight,

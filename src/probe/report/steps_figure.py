@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from probe.report.formats import surest
 from probe.scores.row import Entrant
 from probe.scores.scorecard import Figure, Scorecard
 
@@ -23,7 +24,7 @@ class CurvePoint:
         tasks: How many tasks.
         share: Of them that are right.
         x, y: Where that lies; y counts from the top.
-        top, bottom: Ends of its 95 % interval; where y is without one.
+        top, bottom: Ends of its 95 % interval.
     """
 
     necessary: int
@@ -37,20 +38,20 @@ class CurvePoint:
 
 @dataclass(frozen=True)
 class Curve:
-    """One entrant's steps, the fewest manipulations first."""
+    """One entrant's points, the fewest manipulations first."""
 
     entrant: Entrant
-    steps: tuple[CurvePoint, ...]
+    points: tuple[CurvePoint, ...]
 
     @property
     def line(self) -> str:
-        """Its points, as a polyline has them."""
-        return " ".join(f"{step.x},{step.y}" for step in self.steps)
+        """Its places, as a polyline has them."""
+        return " ".join(f"{step.x},{step.y}" for step in self.points)
 
 
 def curves(cards: Iterable[Scorecard]) -> list[Curve]:
-    """The curve of each entrant whose tasks state what is necessary, without steps with gaps."""
-    return [Curve(card.entrant, _steps(card.by_necessary)) for card in cards if card.by_necessary]
+    """The curve of each entrant whose tasks state what is necessary; no point lacks an episode."""
+    return [Curve(card.entrant, _points(card.by_necessary)) for card in cards if card.by_necessary]
 
 
 def height(share: float) -> float:
@@ -58,18 +59,26 @@ def height(share: float) -> float:
     return round(HEIGHT * (1 - share), 1)
 
 
-def _steps(figures: tuple[Figure, ...]) -> tuple[CurvePoint, ...]:
+def _points(figures: tuple[Figure, ...]) -> tuple[CurvePoint, ...]:
     counts = [int(figure.name) for figure in figures]
     first, span = min(counts), max(1, max(counts) - min(counts))
-    steps: list[CurvePoint] = []
+    points: list[CurvePoint] = []
     for count, figure in zip(counts, figures, strict=True):
         share = figure.headline.value
         if share is None:
             continue
-        interval = figure.wilson or figure.student
-        low, high = (share, share) if interval is None else (interval.low, interval.high)
+        interval = surest(figure)
+        assert interval is not None  # there is one wherever nothing is missing
         x = round(WIDTH * (count - first) / span, 1)
-        steps.append(
-            CurvePoint(count, figure.tasks, share, x, height(share), height(high), height(low))
+        points.append(
+            CurvePoint(
+                count,
+                figure.tasks,
+                share,
+                x,
+                height(share),
+                height(interval.high),
+                height(interval.low),
+            )
         )
-    return tuple(steps)
+    return tuple(points)

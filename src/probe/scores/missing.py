@@ -34,11 +34,11 @@ class Gap:
 
 @dataclass(frozen=True)
 class Headline:
-    """A macro average, or the reason why there is none.
+    """An average over types or, pooled, over tasks; or the reason why there is none.
 
     Attributes:
         value: None while rows are missing.
-        worst, best: The macro average if all that is missing were wrong, or right.
+        worst, best: The same if all that is missing were wrong, or right.
         rows: How many there should be.
         missing: How many of them are missing.
     """

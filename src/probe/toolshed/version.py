@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 TOOLS_VERSION = 3
-"""To be raised when a tool's texts, or what a skill does, change so that results may.
+"""To be raised when a tool's texts, or what a skill does, change so that results may, once the
+version before has been released: records of one that hasn't may differ from its release.
 
 1: The texts and skills of release 0.1.
 2: Outcomes are told by what the camera sees, lists give object_ids, grasps may take an edge, and an

@@ -15,8 +15,8 @@ from probe.toolshed.result import LAST_TURN, MOVING
 from probe.transcripts.short_graphs import ListEntry, entries_of, short_list
 
 _MOVED = re.compile(
-    r"Also moved: .*?\. (?=(?:Beside the basket|Out of sight, and something else is over that "
-    r"place|No longer to be seen|Not found again|Manipulations left)\b)"
+    r"Also moved: .*?\. (?=(?:Also moved, and|May have moved|Beside the basket|Out of sight, and|"
+    r"No longer to be seen|Not found again|Manipulations left)\b)"
 )
 _OTHERS = "Others moved, too. "
 _LAST_TURN = f"\n{LAST_TURN}"

@@ -7,21 +7,18 @@ import json
 import pytest
 from jsonschema import validate
 
-from probe.toolshed.tools import tool_schemas
-from probe.train.serve.constraining import MOST_WORDS, CallForms
+from probe.train.serve.constraining import MOST_WORDS, CallForms, grammar_of
 from probe.train.serve.speaking import ServedModel
 from probe.train.tune import libraries
 from probe.train.tune.conversations import NotUnderstood
 from probe.train.tune.loading import load
+from probe.transcripts.tools import as_sent
 from small_models import small_dataset, small_model
 
 pytestmark = [pytest.mark.slow, pytest.mark.filterwarnings("default")]
 
-SCHEMAS = {tool.name: tool.parameters for tool in tool_schemas()}
-TOOLS = [
-    {"type": "function", "function": {"name": name, "parameters": parameters}}
-    for name, parameters in SCHEMAS.items()
-]
+TOOLS = as_sent("0-1000", setting="text-only")
+SCHEMAS = {tool["function"]["name"]: tool["function"]["parameters"] for tool in TOOLS}
 ASKED = {"messages": [{"role": "user", "content": "What is under the mug?"}], "tools": TOOLS}
 RIGHT = (
     'I look.\n<tool_call>\n{"name": "push", "arguments": {"object_id": "object_1", '
@@ -78,7 +75,7 @@ def allowed(forms: CallForms, tokenizer, text: str) -> int:
         "I look.",
         RIGHT.replace("push", "pull"),
         RIGHT.replace("up", "north"),
-        RIGHT.replace("5", "50"),
+        RIGHT.replace("5", '"5"'),
         RIGHT.replace(', "distance_cm": 5', ""),
         RIGHT.replace('"object_id"', '"id"'),
         RIGHT.replace("\n</tool_call>", ""),
@@ -96,5 +93,16 @@ def test_a_schema_that_cannot_be_kept_to_is_named(model):
     odd = {"type": "object", "properties": {"x": {"type": "string", "not": {"const": "a"}}}}
     tools = [{"type": "function", "function": {"name": "odd", "parameters": odd}}]
     served = ServedModel(str(model), constrained=True)
-    with pytest.raises(NotUnderstood, match="can't be kept to its tools' schemas"):
+    with pytest.raises(NotUnderstood, match=r"kept to its tools' schemas .*without --constrained"):
         served.reply(ASKED | {"tools": tools})
+
+
+@pytest.mark.parametrize("tools", [[{"type": "function"}], "oops", [{"function": {"name": 3}}, 4]])
+def test_tools_in_another_form_are_not_understood(tools):
+    with pytest.raises(NotUnderstood, match="aren't functions with names"):
+        grammar_of(tools, "<tool_call>", "</tool_call>")
+
+
+def test_a_tool_without_parameters_takes_none_in_particular():
+    tools = [{"type": "function", "function": {"name": "look", "parameters": None}}]
+    assert '"type": "object"' in grammar_of(tools, "<tool_call>", "</tool_call>")

@@ -126,9 +126,15 @@ def select_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
 def _hidden_by_one(
     library: Library, pool: Sequence[ObjectSpec], rng: np.random.Generator
 ) -> list[ObjectSpec]:
-    """What a slab hides that is drawn of all: else the few widest ones would be in most tasks."""
+    """What a slab hides that is drawn of all: else the few widest ones would be in most tasks.
+
+    Raises:
+        Rejected: The library has none.
+    """
     slab = draw_slab(library, library.specs, (), rng)
-    return [spec for spec in pool if slab and slab.hides(footprint_of(library, spec.id))]
+    if slab is None:
+        raise Rejected("cover", f"nothing here is {NEEDS_SLAB}")
+    return [spec for spec in pool if slab.hides(footprint_of(library, spec.id))]
 
 
 def _fanned(cast: ObjectSelection) -> Lay:

@@ -43,14 +43,14 @@ class CallForms:
             tools: As OpenAI's protocol has them.
 
         Raises:
-            NotUnderstood: A tool's schema asks for what can't be kept to.
+            NotUnderstood: They aren't in that form, or a schema asks for what can't be kept to.
         """
-        grammar = grammar_of(
-            tools, self._in_grammar("<tool_call>"), self._in_grammar("</tool_call>")
-        )
-        matcher = self._guidance.LLMatcher(self._tokens, grammar)
+        begin, end = self._in_grammar("<tool_call>"), self._in_grammar("</tool_call>")
+        matcher = self._guidance.LLMatcher(self._tokens, grammar_of(tools, begin, end))
         if error := matcher.get_error():
-            raise NotUnderstood(f"replies can't be kept to its tools' schemas: {error}")
+            reason = error.splitlines()[0]
+            remedy = "Change the schema, or serve the model without --constrained"
+            raise NotUnderstood(f"no reply can be kept to its tools' schemas ({reason}). {remedy}")
         return KeptToCalls(matcher)
 
     def _in_grammar(self, tag: str) -> str:
@@ -91,19 +91,25 @@ def grammar_of(tools: Sequence[Mapping[str, Any]], begin: str, end: str) -> str:
         tools: As OpenAI's protocol has them.
         begin: Of a call, its tag in that notation.
         end: The same of its end.
+
+    Raises:
+        NotUnderstood: They aren't in that form.
     """
-    functions = [tool["function"] for tool in tools]
+    try:
+        functions = [_call(tool["function"]) for tool in tools]
+    except (KeyError, TypeError) as error:
+        raise NotUnderstood("its tools aren't functions with names") from error
     calls = [f"call_{number}" for number in range(len(functions))]
     return "\n".join(
         [
             f'start: WORDS {begin} "\\n" ({" | ".join(calls)}) "\\n" {end}',
             f"WORDS: /[^<]{{0,{MOST_WORDS}}}/",
-            *(f"{name}: {_call(each)}" for name, each in zip(calls, functions, strict=True)),
+            *(f"{name}: {each}" for name, each in zip(calls, functions, strict=True)),
         ]
     )
 
 
 def _call(function: Mapping[str, Any]) -> str:
     begin = f'{{"name": {json.dumps(function["name"])}, "arguments": '
-    schema = {**function.get("parameters", {"type": "object"}), "x-guidance": _AS_TRAINED}
+    schema = {**(function.get("parameters") or {"type": "object"}), "x-guidance": _AS_TRAINED}
     return f'{json.dumps(begin)} %json {json.dumps(schema)} "}}"'
