@@ -11,14 +11,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import tyro
-from PIL import Image
+from beside import beside, write_picture
 
 from probe.agents.reading import read_handle
 from probe.api.resources import library
 from probe.episodes.play import set_table
-from probe.files import encode, write_bytes
 from probe.render.renderer import Renderer
 from probe.tasks.suite_file import demo_suite
 from probe.toolshed.tools import ToolSchema, tool_schemas
@@ -29,7 +27,7 @@ DOCS = Path(__file__).parents[1] / "docs"
 BEGIN, END = "<!-- from the tool's own text: scripts/tool_pages.py -->", "<!-- until here -->"
 TASK = "beneath-8af85510"
 COVER = "green mug"
-SIDE_PX, GAP_PX = 480, 12
+SIDE_PX = 480
 SEEN = {
     "perceive_scene": "The picture that comes with the list.",
     "find_object": f'The picture before, and the one that comes with `find_object("{COVER}")`.',
@@ -78,14 +76,14 @@ def pictures() -> dict[str, Array]:
         _, start = _called(tools, "perceive_scene", {})
         shown["perceive_scene"] = start
         cover, found = _called(tools, "find_object", {"description": COVER})
-        shown["find_object"] = _beside(start, found)
+        shown["find_object"] = beside(start, found, SIDE_PX)
         _, taken = _called(tools, "grasp_and_remove", {"object_id": cover})
-        shown["grasp_and_remove"] = _beside(start, taken)
+        shown["grasp_and_remove"] = beside(start, taken, SIDE_PX)
         tools, _ = set_table(task, things, renderer, pictures=True)
         cover, _ = _called(tools, "find_object", {"description": COVER})
         way = {"object_id": cover, "direction": "left", "distance_cm": 10}
         _, pushed = _called(tools, "push", way)
-        shown["push"] = _beside(start, pushed)
+        shown["push"] = beside(start, pushed, SIDE_PX)
     return shown
 
 
@@ -95,11 +93,6 @@ def _called(tools: Toolshed, name: str, arguments: Mapping[str, object]) -> tupl
     print(f"{name}: {result.text.splitlines()[0]}")
     assert result.picture is not None
     return read_handle(result.text) or "", result.picture
-
-
-def _beside(one: Array, other: Array) -> Array:
-    gap = np.full((one.shape[0], GAP_PX * one.shape[0] // SIDE_PX, 3), 255, np.uint8)
-    return np.concatenate([one, gap, other], axis=1)
 
 
 def main(*, draw: bool = False) -> None:
@@ -112,9 +105,7 @@ def main(*, draw: bool = False) -> None:
         path = DOCS / "reference" / "tools" / f"{tool.name}.md"
         path.write_text(page(tool, path.read_text("utf-8")), "utf-8")
     for name, picture in (pictures() if draw else {}).items():
-        image = Image.fromarray(picture)
-        image = image.resize((round(image.width * SIDE_PX / image.height), SIDE_PX))
-        write_bytes(DOCS / "pictures" / f"tool_{name}.jpg", encode(image, "JPEG"))
+        write_picture(f"tool_{name}.jpg", picture, SIDE_PX)
 
 
 if __name__ == "__main__":

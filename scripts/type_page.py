@@ -7,14 +7,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 import tyro
-from PIL import Image
+from beside import beside, write_picture
 
 from probe.api.resources import library
 from probe.assets.library import Pool
 from probe.episodes.oracle_view import oracle_view
-from probe.files import encode, write_bytes
 from probe.render.renderer import Renderer
 from probe.tasks.suite_file import packaged_suite, read_suite
 from probe.tasks.task import Task
@@ -24,7 +22,7 @@ PAGE = ROOT / "docs/get-started/what-is-asked.md"
 STEPS = ("nested", "decoys", "exact", "ranked", "relation", "budgeted", "memory")
 """Types that no packaged suite has; a test of each has a frozen task."""
 
-SIDE_PX, GAP_PX = 440, 12
+SIDE_PX = 440
 WHAT = {
     "beneath": "What lay under a cover?",
     "behind": "What did something tall hide from the front camera?",
@@ -94,11 +92,9 @@ def picture_of(task: Task) -> str:
 def draw(task: Task, pool: Pool, renderer: Renderer) -> None:
     """Write a task's two pictures, side by side."""
     seen = oracle_view(task, library(pool), renderer)
-    pictures = [frame.rgb for frame in seen.frames if frame.rgb is not None]
-    gap = np.full((len(pictures[0]), GAP_PX * len(pictures[0]) // SIDE_PX, 3), 255, np.uint8)
-    image = Image.fromarray(np.concatenate([pictures[0], gap, pictures[1]], axis=1))
-    image = image.resize((round(image.width * SIDE_PX / image.height), SIDE_PX))
-    write_bytes(ROOT / "docs/pictures" / picture_of(task), encode(image, "JPEG"))
+    first, revealed = (frame.rgb for frame in seen.frames)
+    assert first is not None and revealed is not None
+    write_picture(picture_of(task), beside(first, revealed, SIDE_PX), SIDE_PX)
 
 
 def main(*, draw_all: bool = False) -> None:

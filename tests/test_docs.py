@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-import importlib.util
+import importlib
 import pkgutil
 import re
 from pathlib import Path
@@ -96,10 +96,7 @@ def test_every_public_name_is_there_and_documented():
 
 @pytest.mark.parametrize("script", ["api_page", "cli_page"])
 def test_a_generated_page_is_current(script: str):
-    spec = importlib.util.spec_from_file_location(script, ROOT / f"scripts/{script}.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    module = importlib.import_module(script)
     assert module.PAGE.read_text("utf-8") == module.page(), f"run scripts/{script}.py"
 
 

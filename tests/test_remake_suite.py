@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import importlib.util
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import remake_suite as remake
 
 from probe.api.resources import everything
 from probe.errors import BadData
@@ -15,19 +15,8 @@ from probe.generation.build_folder import IMMOVABLE, KEPT, BuildFolder
 from probe.generation.plan import ATTEMPTS
 from probe.tasks.suite_file import demo_suite, find_suite, read_suite
 
-ROOT = Path(__file__).parents[1]
 
-
-@pytest.fixture(scope="module")
-def remake():
-    spec = importlib.util.spec_from_file_location("remake", ROOT / "scripts/remake_suite.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def test_a_task_that_passes_is_kept_and_another_s_place_goes_on_after_it(remake, tmp_path: Path):
+def test_a_task_that_passes_is_kept_and_another_s_place_goes_on_after_it(tmp_path: Path):
     library = everything()
     parts = BuildFolder(tmp_path / "x.parts")
     good, stuck = demo_suite().tasks[:2]
@@ -44,12 +33,12 @@ def test_a_task_that_passes_is_kept_and_another_s_place_goes_on_after_it(remake,
     assert remake.unsettled(parts, demo_suite()) == list(demo_suite().tasks[2:])
 
 
-def test_the_command_asks_for_the_same_places(remake, tmp_path: Path):
+def test_the_command_asks_for_the_same_places(tmp_path: Path):
     told = remake.rebuild_command(find_suite("v1"), tmp_path / "x.json", "procedural")
     assert "--public" in told and "--first 1000 " in told and "--counts.beneath 26" in told
 
 
-def test_a_suite_with_gaps_is_refused(remake, tmp_path: Path):
+def test_a_suite_with_gaps_is_refused(tmp_path: Path):
     v1 = find_suite("v1")
     gap = replace(v1, tasks=v1.tasks[1:])
     with pytest.raises(BadData, match="beneath"):

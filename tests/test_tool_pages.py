@@ -2,30 +2,21 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 from pathlib import Path
 
 import pytest
+import tool_pages
 
 from probe.toolshed.tools import tool_schemas
 
 ROOT = Path(__file__).parents[1]
 
 
-@pytest.fixture(scope="module")
-def pages():
-    spec = importlib.util.spec_from_file_location("tool_pages", ROOT / "scripts/tool_pages.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.mark.parametrize("tool", tool_schemas(), ids=lambda tool: tool.name)
-def test_a_page_is_made_from_the_tools_text(pages, tool):
+def test_a_page_is_made_from_the_tools_text(tool):
     text = (ROOT / "docs/reference/tools" / f"{tool.name}.md").read_text("utf-8")
-    assert pages.page(tool, text) == text, "run scripts/tool_pages.py"
+    assert tool_pages.page(tool, text) == text, "run scripts/tool_pages.py"
     told = " ".join(line[2:] for line in text.splitlines() if line.startswith("> "))
     for sentence in re.split(r"(?<=\.)\s+", " ".join(tool.description.split())):
         assert sentence in told

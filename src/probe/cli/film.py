@@ -37,7 +37,7 @@ def film(
         agent: Name of an agent, as in the records; by default all.
         out: Folder for the films; by default "films" in that of the records.
         format: Of the files: by default mp4; rrd is a recording for Rerun's viewer.
-        speed: How many times faster than in real time the arm moves, by default 1; in simulation,
+        speed: How fast the arm moves, in multiples of real time, by default 1; in simulation,
             fingers that close on something are shown at half of that.
         renderer: What draws robot, table and room, by default filament; blender needs the extra of
             that name, and much more time. What the agent saw is drawn as when it saw it.

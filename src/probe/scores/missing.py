@@ -11,15 +11,7 @@ import pydantic
 from probe.scores.estimates import macro
 from probe.scores.roster import Roster, task_of
 from probe.scores.row import Entrant, Row
-from probe.scores.units import (
-    ContraryRows,
-    Unit,
-    Worth,
-    is_correct,
-    pooled,
-    strata_of,
-    units_of,
-)
+from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
 
 
 @dataclass(frozen=True)
@@ -141,7 +133,8 @@ def headline(
         ContraryRows: A run is there twice, or a task isn't on the roster.
     """
     gaps = gaps_of(rows, roster, runs)
-    strata = [strata_of(filled(rows, gaps, value, worth)) for value in (0.0, 1.0)]
-    worst, best = (macro(pooled(it) if pool else it) for it in strata)
+    worst, best = (
+        macro(strata_of(filled(rows, gaps, value, worth), pool=pool)) for value in (0.0, 1.0)
+    )
     whole = len(present(rows)) + len(gaps)
     return Headline(None if gaps else worst, worst, best, whole, len(gaps))

@@ -26,15 +26,7 @@ from probe.scores.power import detectable_gap
 from probe.scores.restraint import is_restrained, needless
 from probe.scores.roster import Listed, Roster, chance_by_type, naive_by_type
 from probe.scores.row import Entrant, Row
-from probe.scores.units import (
-    ContraryRows,
-    Unit,
-    Worth,
-    is_correct,
-    pooled,
-    strata_of,
-    units_of,
-)
+from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
 from probe.tasks.type_rules import rules_of
 
 
@@ -270,7 +262,7 @@ def _figure(
     )
     known = top.value is not None
     units = units_of(rows, worth) if known else []
-    strata = pooled(strata_of(units)) if pool else strata_of(units)
+    strata = strata_of(units, pool=pool)
     single = len(strata) == 1 and all(len(unit.runs) == 1 for unit in units)
     return Figure(
         name=name,

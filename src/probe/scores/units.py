@@ -89,18 +89,14 @@ def units_of(rows: Iterable[Row], worth: Worth = is_correct) -> list[Unit]:
     return [Unit(task, first[task].question_type, tuple(runs[task].values())) for task in first]
 
 
-def strata_of(units: Sequence[Unit]) -> dict[str, Array]:
-    """Means of tasks by question type, in order of the types' names."""
+def strata_of(units: Sequence[Unit], *, pool: bool = False) -> dict[str, Array]:
+    """Means of tasks by question type, in order of the types' names; pooled, in one stratum."""
     question_types = sorted({unit.question_type for unit in units})
-    return {
+    strata = {
         question_type: np.array([u.mean for u in units if u.question_type == question_type])
         for question_type in question_types
     }
-
-
-def pooled(strata: Mapping[str, Array]) -> dict[str, Array]:
-    """All tasks in one stratum: types of which few tasks are there aren't averaged alike."""
-    return {"": np.concatenate(list(strata.values()))} if strata else {}
+    return {"": np.concatenate(list(strata.values()))} if pool and strata else strata
 
 
 def by_entrant(rows: Iterable[Row]) -> dict[Entrant, list[Row]]:
