@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from probe.assets.cache import Cache
-from probe.assets.library import Library
+from probe.assets.library import Library, open_library
 from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body
 from probe.assets.pools.procedural import procedural_body, procedural_key
@@ -124,3 +124,13 @@ def test_pairs_always_have_one_of_ones_own_and_often_two_at_first(mixed: Library
 def test_nobody_compares_paints_of_others_things(mixed: Library):
     (found,) = possibilities([TaskSlot("compare", 0)], mixed)
     assert found.hopeless and "of your own" in found.missing[0]
+
+
+@pytest.mark.slow
+def test_a_place_whose_first_castings_fail_is_tried_longer_where_others_can_be_cast(cache: Path):
+    """One casting of Budgeted in ten or so finds five covers: for this place the 52nd."""
+    evaluation, unlucky = open_library("evaluation", None, cache), TaskSlot("budgeted", 50000)
+    (alone,) = possibilities([unlucky], evaluation)
+    (found,) = possibilities([unlucky, TaskSlot("budgeted", 50001)], evaluation)
+    assert alone.hopeless == (unlucky,)
+    assert (found.hopeless, found.missing) == ((), ())

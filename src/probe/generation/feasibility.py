@@ -21,6 +21,9 @@ from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVe
 TRIES = 40
 """Castings of a place that must all fail before it is called impossible."""
 
+LONGER = 10 * TRIES
+"""The same where others of its type can be cast: of some types one casting in twenty succeeds."""
+
 
 @dataclass(frozen=True)
 class Feasibility:
@@ -85,23 +88,40 @@ def _of_type(
     attempt: Callable[[TaskSlot, int], Attempt],
 ) -> Feasibility:
     failures = Counter[str]()
-    hopeless = tuple(
-        place for place in places if not _can_be_selected(place, library, attempt, failures)
-    )
+    hopeless = _uncast(places, range(TRIES), library, attempt, failures)
+    if len(hopeless) < len(places):
+        failures.clear()
+        hopeless = _uncast(hopeless, range(TRIES, LONGER), library, attempt, failures)
     return Feasibility(
         question_type, places, hopeless, tuple(reason for reason, _ in failures.most_common())
     )
 
 
+def _uncast(
+    places: tuple[TaskSlot, ...],
+    numbers: range,
+    library: Library,
+    attempt: Callable[[TaskSlot, int], Attempt],
+    failures: Counter[str],
+) -> tuple[TaskSlot, ...]:
+    """The places for which none of some numbered castings succeeds."""
+    return tuple(
+        place
+        for place in places
+        if not _can_be_selected(place, numbers, library, attempt, failures)
+    )
+
+
 def _can_be_selected(
     place: TaskSlot,
+    numbers: range,
     library: Library,
     attempt: Callable[[TaskSlot, int], Attempt],
     failures: Counter[str],
 ) -> bool:
     """Whether anybody can play; what went wrong is counted if nobody can."""
     mine = Counter[str]()
-    for number in range(TRIES):
+    for number in numbers:
         made = attempt(place, number)
         rng = generator(made.seed, place.question_type, "possible")
         try:
