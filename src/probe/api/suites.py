@@ -16,6 +16,7 @@ from probe.scene.setup import ROOM_TABLE, Setup
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import check_new_name, find_suite
 from probe.tasks.task import QuestionType
+from probe.verification.check import what_is_wrong
 
 
 def open_library(pool: Pool = "procedural") -> Library:
@@ -69,7 +70,8 @@ def build_suite(
             says it.
         public: Draw no salt: anyone can reproduce these tasks, and predict their answers.
         first: With `public`, number of the first episode of each type.
-        certified: Keep only tasks that a scripted agent solves; this takes most of the time.
+        certified: Keep only tasks that hold when they are measured once more, and that a scripted
+            agent solves; this takes most of the time.
         setup: The table that the tasks are for; see read_setup(). By default the usual one, in the
             light and with the looks of new scenes.
         track: Watches the work.
@@ -88,7 +90,7 @@ def build_suite(
     salt = begin(folder, pool, public=public, unchecked=unchecked, setup=table, rules=rules)
     with Renderer(engine=table.renderer) as renderer:
         resources = BuildResources(
-            library, tables_for(pool), renderer, unchecked, salt, table, rules
+            library, tables_for(pool), renderer, unchecked, salt, table, rules, what_is_wrong
         )
         waiting: Sequence[TaskSlot] = places
         while waiting:

@@ -47,6 +47,7 @@ from probe.scene.setup import UR5_TABLE, RendererName, newest
 from probe.scene.setup_file import read_setup
 from probe.tasks.suite_file import check_new_name, find_suite
 from probe.tasks.task import QUESTION_TYPES, QuestionType, RulesVersion
+from probe.verification.check import what_is_wrong
 
 app = CommandApp()
 app.command(shortcuts)
@@ -96,7 +97,8 @@ def build(
         workers: Processes; by default 1, and on a cluster one on each core.
         where: On which machines.
         shard: "0/2" and "1/2" on two machines that see this folder share the work.
-        unchecked: Leave out the check that a scripted agent solves it, for tests of the generator.
+        unchecked: Leave out the checks that tasks are measured once more, and that a scripted agent
+            solves them: for tests of the generator.
         unsolved: File for up to 50 candidates that failed this check alone.
         setup: File of another set-up (docs/how-to/extend/add-a-setup.md); tasks keep it.
         lighting: Of the tasks' pictures, as for `probe scene`; tasks keep it.
@@ -119,7 +121,9 @@ def build(
     lacking = [place for place in places if not parts.task_path(place).exists()]
     left_out = _hopeless(lacking, things, salt, rules)
     seen = None if where.store else parts
-    maker = TaskMaker(seen, opener(pool), tables_for(pool), unchecked, salt, table, rules)
+    maker = TaskMaker(
+        seen, opener(pool), tables_for(pool), unchecked, salt, table, rules, what_is_wrong
+    )
     mine = [place for place in part.of(places) if place not in left_out]
     engine = where.engine(parts.folder, workers)
     _fill(maker, parts, mine, engine)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
@@ -19,6 +19,7 @@ from probe.generation.build_folder import (
     REPEATED,
     RESTLESS,
     UNSOLVED,
+    UNVERIFIED,
     BuildFolder,
     BuildSettings,
     CandidateLog,
@@ -48,6 +49,9 @@ from probe.tasks.task import (
     Task,
 )
 
+Audit = Callable[[Task, Library, Renderer], str]
+"""Measures a finished task once more, as a stranger would: what is wrong; empty if nothing is."""
+
 _REASONS = 3
 
 _MANY: tuple[Pool, ...] = "procedural", "procedural-2", "train", "evaluation"
@@ -64,6 +68,7 @@ class BuildResources:
         salt: Of a private suite.
         setup: The table that tasks are for.
         rules: The version of the rules that they are made by.
+        audit: What a task that is to be checked has to pass besides; None where nothing.
     """
 
     library: Library
@@ -73,6 +78,7 @@ class BuildResources:
     salt: Salt | None = None
     setup: Setup = UR5_TABLE
     rules: RulesVersion = NEWEST_RULES
+    audit: Audit | None = None
 
 
 def rules_for(library: Library) -> RulesVersion:
@@ -252,6 +258,10 @@ def _attempt(
         return Rejection(LOOK_ALIKE, alike), ()
     if resources.unchecked:
         return result, ()
+    if resources.audit and (
+        wrong := resources.audit(result.task, resources.library, resources.renderer)
+    ):
+        return Rejection(UNVERIFIED, wrong), ()
     if stuck := immovable(result.task, resources.library, resources.renderer):
         return Rejection(IMMOVABLE, stuck), ()
     return result, trials(result.task, resources.library, resources.renderer)

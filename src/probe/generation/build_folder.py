@@ -23,17 +23,19 @@ from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import QuestionType, RulesVersion, Task
 from probe.texts import cell, uncell
 
-KEPT, UNSOLVED, RESTLESS, LOOK_ALIKE, IMMOVABLE, REPEATED = (
+KEPT, UNSOLVED, RESTLESS, LOOK_ALIKE, UNVERIFIED, IMMOVABLE, REPEATED = (
     "kept",
     "solvable",
     "at rest",
     "look-alikes",
+    "verified",
     "movable",
     "repeated",
 )
 """Names of results: a task; a candidate that failed only the scripted agents' check; one whose
-things move once its table stands alone; one whose answer looks like another candidate; one in
-which something that has to go can't be moved; one that asks about the same things as another."""
+things move once its table stands alone; one whose answer looks like another candidate; one of which
+another measurement finds something wrong; one in which something that has to go can't be moved; one
+that asks about the same things as another."""
 
 _UNTRIED = "-"
 _MAKING = "making.json"

@@ -14,7 +14,7 @@ from pathlib import Path
 from probe.assets.library import Library
 from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.errors import OutputFailed, ProbeError, Unsatisfiable
-from probe.generation.build import BuildResources, fill
+from probe.generation.build import Audit, BuildResources, fill
 from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.generation.salt import Salt
 from probe.render.renderer import Renderer
@@ -35,6 +35,7 @@ class TaskMaker:
         salt: Of a private suite.
         setup: The table that tasks are for.
         rules: The version of the rules that they are made by.
+        audit: What tasks that are checked have to pass besides; see BuildResources.
     """
 
     parts: BuildFolder | None
@@ -44,6 +45,7 @@ class TaskMaker:
     salt: Salt | None = None
     setup: Setup = UR5_TABLE
     rules: RulesVersion = NEWEST_RULES
+    audit: Audit | None = None
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[_Begun], bytes]]:
@@ -60,6 +62,7 @@ class TaskMaker:
                     self.salt,
                     self.setup,
                     self.rules,
+                    self.audit,
                 ),
             )
 

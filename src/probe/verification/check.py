@@ -85,6 +85,17 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
     )
 
 
+def what_is_wrong(task: Task, library: Library, renderer: Renderer) -> str:
+    """What the checks without a scripted agent find wrong with a task; empty if nothing is.
+
+    What a generator measured can come out otherwise once things have settled again.
+    """
+    verdict = check(task, library, renderer, CheckDepth(solve=False))
+    return "; ".join(
+        f"{name}: {problem}" for name, found in verdict.problems.items() for problem in found
+    )
+
+
 def _unsolved(task: Task, library: Library, renderer: Renderer) -> Iterator[str]:
     if solves_as_noted(task, library, renderer):
         return
