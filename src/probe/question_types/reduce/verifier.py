@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from probe.assets.library import Library
 from probe.generation.visibility_rules import (
@@ -10,40 +10,22 @@ from probe.generation.visibility_rules import (
     HIDDEN_SHARE,
     LARGEST_GAIN,
     PARTLY,
-    is_clear,
-    is_hidden,
 )
-from probe.tasks.english import listed
 from probe.tasks.task import Task
+from probe.verification.named import named_problems, named_slots, shown_problems
 from probe.verification.options import depth_problems
 from probe.verification.remeasure import Remeasurement
-from probe.verification.subjects import spec_of, subject_is
 from probe.verification.truth import candidate_on_table
 from probe.verification.type_verifier import Makeup, Verifier
 
 
-def _slots(task: Task, library: Library) -> Mapping[str, str]:
-    return {"names": listed(_named(task, library))}
-
-
 def _subject(task: Task, library: Library) -> Iterator[str]:
-    if len(set(task.named)) < len(task.named) or set(task.named) & set(task.targets):
-        yield "it names a thing twice, or the hidden one"
+    yield from named_problems(task, library)
     yield from depth_problems(task, library)
-    yield from subject_is(task, ", ".join(_named(task, library)))
-
-
-def _named(task: Task, library: Library) -> list[str]:
-    return [spec_of(task, number, library).name for number in task.named]
 
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
-    (target,) = task.targets
-    if not is_hidden(anew.seen[target]):
-        yield f"the answer shows by {anew.seen[target].fraction:.0%}"
-    for number in task.named:
-        if not is_clear(anew.seen[number]):
-            yield f"only {anew.seen[number].fraction:.0%} of {number}, which is named, show"
+    yield from shown_problems(task, anew)
     yield from _all_removed(task, anew)
     yield from _one_removed(task, anew)
 
@@ -68,7 +50,7 @@ def _one_removed(task: Task, anew: Remeasurement) -> Iterator[str]:
 
 VERIFIER = Verifier(
     makeup=Makeup(1, named=True),
-    slots=_slots,
+    slots=named_slots,
     subject=_subject,
     hidden=_hidden,
     true_text=candidate_on_table,
