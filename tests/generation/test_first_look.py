@@ -1,8 +1,15 @@
 """First looks at painted frames, whose areas and heights are known."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
-from probe.generation.first_look import first_look
+from probe.assets.library import Library
+from probe.generation.first_look import first_look, look_at
+from probe.render.renderer import Renderer
+from probe.scene.setup import newest
+from probe.tasks.suite_file import demo_suite
 from probe.tasks.task import Mark
 from tabletops import Block, paint, spec
 
@@ -60,3 +67,14 @@ def test_marks_lie_on_what_shows_there():
 def test_what_is_out_of_sight_leaves_no_trace():
     beneath = Block(3, (260, 150, 300, 200), height=0.01)
     assert look(SLAB, BOX, beneath) == look(SLAB, BOX)
+
+
+@pytest.mark.slow
+def test_it_is_taken_in_the_light_of_the_tasks_pictures(library: Library, renderer: Renderer):
+    even = demo_suite().tasks[0]
+    room = replace(even, scene=replace(even.scene, setup=newest(even.setup, "day_room", looks=1)))
+    looks = [look_at(task, library, renderer) for task in (even, room)]
+    boxes = [[thing.box_px for thing in look.things] for look in looks]
+    assert boxes[0] == boxes[1]
+    lightness = np.array([[thing.lab[0] for thing in look.things] for look in looks])
+    assert np.abs(lightness[0] - lightness[1]).max() > 3

@@ -15,6 +15,7 @@ from probe.perception.oracle import Oracle
 from probe.perception.outline import window_of
 from probe.perception.scene_graph import Contact, Relation
 from probe.perception.things import Thing
+from probe.render.lighting import light_of
 from probe.render.photograph import labels_of, load_scene, measure, photograph
 from probe.render.renderer import Renderer
 from probe.tasks.task import Letter, Mark, Task
@@ -86,7 +87,8 @@ def look_at(task: Task, library: Library, renderer: Renderer) -> FirstLook:
     camera = task.viewpoint.camera
     seen = measure(renderer, task.scene, camera)
     shares = {number: each.fraction for number, each in seen.items()}
-    frame = replace(photograph(renderer, task.scene, camera=camera), shares=shares)
+    light = light_of(task.viewpoint.lighting, library.assets)
+    frame = replace(photograph(renderer, task.scene, camera=camera, light=light), shares=shares)
     words = {placed.instance: library[placed.object_id] for placed in task.scene.objects}
     return first_look(frame, words, task.marks)
 

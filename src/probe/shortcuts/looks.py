@@ -18,7 +18,7 @@ from probe.shortcuts.sample import LabelledSample, example_of
 from probe.tasks.suite import Suite, check_objects, part
 from probe.tasks.task import Task
 
-_LAYOUT = "2"
+_LAYOUT = "3"
 _DOCUMENT = pydantic.TypeAdapter(FirstLook)
 
 
