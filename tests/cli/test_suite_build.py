@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 
 import pytest
 
 from deadly_work import DeadlyMaker
+from probe.api import suites
+from probe.assets.library import Library
 from probe.cli import suite
-from probe.errors import Unfinished
+from probe.errors import ProbeError, Unfinished
 from probe.generation.build_folder import KEPT, REPEATED, BuildFolder, CandidateLog, TaskSlot
 from probe.generation.repeats import roles_of
+from probe.render.renderer import Renderer
 from probe.tasks.suite_file import read_suite
+from probe.tasks.task import Task
 
 CRATE = {
     "version": 1,
@@ -97,3 +102,28 @@ def test_a_task_about_the_same_things_as_another_is_made_again(tmp_path, monkeyp
     made, again = read_suite(out).tasks
     assert roles_of(made) != roles_of(again) and again.seed % 1000 > 0
     assert f"\t{REPEATED}\t" in out.with_suffix(".log.tsv").read_text()
+
+
+def refuse(task: Task, library: Library, renderer: Renderer) -> dict[str, tuple[str, ...]]:
+    """Ends a build, to show that it was asked."""
+    raise ProbeError(f"{task.id} was measured again")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("way", ["command", "library"])
+def test_every_checked_task_is_measured_again_before_it_is_kept(way, tmp_path, monkeypatch):
+    monkeypatch.delenv("PROBE_ASSETS", raising=False)
+    out, asked = tmp_path / "mine.json", {"count": 1}
+    monkeypatch.setattr(suite if way == "command" else suites, "what_is_wrong", refuse)
+    with pytest.raises(ProbeError, match="count-.* was measured again"):
+        if way == "command":
+            suite.build(out, counts=asked, pool="procedural", public=True)
+        else:
+            suites.build_suite(out, asked, pool="procedural", public=True)
+    assert not out.exists()
+    shutil.rmtree(out.with_suffix(".parts"))
+    if way == "command":
+        suite.build(out, counts=asked, pool="procedural", public=True, unchecked=True)
+    else:
+        suites.build_suite(out, asked, pool="procedural", public=True, certified=False)
+    assert len(read_suite(out)) == 1

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import pytest
 
 from probe.assets.library import Library, open_library
@@ -23,18 +25,19 @@ PLACE = TaskSlot("count", 0)
 def test_a_task_that_fails_it_is_not_kept(library: Library, renderer: Renderer, tmp_path):
     seen = list[Task]()
 
-    def once(task: Task, things: Library, renderer: Renderer) -> str:
+    def once(task: Task, things: Library, renderer: Renderer) -> Mapping[str, Sequence[str]]:
         seen.append(task)
-        return "hidden: it shows" if len(seen) == 1 else what_is_wrong(task, things, renderer)
+        wrong = {"hidden": ["it shows", "by far"]}
+        return wrong if len(seen) == 1 else what_is_wrong(task, things, renderer)
 
     parts = BuildFolder(tmp_path / "made.parts")
     resources = BuildResources(library, table_ids(None), renderer, audit=once)
     *rejected, kept = fill(PLACE, parts, resources)
     (refused,) = (it for it in rejected if it.check == UNVERIFIED)
-    assert (refused.seed, refused.detail) == (seen[0].seed, "hidden: it shows")
+    assert (refused.seed, refused.detail) == (seen[0].seed, "hidden: it shows; hidden: by far")
     (task,) = read_suite(parts.task_path(PLACE)).tasks
     assert kept.check == KEPT and task.seed == seen[-1].seed != seen[0].seed
-    assert what_is_wrong(task, library, renderer) == ""
+    assert what_is_wrong(task, library, renderer) == {}
 
 
 def test_a_measurement_that_comes_out_otherwise_is_found(cache, renderer):
@@ -43,4 +46,5 @@ def test_a_measurement_that_comes_out_otherwise_is_found(cache, renderer):
     attempt = Attempt(TaskSlot("relation", 50003), 0, None)
     made = make(attempt, library, renderer, table_ids(None))
     assert isinstance(made, TaskCandidate)
-    assert "(resettled) another thing gains 2" in what_is_wrong(made.task, library, renderer)
+    wrong = what_is_wrong(made.task, library, renderer)
+    assert wrong.keys() == {"hidden"} and "(resettled) another thing gains 2" in wrong["hidden"][0]

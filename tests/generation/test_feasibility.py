@@ -13,11 +13,15 @@ from probe.assets.library import Library, open_library
 from probe.assets.looks import Looks
 from probe.assets.mesh.mesh import Body
 from probe.assets.pools.procedural import procedural_body, procedural_key
+from probe.generation import feasibility
 from probe.generation.build import rules_for
 from probe.generation.build_folder import TaskSlot
 from probe.generation.feasibility import possibilities
 from probe.generation.object_selection import LEAST_LEADING
 from probe.generation.plan import plan_of
+from probe.generation.result import Rejected
+from probe.generation.task_generator import generator_of
+from probe.generation.task_plan import TaskPlan
 from probe.question_types.beneath.generator import select_beneath
 from probe.question_types.count.generator import select_count
 from probe.question_types.find.generator import select_find
@@ -128,9 +132,26 @@ def test_nobody_compares_paints_of_others_things(mixed: Library):
 
 @pytest.mark.slow
 def test_a_place_whose_first_castings_fail_is_tried_longer_where_others_can_be_cast(cache: Path):
-    """One casting of Budgeted in ten or so finds five covers: for this place the 52nd."""
+    """One casting of Budgeted in twelve finds five covers: for this place the 52nd."""
     evaluation, unlucky = open_library("evaluation", None, cache), TaskSlot("budgeted", 50000)
     (alone,) = possibilities([unlucky], evaluation)
-    (found,) = possibilities([unlucky, TaskSlot("budgeted", 50001)], evaluation)
     assert alone.hopeless == (unlucky,)
-    assert (found.hopeless, found.missing) == ((), ())
+    places = [unlucky, TaskSlot("budgeted", 50001)]
+    for made in ([], places[1:]):
+        (found,) = possibilities(places, evaluation, made=made)
+        assert (found.hopeless, found.missing) == ((), ())
+
+
+@pytest.mark.slow
+def test_a_place_that_stays_impossible_beside_others_says_why(library: Library, monkeypatch):
+    wanted, select = TaskSlot("count", 1), generator_of("count").select
+
+    def none_for_the_second(library: Library, plan: TaskPlan, rng: np.random.Generator):
+        if plan == plan_of(*wanted):
+            raise Rejected("candidates", "nothing is there")
+        return select(library, plan, rng)
+
+    only = replace(generator_of("count"), select=none_for_the_second)
+    monkeypatch.setattr(feasibility, "generator_of", lambda _: only)
+    (found,) = possibilities([TaskSlot("count", 0), wanted], library)
+    assert found.hopeless == (wanted,) and "nothing is there" in found.missing[0]

@@ -17,9 +17,7 @@ PLACES = [TaskSlot("find", 0), TaskSlot("reduce", 1)]
 
 def made(folder: Path, *, seen: bool) -> BuildFolder:
     parts = BuildFolder(folder)
-    maker = TaskMaker(
-        parts if seen else None, opener("procedural"), tables_for("procedural"), unchecked=True
-    )
+    maker = TaskMaker(parts if seen else None, opener("procedural"), tables_for("procedural"))
     results = dict(make_tasks(maker, parts, PLACES, LocalEngine(2)))
     assert results == dict.fromkeys(PLACES)
     return parts
@@ -39,6 +37,6 @@ def test_workers_that_do_not_see_the_folder_make_the_same_tasks(tmp_path):
 def test_a_log_that_cannot_be_read_ends_the_work_and_is_named(tmp_path):
     parts = BuildFolder(tmp_path)
     parts.log_path(PLACES[0]).write_text("nonsense\n")
-    maker = TaskMaker(parts, opener("procedural"), tables_for("procedural"), unchecked=True)
+    maker = TaskMaker(parts, opener("procedural"), tables_for("procedural"))
     with pytest.raises(ProbeError, match=r"find-0\.tsv"):
         list(make_tasks(maker, parts, PLACES, LocalEngine(1)))

@@ -26,7 +26,7 @@ PLACE = TaskSlot("count", 0)
 @pytest.fixture(scope="module")
 def made(library: Library, renderer: Renderer, tmp_path_factory) -> BuildFolder:
     parts = BuildFolder(tmp_path_factory.mktemp("made.parts"))
-    resources = BuildResources(library, table_ids(None), renderer, unchecked=True, salt=ONE)
+    resources = BuildResources(library, table_ids(None), renderer, salt=ONE)
     *rejected, kept = fill(PLACE, parts, resources)
     assert kept.check == KEPT and all(line.check != KEPT for line in rejected)
     return parts
@@ -51,7 +51,7 @@ def test_it_comes_out_of_its_salt_again_and_out_of_no_other(made, library, rende
 
 
 def test_what_was_begun_goes_on_and_a_part_of_another_salt_is_refused(made, library, renderer):
-    resources = BuildResources(library, table_ids(None), renderer, unchecked=True, salt=ONE)
+    resources = BuildResources(library, table_ids(None), renderer, salt=ONE)
     assert list(fill(PLACE, made, resources)) == []
     with pytest.raises(BadData, match=r"count-0\.json: was made with another salt.*Delete it"):
         assemble(made.folder / "other.json", made, [PLACE], library, OTHER)

@@ -86,12 +86,10 @@ def build_suite(
     check_new_name(path.stem, path)
     folder, library = BuildFolder(path.with_suffix(".parts")), open_library(pool)
     places = places_of(counts, first)
-    rules, unchecked = rules_for(library), not certified
-    salt = begin(folder, pool, public=public, unchecked=unchecked, setup=table, rules=rules)
+    rules, audit = rules_for(library), what_is_wrong if certified else None
+    salt = begin(folder, pool, public=public, unchecked=not certified, setup=table, rules=rules)
     with Renderer(engine=table.renderer) as renderer:
-        resources = BuildResources(
-            library, tables_for(pool), renderer, unchecked, salt, table, rules, what_is_wrong
-        )
+        resources = BuildResources(library, tables_for(pool), renderer, audit, salt, table, rules)
         waiting: Sequence[TaskSlot] = places
         while waiting:
             for place in track(waiting, "Building"):

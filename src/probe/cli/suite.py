@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import closing
 from pathlib import Path
 from typing import Annotated
@@ -97,9 +97,9 @@ def build(
         workers: Processes; by default 1, and on a cluster one on each core.
         where: On which machines.
         shard: "0/2" and "1/2" on two machines that see this folder share the work.
-        unchecked: Leave out the checks that tasks are measured once more, and that a scripted agent
-            solves them: for tests of the generator.
-        unsolved: File for up to 50 candidates that failed this check alone.
+        unchecked: Don't measure tasks once more, and don't try whether what has to go can be moved
+            and a scripted agent solves them: for tests of the generator, and for training.
+        unsolved: File for up to 50 candidates that failed the scripted agents' check alone.
         setup: File of another set-up (docs/how-to/extend/add-a-setup.md); tasks keep it.
         lighting: Of the tasks' pictures, as for `probe scene`; tasks keep it.
         looks: How what is made by formula looks, as for `probe scene`; tasks keep it.
@@ -118,12 +118,10 @@ def build(
     rules = rules or rules_for(things)
     salt = begin(parts, pool, public=public, unchecked=unchecked, setup=table, rules=rules)
     tell_other_pool(things, "evaluation", "The suite and its records will say so.")
-    lacking = [place for place in places if not parts.task_path(place).exists()]
-    left_out = _hopeless(lacking, things, salt, rules)
+    left_out = _hopeless(places, set(_made(parts, places)), things, salt, rules)
     seen = None if where.store else parts
-    maker = TaskMaker(
-        seen, opener(pool), tables_for(pool), unchecked, salt, table, rules, what_is_wrong
-    )
+    audit = None if unchecked else what_is_wrong
+    maker = TaskMaker(seen, opener(pool), tables_for(pool), audit, salt, table, rules)
     mine = [place for place in part.of(places) if place not in left_out]
     engine = where.engine(parts.folder, workers)
     _fill(maker, parts, mine, engine)
@@ -204,12 +202,17 @@ def show(suite: SuiteName) -> None:
 
 
 def _hopeless(
-    places: Sequence[TaskSlot], things: Library, salt: Salt | None, rules: RulesVersion
+    places: Sequence[TaskSlot],
+    made: Collection[TaskSlot],
+    things: Library,
+    salt: Salt | None,
+    rules: RulesVersion,
 ) -> dict[TaskSlot, str]:
     """Tell what can be made; places for which the library lacks the things, and why."""
-    found = possibilities(places, things, salt, rules)
-    if found:
-        show_possible(found, things)
+    if len(made) == len(places):
+        return {}
+    found = possibilities(places, things, salt, rules, made)
+    show_possible(found, things)
     return {place: it.missing[0] for it in found for place in it.hopeless}
 
 

@@ -41,7 +41,7 @@ def hands_of(site: TeachingSetup, out: Path, where: EngineChoice) -> TeacherWork
         where.refuse_for_models()
     parts = BuildFolder(out / TASKS)
     seen = None if where.store else parts
-    maker = TaskMaker(seen, site.training, tables_for(site.pool), unchecked=True)
+    maker = TaskMaker(seen, site.training, tables_for(site.pool))
     things = site.training()
     return TeacherWorkers(
         make=partial(make_tasks, maker, parts, engine=engine),

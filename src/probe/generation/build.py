@@ -49,8 +49,8 @@ from probe.tasks.task import (
     Task,
 )
 
-Audit = Callable[[Task, Library, Renderer], str]
-"""Measures a finished task once more, as a stranger would: what is wrong; empty if nothing is."""
+Audit = Callable[[Task, Library, Renderer], Mapping[str, Sequence[str]]]
+"""Measures a finished task once more, as a stranger would: what is wrong, by check."""
 
 _REASONS = 3
 
@@ -63,22 +63,20 @@ class BuildResources:
     """What tasks are made with.
 
     Attributes:
-        unchecked: Leave out the checks by skills and by scripted agents: for tests of the generator
-            alone.
         salt: Of a private suite.
         setup: The table that tasks are for.
         rules: The version of the rules that they are made by.
-        audit: What a task that is to be checked has to pass besides; None where nothing.
+        audit: Measures tasks once more; then skills and scripted agents are tried on them. None
+            leaves out all three: for tests of the generator, and for training.
     """
 
     library: Library
     tables: Sequence[str]
     renderer: Renderer
-    unchecked: bool = False
+    audit: Audit | None = None
     salt: Salt | None = None
     setup: Setup = UR5_TABLE
     rules: RulesVersion = NEWEST_RULES
-    audit: Audit | None = None
 
 
 def rules_for(library: Library) -> RulesVersion:
@@ -147,7 +145,7 @@ def fill(place: TaskSlot, parts: BuildFolder, resources: BuildResources) -> Iter
         solved = made[0].solved if made else None
         if isinstance(result, Rejection):
             check, detail = result.check, result.detail
-        elif not resources.unchecked and not any(trial.solved for trial in made):
+        elif resources.audit and not any(trial.solved for trial in made):
             parts.keep_unsolved(result.task, resources.library)
             check, detail = UNSOLVED, f"none of {len(made)} attempts"
         else:
@@ -256,15 +254,20 @@ def _attempt(
         return Rejection(RESTLESS, restless), ()
     if alike := look_alike(result.task, resources.library, resources.renderer):
         return Rejection(LOOK_ALIKE, alike), ()
-    if resources.unchecked:
+    if resources.audit is None:
         return result, ()
-    if resources.audit and (
-        wrong := resources.audit(result.task, resources.library, resources.renderer)
-    ):
-        return Rejection(UNVERIFIED, wrong), ()
+    if wrong := resources.audit(result.task, resources.library, resources.renderer):
+        return Rejection(UNVERIFIED, _told(wrong, resources.salt)), ()
     if stuck := immovable(result.task, resources.library, resources.renderer):
         return Rejection(IMMOVABLE, stuck), ()
     return result, trials(result.task, resources.library, resources.renderer)
+
+
+def _told(wrong: Mapping[str, Sequence[str]], salt: Salt | None) -> str:
+    """What is wrong, for a log; of a private suite the checks alone, for others may read that."""
+    if salt:
+        return ", ".join(wrong)
+    return "; ".join(f"{name}: {problem}" for name, found in wrong.items() for problem in found)
 
 
 def without_notes(task: Task) -> Task:

@@ -54,7 +54,7 @@ class BuildSettings(pydantic.BaseModel, extra="forbid", frozen=True):
 
     Attributes:
         pool: Which objects appear.
-        unchecked: Whether the scripted agents' check is left out.
+        unchecked: Whether tasks aren't measured once more, and nobody tries to solve them.
         commitment: To a private suite's salt; None for a public suite, as in older folders.
         setup: The table; None for the usual one.
         rules: The version of the rules; folders of before it was written down have the first.

@@ -6,7 +6,7 @@ It asks the generators themselves who would play; what then lies, tips or shows 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from probe.assets.library import Library
@@ -19,10 +19,10 @@ from probe.scene.seeds import generator
 from probe.tasks.task import NEWEST_RULES, QUESTION_TYPES, QuestionType, RulesVersion
 
 TRIES = 40
-"""Castings of a place that must all fail before it is called impossible."""
+"""Castings of a place that must all fail before it is called impossible; see also LONGER."""
 
-LONGER = 10 * TRIES
-"""The same where others of its type can be cast: of some types one casting in twenty succeeds."""
+LONGER = 5 * TRIES
+"""The same where others of its type can be cast: of Budgeted's castings one in twelve succeeds."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,7 @@ def possibilities(
     library: Library,
     salt: Salt | None = None,
     rules: RulesVersion = NEWEST_RULES,
+    made: Collection[TaskSlot] = (),
 ) -> tuple[Feasibility, ...]:
     """What can be made of a library, type by type.
 
@@ -60,6 +61,7 @@ def possibilities(
         library: The things.
         salt: Of a private suite.
         rules: The version of the rules that the tasks are to be made by.
+        made: Those of the places that have a task: they can be cast.
     """
 
     def attempt(place: TaskSlot, number: int) -> Attempt:
@@ -76,6 +78,7 @@ def possibilities(
             tuple(p for p in places if p.question_type == question_type),
             library,
             attempt,
+            made,
         )
         for question_type in question_types
     )
@@ -86,9 +89,11 @@ def _of_type(
     places: tuple[TaskSlot, ...],
     library: Library,
     attempt: Callable[[TaskSlot, int], Attempt],
+    made: Collection[TaskSlot],
 ) -> Feasibility:
     failures = Counter[str]()
-    hopeless = _uncast(places, range(TRIES), library, attempt, failures)
+    lacking = tuple(place for place in places if place not in made)
+    hopeless = _uncast(lacking, range(TRIES), library, attempt, failures)
     if len(hopeless) < len(places):
         failures.clear()
         hopeless = _uncast(hopeless, range(TRIES, LONGER), library, attempt, failures)

@@ -31,21 +31,20 @@ class TaskMaker:
             send what they made.
         library: Opens the objects.
         tables: Ids of table materials.
-        unchecked: Leave out the scripted agents' check.
+        audit: Measures tasks once more; None leaves out that check and those after it, see
+            BuildResources.
         salt: Of a private suite.
         setup: The table that tasks are for.
         rules: The version of the rules that they are made by.
-        audit: What tasks that are checked have to pass besides; see BuildResources.
     """
 
     parts: BuildFolder | None
     library: Callable[[], Library]
     tables: Sequence[str]
-    unchecked: bool = False
+    audit: Audit | None = None
     salt: Salt | None = None
     setup: Setup = UR5_TABLE
     rules: RulesVersion = NEWEST_RULES
-    audit: Audit | None = None
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[_Begun], bytes]]:
@@ -58,11 +57,10 @@ class TaskMaker:
                     things,
                     self.tables,
                     renderer,
-                    self.unchecked,
+                    self.audit,
                     self.salt,
                     self.setup,
                     self.rules,
-                    self.audit,
                 ),
             )
 
@@ -70,7 +68,8 @@ class TaskMaker:
     def name(self) -> str:
         """A digest of how tasks are made."""
         commitment = self.salt.commitment if self.salt else None
-        how = repr((tuple(self.tables), self.unchecked, commitment, self.setup, self.rules))
+        checks = "measured again, movable, solved" if self.audit else "none"
+        how = repr((tuple(self.tables), checks, commitment, self.setup, self.rules))
         return f"tasks-{hashlib.sha256(how.encode()).hexdigest()[:32]}"
 
     def _made(self, resources: BuildResources, begun: _Begun) -> bytes:

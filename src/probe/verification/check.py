@@ -85,15 +85,22 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
     )
 
 
-def what_is_wrong(task: Task, library: Library, renderer: Renderer) -> str:
-    """What the checks without a scripted agent find wrong with a task; empty if nothing is.
+def what_is_wrong(task: Task, library: Library, renderer: Renderer) -> dict[str, tuple[str, ...]]:
+    """What measuring a task that was just made finds wrong, by check; empty if nothing.
 
-    What a generator measured can come out otherwise once things have settled again.
+    What a generator measured can come out otherwise once things have settled again. Whether it is
+    at rest, and looks like another, is left to the build, which asks that of every candidate.
     """
-    verdict = check(task, library, renderer, CheckDepth(solve=False))
-    return "; ".join(
-        f"{name}: {problem}" for name, found in verdict.problems.items() for problem in found
-    )
+    if broken := tuple(makeup_problems(task, library)):
+        return {"text": broken}
+    anew = Remeasurement(task.scene, library, renderer, task.camera)
+    problems = {
+        "text": tuple(text_problems(task, library)),
+        "hidden": tuple(hidden_problems(task, anew)),
+        "unambiguous": tuple(clarity_problems(task, anew)),
+        "invariant": tuple(truth_problems(task, anew)),
+    }
+    return {name: found for name, found in problems.items() if found}
 
 
 def _unsolved(task: Task, library: Library, renderer: Renderer) -> Iterator[str]:
