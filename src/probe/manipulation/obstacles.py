@@ -13,6 +13,8 @@ from probe.types import Array
 
 _ARM_WIDTH = 0.05
 _SPARE = 0.005
+_APART = 0.01
+"""Metres between hand and arm on the way, which is checked in steps."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,10 +58,14 @@ class Obstacles:
         world = self.arm.forward(joints).apply(points)
         if (world[:, 2] < self.terrain.below(world) + _SPARE).any():
             return False
-        return self.unfolded(joints, points[::4])
+        return self.unfolded(joints, points, _APART)
 
-    def unfolded(self, joints: Array, points: Array) -> bool:
-        """Whether the hand and what it carries are free of the arm."""
-        world, spheres = self.arm.forward(joints).apply(points), self.arm.spheres(joints)
+    def unfolded(self, joints: Array, points: Array, spare: float = 0.0) -> bool:
+        """Whether the hand and what it carries are free of the arm, by some metres.
+
+        The link beside the hand is left out: the two touch nowhere, however they turn.
+        """
+        world = self.arm.forward(joints).apply(points)
+        spheres = self.arm.spheres(joints)[: -self.arm.at_hand]
         apart = np.linalg.norm(world[:, None] - spheres[None, :, :3], axis=2)
-        return bool((apart > spheres[:, 3]).all())
+        return bool((apart > spheres[:, 3] + spare).all())

@@ -28,6 +28,7 @@ class Jaco:
         base = cover(JACO.base)
         self._base_spheres = base[base[:, 2] > base[:, 3] + _FOOT]
         self._link_spheres = [cover(link.solids) for link in JACO.links[:-1]]
+        self.at_hand = len(self._link_spheres[-1])
 
     def inverse(self, world_from_tool: Pose) -> list[Array]:
         """Joint angles, each of shape (6,), that reach a tool pose; empty out of reach.

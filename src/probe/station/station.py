@@ -37,6 +37,9 @@ class Arm(Protocol):
     endless: tuple[int, ...]
     """Joints, counted from 0, that may take whole turns on the way; others would run into stops."""
 
+    at_hand: int
+    """How many of the spheres, the last ones, cover the link that the hand turns on."""
+
     def inverse(self, world_from_tool: Pose) -> list[Array]:
         """Joint angles, each of shape (n,), that reach a tool pose; empty out of reach."""
         ...

@@ -24,6 +24,7 @@ class Ur5:
         self._world_from_base = mount.base
         self._base_from_world = mount.base.inverse()
         self._link_spheres = [cover(link.solids) for link in UR5.links[:-1]]
+        self.at_hand = len(self._link_spheres[-1])
 
     def inverse(self, world_from_tool: Pose) -> list[Array]:
         """Joint angles, each of shape (6,), that reach a tool pose; empty out of reach.

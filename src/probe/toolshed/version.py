@@ -12,7 +12,7 @@ version before has been released: records of one that hasn't may differ from its
 2: Outcomes are told by what the camera sees, lists give object_ids, grasps may take an edge, and an
    answer that lacks something is refused.
 3: A grasp may push the thing first, makes up to five tries, and takes what may be thicker than a
-   slab across before it takes it by an edge.
+   slab across before it takes it by an edge. The hand keeps off its own arm on the way.
 """
 
 ANSWERS_CHECKED = 2
