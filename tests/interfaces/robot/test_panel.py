@@ -79,8 +79,14 @@ class Moving(threading.Thread):
     def run(self) -> None:
         try:
             self.came = self.acting.follow(self.path)
-        except StoppedByPerson as error:
+        except Exception as error:
             self.came = error
+
+    def begun(self, bridge: Any) -> None:
+        """Wait until the arm moves."""
+        while not bridge.driver.moves:
+            assert self.is_alive(), f"it came to nothing: {self.came}"
+            time.sleep(0.01)
 
 
 def shown(page: Page) -> int:
@@ -124,8 +130,7 @@ def test_the_button_stops_a_motion_and_nothing_moves_until_the_release(tmp_path:
     with watched(tmp_path, {**FILE, **_speeds(0.3)}) as (acting, page, bridge, _):
         moving = Moving(acting, FAR)
         page.post("answer", {"number": shown(page), "yes": True})
-        while not bridge.driver.moves:
-            time.sleep(0.01)
+        moving.begun(bridge)
         time.sleep(0.3)
         pressed = time.monotonic()
         assert page.post("stop", {})["stopped"] == "the page"
