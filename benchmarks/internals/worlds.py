@@ -25,14 +25,12 @@ from rich.progress import track
 
 from probe.api.resources import opener, tables_for
 from probe.assets.library import Library
-from probe.generation.attempt import Attempt
-from probe.generation.build import without_notes
-from probe.generation.generate import make
 from probe.generation.result import TaskCandidate
 from probe.render.renderer import Renderer
 from probe.tasks.suite import freeze
-from probe.tasks.suite_file import digest_of, find_suite, read_suite, write_suite
-from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, QuestionType, Task
+from probe.tasks.suite_file import find_suite, read_suite, write_suite
+from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionType, Task
+from probe.verification.check import rebuilt
 
 
 def main(
@@ -58,36 +56,25 @@ def main(
         for task in track(tasks, "Laying"):
             part = parts / f"{task.id}.json"
             if not part.exists():
-                made = make(Attempt.of_task(task), library, renderer, tables)
+                made = rebuilt(task, library, renderer, tables)
+                if isinstance(made, str):
+                    raise SystemExit(f"{task.id} can't be made from its seed again: {made}")
                 write_suite(part, freeze(task.id, worlds_of(task, made, library), library))
             found += read_suite(part).tasks
     write_suite(out, freeze(out.stem, tuple(found), library))
     print(f"{len(found)} worlds of {len(tasks)} tasks are in {out}.")
 
 
-def worlds_of(task: Task, made: object, library: Library) -> tuple[Task, ...]:
-    """A task with each of its candidates in the hidden place; none where not all were laid.
-
-    Args:
-        task: Frozen.
-        made: What its seed gives now.
-        library: Has its objects.
-
-    Raises:
-        SystemExit: Its seed gives another task.
-    """
-    if not isinstance(made, TaskCandidate) or digest_of(made.task) != digest_of(
-        without_notes(task)
-    ):
-        raise SystemExit(f"{task.id} isn't made from its seed any more: {made}")
-    texts = [option.text for option in task.options]
+def worlds_of(task: Task, made: TaskCandidate, library: Library) -> tuple[Task, ...]:
+    """A task with each of its candidates in the hidden place; none where not all were laid."""
+    letters = {option.text: option.letter for option in task.options}
     names = [library[id].name for id in task.certificate.candidates[: len(made.twins)]]
     return tuple(
         replace(
             task,
             id=f"{task.id}-{number}",
             scene=scene,
-            answer=LETTERS[texts.index(name if name in texts else NONE_OF_THE_ABOVE)],
+            answer=letters[name if name in letters else NONE_OF_THE_ABOVE],
         )
         for number, (name, scene) in enumerate(zip(names, made.twins, strict=True))
     )

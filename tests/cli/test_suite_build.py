@@ -110,20 +110,23 @@ def refuse(task: Task, library: Library, renderer: Renderer) -> dict[str, tuple[
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("way", ["command", "library"])
-def test_every_checked_task_is_measured_again_before_it_is_kept(way, tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    ("module", "build", "bare"),
+    [
+        (suite, suite.build, {"unchecked": True}),
+        (suites, suites.build_suite, {"certified": False}),
+    ],
+    ids=["command", "library"],
+)
+def test_every_checked_task_is_measured_again_before_it_is_kept(
+    module, build, bare, tmp_path, monkeypatch
+):
     monkeypatch.delenv("PROBE_ASSETS", raising=False)
-    out, asked = tmp_path / "mine.json", {"count": 1}
-    monkeypatch.setattr(suite if way == "command" else suites, "what_is_wrong", refuse)
+    monkeypatch.setattr(module, "what_is_wrong", refuse)
+    out, asked = tmp_path / "mine.json", {"counts": {"count": 1}, "pool": "procedural"}
     with pytest.raises(ProbeError, match="count-.* was measured again"):
-        if way == "command":
-            suite.build(out, counts=asked, pool="procedural", public=True)
-        else:
-            suites.build_suite(out, asked, pool="procedural", public=True)
+        build(out, **asked, public=True)
     assert not out.exists()
     shutil.rmtree(out.with_suffix(".parts"))
-    if way == "command":
-        suite.build(out, counts=asked, pool="procedural", public=True, unchecked=True)
-    else:
-        suites.build_suite(out, asked, pool="procedural", public=True, certified=False)
+    build(out, **asked, public=True, **bare)
     assert len(read_suite(out)) == 1

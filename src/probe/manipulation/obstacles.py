@@ -47,18 +47,17 @@ class Obstacles:
 
     def arm_free(self, joints: Array) -> bool:
         """Whether the arm without its hand is free."""
-        spheres = self.arm.spheres(joints)
-        lowest = spheres[:, 2] - spheres[:, 3]
-        return bool((lowest > self.wide.below(spheres[:, :3]) + _SPARE).all())
+        return self._is_above(self.arm.spheres(joints))
 
     def free_at(self, joints: Array, points: Array) -> bool:
         """Whether arm and hand are free of the terrain and of each other."""
-        if not self.arm_free(joints):
+        spheres = self.arm.spheres(joints)
+        if not self._is_above(spheres):
             return False
         world = self.arm.forward(joints).apply(points)
         if (world[:, 2] < self.terrain.below(world) + _SPARE).any():
             return False
-        return self.unfolded(joints, points, _APART)
+        return self._is_apart(world, spheres, _APART)
 
     def unfolded(self, joints: Array, points: Array, spare: float = 0.0) -> bool:
         """Whether the hand and what it carries are free of the arm, by some metres.
@@ -66,6 +65,15 @@ class Obstacles:
         The link beside the hand is left out: the two touch nowhere, however they turn.
         """
         world = self.arm.forward(joints).apply(points)
-        spheres = self.arm.spheres(joints)[: -self.arm.at_hand]
+        return self._is_apart(world, self.arm.spheres(joints), spare)
+
+    def _is_above(self, spheres: Array) -> bool:
+        """Whether the arm's spheres, shape (k, 4), are free of the terrain."""
+        lowest = spheres[:, 2] - spheres[:, 3]
+        return bool((lowest > self.wide.below(spheres[:, :3]) + _SPARE).all())
+
+    def _is_apart(self, world: Array, spheres: Array, spare: float) -> bool:
+        """Whether points in the world, shape (m, 3), are free of the arm's spheres; see above."""
+        spheres = spheres[: -self.arm.at_hand]
         apart = np.linalg.norm(world[:, None] - spheres[None, :, :3], axis=2)
         return bool((apart > spheres[:, 3] + spare).all())

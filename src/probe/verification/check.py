@@ -52,14 +52,10 @@ def check(task: Task, library: Library, renderer: Renderer, depth: CheckDepth) -
             problems={"text": broken},
         )
     anew = Remeasurement(task.scene, library, renderer, task.camera)
-    problems = {
-        "text": tuple(text_problems(task, library)),
-        "hidden": tuple(hidden_problems(task, anew)),
-        "unambiguous": tuple(clarity_problems(task, anew)),
-    }
+    problems = _measured(task, library, anew)
     if alike := look_alike(task, library, renderer):
         problems["unambiguous"] += (alike,)
-    untrue = list(truth_problems(task, anew))
+    untrue = list(problems.pop("invariant"))
     problems["at rest"] = tuple(filter(None, [anew.restaged.unrest()]))
     played = reachable = 0
     if depth.history:
@@ -93,14 +89,18 @@ def what_is_wrong(task: Task, library: Library, renderer: Renderer) -> dict[str,
     """
     if broken := tuple(makeup_problems(task, library)):
         return {"text": broken}
-    anew = Remeasurement(task.scene, library, renderer, task.camera)
-    problems = {
+    problems = _measured(task, library, Remeasurement(task.scene, library, renderer, task.camera))
+    return {name: found for name, found in problems.items() if found}
+
+
+def _measured(task: Task, library: Library, anew: Remeasurement) -> dict[str, tuple[str, ...]]:
+    """What reading a task and measuring its scene finds wrong, by check."""
+    return {
         "text": tuple(text_problems(task, library)),
         "hidden": tuple(hidden_problems(task, anew)),
         "unambiguous": tuple(clarity_problems(task, anew)),
         "invariant": tuple(truth_problems(task, anew)),
     }
-    return {name: found for name, found in problems.items() if found}
 
 
 def _unsolved(task: Task, library: Library, renderer: Renderer) -> Iterator[str]:
@@ -125,7 +125,19 @@ def rebuild_problem(
     tables: Sequence[str],
     attempt: Attempt | None = None,
 ) -> str | None:
-    """What is different if a task is made again; None if nothing is.
+    """What is different if a task is made again; None if nothing is. See rebuilt()."""
+    made = rebuilt(task, library, renderer, tables, attempt)
+    return made if isinstance(made, str) else None
+
+
+def rebuilt(
+    task: Task,
+    library: Library,
+    renderer: Renderer,
+    tables: Sequence[str],
+    attempt: Attempt | None = None,
+) -> TaskCandidate | str:
+    """A task made again, or what is different then.
 
     Args:
         task: The task.
@@ -139,4 +151,4 @@ def rebuild_problem(
     if not isinstance(result, TaskCandidate):
         return f"its seed now fails {result.check}: {result.detail}"
     frozen, made = digest_of(without_notes(task)), digest_of(result.task)
-    return None if frozen == made else f"its hash is {made}, not {frozen}"
+    return result if frozen == made else f"its hash is {made}, not {frozen}"
