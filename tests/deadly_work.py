@@ -1,4 +1,4 @@
-"""Work that kills whoever does it; worker processes have to be able to import it."""
+"""Work that kills whoever does it, or ends it; worker processes have to be able to import it."""
 
 from __future__ import annotations
 
@@ -9,9 +9,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import NoReturn
 
+from probe.assets.library import Library
+from probe.errors import ProbeError
 from probe.generation.making import TaskMaker
+from probe.render.renderer import Renderer
 from probe.runs.plan import Job
 from probe.runs.work import WorkerSetup
+from probe.tasks.task import Task
 
 
 @dataclass(frozen=True)
@@ -34,3 +38,8 @@ class DeadlyMaker(TaskMaker):
 def aborts(name: str, task: object, run: int, library: object, renderer: object) -> NoReturn:
     """An agent that takes its process along, as a library does that finds no memory."""
     os.abort()
+
+
+def refuse(task: Task, library: Library, renderer: Renderer) -> NoReturn:
+    """Ends a build over the check of a task, to show that it was asked."""
+    raise ProbeError(f"{task.id} was measured again")

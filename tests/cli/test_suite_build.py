@@ -10,16 +10,13 @@ import sys
 
 import pytest
 
-from deadly_work import DeadlyMaker
+from deadly_work import DeadlyMaker, refuse
 from probe.api import suites
-from probe.assets.library import Library
 from probe.cli import suite
 from probe.errors import ProbeError, Unfinished
 from probe.generation.build_folder import KEPT, REPEATED, BuildFolder, CandidateLog, TaskSlot
 from probe.generation.repeats import roles_of
-from probe.render.renderer import Renderer
 from probe.tasks.suite_file import read_suite
-from probe.tasks.task import Task
 
 CRATE = {
     "version": 1,
@@ -102,11 +99,6 @@ def test_a_task_about_the_same_things_as_another_is_made_again(tmp_path, monkeyp
     made, again = read_suite(out).tasks
     assert roles_of(made) != roles_of(again) and again.seed % 1000 > 0
     assert f"\t{REPEATED}\t" in out.with_suffix(".log.tsv").read_text()
-
-
-def refuse(task: Task, library: Library, renderer: Renderer) -> dict[str, tuple[str, ...]]:
-    """Ends a build, to show that it was asked."""
-    raise ProbeError(f"{task.id} was measured again")
 
 
 @pytest.mark.slow
