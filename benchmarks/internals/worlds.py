@@ -27,6 +27,7 @@ from probe.api.resources import opener, tables_for
 from probe.assets.library import Library
 from probe.generation.result import TaskCandidate
 from probe.render.renderer import Renderer
+from probe.scene.scene import Scene
 from probe.tasks.suite import freeze
 from probe.tasks.suite_file import find_suite, read_suite, write_suite
 from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionType, Task
@@ -68,16 +69,29 @@ def main(
 def worlds_of(task: Task, made: TaskCandidate, library: Library) -> tuple[Task, ...]:
     """A task with each of its candidates in the hidden place; none where not all were laid."""
     letters = {option.text: option.letter for option in task.options}
-    names = [library[id].name for id in task.certificate.candidates[: len(made.twins)]]
+    ids = task.certificate.candidates[: len(made.twins)]
     return tuple(
         replace(
             task,
             id=f"{task.id}-{number}",
             scene=scene,
-            answer=letters[name if name in letters else NONE_OF_THE_ABOVE],
+            targets=_targets(task, scene, candidate),
+            answer=letters[
+                name if (name := library[candidate].name) in letters else NONE_OF_THE_ABOVE
+            ],
         )
-        for number, (name, scene) in enumerate(zip(names, made.twins, strict=True))
+        for number, (candidate, scene) in enumerate(zip(ids, made.twins, strict=True))
     )
+
+
+def _targets(task: Task, scene: Scene, candidate: str) -> tuple[int, ...]:
+    """What is asked about where a candidate is the answer, and what else decides there."""
+    before = {placed.instance for placed in task.scene.objects}
+    here = [placed.instance for placed in scene.objects]
+    first = next(it.instance for it in scene.objects if it.object_id == candidate)
+    kept = [it for it in task.targets if it in here and it != first]
+    new = [it for it in here if it not in before and it != first]
+    return (first, *(kept + new)[: len(task.targets) - 1])
 
 
 if __name__ == "__main__":

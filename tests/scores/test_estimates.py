@@ -43,6 +43,18 @@ def test_counting_what_shows_is_the_naive_ceiling_of_count():
     assert naive_by_type(roster("count-1", options=2)) == {"count": 0.5}
 
 
+def test_a_look_is_enough_where_no_manipulation_is_necessary():
+    tasks = {
+        "find-1": Listed("find", "hidden", 5, necessary=0),
+        "find-2": Listed("find", "hidden", 5, necessary=2),
+        "count-1": Listed("count", "", 5, necessary=0),
+        "count-2": Listed("count", "", 5, necessary=1),
+    }
+    assert chance_by_type(tasks) == {"count": 0.2, "find": 0.2}
+    # Half of each type at sight: (1 + 0.2) / 2, and (1 + 1/3) / 2.
+    assert naive_by_type(tasks) == {"count": pytest.approx(2 / 3), "find": 0.6}
+
+
 def test_nobody_removes_things_by_a_guess():
     both = roster("exact-1", "reduce-1")
     assert chance_by_type(both) == naive_by_type(both) == {"exact": 0.0, "reduce": 0.2}

@@ -40,7 +40,7 @@ def open_library(pool: Pool = "procedural") -> Library:
 def load_suite(name: str | Path) -> Suite:
     """Load a suite: one that comes with the package, or a file.
 
-    The package has "v1", "v1.1", "v1-scans", "v1-unfiltered", "behind", "demo" and "tour".
+    The package has "v2", "v1", "v1.1", "v1-scans", "v1-unfiltered", "behind", "demo" and "tour".
 
     Raises:
         UnknownName: It is neither.

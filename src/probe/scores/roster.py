@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -47,10 +47,22 @@ def chance_by_type(roster: Roster) -> dict[str, float]:
     In Find it gives less, since the point must be hit as well; the letter alone gives this. In
     Exact and Memory it gives nothing: whoever moves nothing removes nothing.
     """
+    return _means_by_type(roster, _guessed)
+
+
+def naive_by_type(roster: Roster) -> dict[str, float]:
+    """Share that is right by type without moving anything: by a look where that is enough.
+
+    Elsewhere it is a guess, or more where counting what shows is.
+    """
+    return _means_by_type(roster, _looked)
+
+
+def _means_by_type(roster: Roster, share: Callable[[Listed], float]) -> dict[str, float]:
     question_types = sorted({listed.question_type for listed in roster.values()})
     return {
         question_type: float(
-            np.mean([_guessed(it) for it in roster.values() if it[0] == question_type])
+            np.mean([share(it) for it in roster.values() if it.question_type == question_type])
         )
         for question_type in question_types
     }
@@ -60,10 +72,7 @@ def _guessed(listed: Listed) -> float:
     return 0.0 if rules_of(listed.question_type).exact else 1 / listed.options
 
 
-def naive_by_type(roster: Roster) -> dict[str, float]:
-    """Share that is right by type without moving anything: a guess, or more by a look."""
-    chance = chance_by_type(roster)
-    return {
-        question_type: max(guessed, rules_of(question_type).naive)
-        for question_type, guessed in chance.items()
-    }
+def _looked(listed: Listed) -> float:
+    if listed.necessary == 0:
+        return 1.0
+    return max(_guessed(listed), rules_of(listed.question_type).naive)

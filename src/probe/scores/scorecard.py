@@ -74,9 +74,11 @@ class Figure:
         tasks: n, on which intervals rest.
         runs: Rows that aren't missing.
         chance: What a blind guess gives.
-        naive: What a guess gives after counting what shows: the same, but a third in Count.
+        naive: What a guess gives after a look: the same, but a third in Count, by counting what
+            shows, and all where no manipulation is necessary.
         beyond_guessing: Accuracy beyond `chance`; None while rows are missing.
-        corrected: Accuracy beyond chance, that is, beyond `naive`; None while rows are missing.
+        corrected: Accuracy beyond chance, that is, beyond `naive`; None while rows are missing, and
+            where a look makes all right.
         student, bootstrap: 95 % intervals of the number, by the t distribution and by drawing
             tasks; None while rows are missing.
         wilson: The same for a single type whose tasks were run once each, else None.
@@ -272,7 +274,7 @@ def _figure(
         chance=chance,
         naive=naive,
         beyond_guessing=None if top.value is None else corrected(top.value, chance),
-        corrected=None if top.value is None else corrected(top.value, naive),
+        corrected=None if top.value is None or naive == 1 else corrected(top.value, naive),
         student=student(strata) if known else None,
         bootstrap=bootstrap(strata, seed) if known else None,
         wilson=wilson(units) if single else None,

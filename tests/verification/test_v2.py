@@ -1,0 +1,87 @@
+"""The suite v2: what doesn't need a picture of all, and a few tasks whole."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from probe.assets.library import Library, open_library
+from probe.assets.pools.division import parts_shown
+from probe.assets.tables import table_ids
+from probe.episodes.tool_errors import HEADLINE
+from probe.generation.build import without_notes
+from probe.generation.repeats import roles_of
+from probe.render.renderer import Renderer
+from probe.tasks.suite import check_objects, selection
+from probe.tasks.suite_file import packaged_suite
+from probe.tasks.task import QUESTION_TYPES
+from probe.verification.balance import balances
+from probe.verification.check import CheckDepth, check, rebuild_problem
+
+V2 = packaged_suite("v2")
+SOME = [next(task for task in V2.tasks if task.question_type == it) for it in ("exact", "ranked")]
+
+
+@pytest.fixture(scope="module")
+def evaluated(cache) -> Library:
+    return open_library("evaluation", None, cache)
+
+
+def test_v2_is_306_tasks_of_all_types_on_tables_of_their_own():
+    assert Counter(task.question_type for task in V2.tasks) == {
+        **dict.fromkeys(QUESTION_TYPES, 22),
+        "compare": 20,
+    }
+    assert len(QUESTION_TYPES) == 14 and len({task.scene for task in V2.tasks}) == 306
+    others = [task for name in ("v1", "v1.1", "behind") for task in packaged_suite(name).tasks]
+    assert not {task.seed for task in V2.tasks} & {task.seed for task in others}
+    assert all(50_000_000 <= task.seed < 50_022_000 for task in V2.tasks)
+
+
+def test_all_its_objects_are_for_evaluation():
+    assert V2.pool == "evaluation"
+    assert parts_shown(V2.objects) == {"evaluation": 1291}
+    shown = {placed.object_id for task in V2.tasks for placed in task.scene.objects}
+    assert shown == set(V2.objects)
+
+
+def test_it_states_its_headline_setting():
+    assert V2.headline == HEADLINE
+
+
+def test_all_its_tasks_were_solved_and_state_what_is_necessary():
+    assert all(without_notes(task) != task for task in V2.tasks)
+    necessary = Counter(task.certificate.measures["necessary"] for task in V2.tasks)
+    assert necessary == {0: 26, 1: 100, 2: 100, 3: 60, 4: 16, 5: 4}
+
+
+def test_it_asks_about_no_two_things_twice():
+    asked = Counter(roles_of(task) for task in V2.tasks)
+    assert max(asked.values()) == 1
+
+
+def test_letters_balance():
+    spreads = {
+        it.question_type: max(it.counts.values()) - min(it.counts.values())
+        for it in balances(V2.tasks)
+        if it.of == "letter"
+    }
+    # "smaller" turns Size's letters round; two places of Compare have no task.
+    assert spreads.pop("size") == spreads.pop("compare") == 2
+    assert max(spreads.values()) == 1
+
+
+@pytest.mark.slow
+def test_objects_of_some_tasks_are_those_that_v2_was_made_of(evaluated: Library):
+    check_objects(selection(V2, V2.tasks[::50], "some"), evaluated)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("task", SOME, ids=lambda task: task.id)
+def test_some_tasks_hold_and_come_out_of_their_seeds_again(
+    evaluated: Library, renderer: Renderer, task
+):
+    verdict = check(task, evaluated, renderer, CheckDepth(solve=False))
+    assert {name: found for name, found in verdict.problems.items() if found} == {}
+    assert rebuild_problem(task, evaluated, renderer, table_ids(None)) is None
