@@ -96,7 +96,7 @@ def test_both_floors_are_shown(folder, capsys):
     assert "chance ┃ naive ┃ beyond" in told
     # Find, Count and Beneath, two of each: a fifth, and a third for Count.
     assert "│ 20% │ 24% │" in told and "│ 20% │ 33% │" in told
-    assert "Chance is a blind guess; naive is a guess after counting" in told
+    assert "Chance is a blind guess; naive is a guess after a look" in told
 
 
 def test_a_setting_named_after_its_agent_is_told_once(folder, capsys):

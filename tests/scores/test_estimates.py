@@ -58,6 +58,9 @@ def test_a_look_is_enough_where_no_manipulation_is_necessary():
 def test_nobody_removes_things_by_a_guess():
     both = roster("exact-1", "reduce-1")
     assert chance_by_type(both) == naive_by_type(both) == {"exact": 0.0, "reduce": 0.2}
+    letters = {"exact": 0.2, "reduce": 0.2}
+    assert chance_by_type(both, letter_alone=True) == letters
+    assert naive_by_type(both, letter_alone=True) == letters
 
 
 def test_chance_is_a_mean_over_tasks():

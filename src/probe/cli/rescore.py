@@ -22,8 +22,9 @@ from probe.tasks.identity import identity_of
 from probe.tasks.suite_file import read_suite
 
 _FLOORS = (
-    "Chance is a blind guess; naive is a guess after counting what is visible (Count: 0, 1 or 2 "
-    "more); beyond is accuracy beyond chance, relative to naive: 0 % for it, 100 % for all right."
+    "Chance is a blind guess; naive is a guess after a look (Count: what is visible and 0, 1 or 2 "
+    "more; all right where no manipulation is necessary); beyond is accuracy beyond chance, "
+    "relative to naive: 0 % for it, 100 % for all right."
 )
 
 

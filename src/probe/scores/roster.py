@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -41,21 +42,23 @@ def roster_of(rows: Iterable[Row]) -> dict[str, Listed]:
     return {row.task: task_of(row) for row in rows}
 
 
-def chance_by_type(roster: Roster) -> dict[str, float]:
+def chance_by_type(roster: Roster, *, letter_alone: bool = False) -> dict[str, float]:
     """What a blind guess among the options gives, by type: the mean over its tasks.
 
     In Find it gives less, since the point must be hit as well; the letter alone gives this. In
-    Exact and Memory it gives nothing: whoever moves nothing removes nothing.
+    Exact and Memory it gives nothing unless the letter alone counts: whoever moves nothing removes
+    nothing.
     """
-    return _means_by_type(roster, _guessed)
+    return _means_by_type(roster, _letter_guessed if letter_alone else _guessed)
 
 
-def naive_by_type(roster: Roster) -> dict[str, float]:
+def naive_by_type(roster: Roster, *, letter_alone: bool = False) -> dict[str, float]:
     """Share that is right by type without moving anything: by a look where that is enough.
 
     Elsewhere it is a guess, or more where counting what shows is.
     """
-    return _means_by_type(roster, _looked)
+    guess = _letter_guessed if letter_alone else _guessed
+    return _means_by_type(roster, partial(_looked, guess))
 
 
 def _means_by_type(roster: Roster, share: Callable[[Listed], float]) -> dict[str, float]:
@@ -69,10 +72,14 @@ def _means_by_type(roster: Roster, share: Callable[[Listed], float]) -> dict[str
 
 
 def _guessed(listed: Listed) -> float:
-    return 0.0 if rules_of(listed.question_type).exact else 1 / listed.options
+    return 0.0 if rules_of(listed.question_type).exact else _letter_guessed(listed)
 
 
-def _looked(listed: Listed) -> float:
+def _letter_guessed(listed: Listed) -> float:
+    return 1 / listed.options
+
+
+def _looked(guess: Callable[[Listed], float], listed: Listed) -> float:
     if listed.necessary == 0:
         return 1.0
-    return max(_guessed(listed), rules_of(listed.question_type).naive)
+    return max(guess(listed), rules_of(listed.question_type).naive)

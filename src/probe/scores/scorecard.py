@@ -260,7 +260,8 @@ def _figure(
 ) -> Figure:
     top = headline(rows, roster, worth, runs, pool=pool)
     chance, naive = (
-        _floor(by(roster), roster, pool=pool) for by in (chance_by_type, naive_by_type)
+        _floor(by(roster, letter_alone=worth is _letter), roster, pool=pool)
+        for by in (chance_by_type, naive_by_type)
     )
     known = top.value is not None
     units = units_of(rows, worth) if known else []
