@@ -108,10 +108,12 @@ def test_the_rows_in_the_readme_are_those_of_the_results():
 
 
 def test_the_readme_counts_the_library():
-    specs = probe.open_library().specs
+    specs = probe.open_library("evaluation").specs
     text = " ".join((ROOT / "README.md").read_text("utf-8").split())
     categories = len({spec.category for spec in specs})
-    assert f"{categories} categories of the built-in library: {len(specs)} objects" in text
+    counted = f"{categories} categories in the pool for evaluation: {len(specs):,} objects"
+    assert counted in text
+    assert f"[{len(probe.open_library('train').specs):,} others]" in text
     assert f"A sheet of {categories} small pictures" in text
 
 

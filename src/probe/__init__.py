@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from probe.interfaces.training.environment import ProbeEnv
     from probe.interfaces.training.tables import TrainingTables
     from probe.perception.choice import Perceiver, Perception, enrolled, pointing, segmented
+    from probe.perception.dials import Dials
     from probe.perception.things import Thing, Words
     from probe.render.renderer import Renderer
     from probe.scene.scene import Scene
@@ -54,6 +55,7 @@ if TYPE_CHECKING:
     from probe.scene.setup_file import read_setup
     from probe.scores.summary import Scores
     from probe.tasks.grading import Score
+    from probe.tasks.headline import HeadlineErrors
     from probe.tasks.suite import Suite
     from probe.tasks.task import Task
     from probe.toolshed.result import ToolResult
@@ -77,6 +79,7 @@ _HOMES = {
     "interfaces.training.environment": ("ProbeEnv",),
     "interfaces.training.tables": ("TrainingTables",),
     "perception.choice": ("Perceiver", "Perception", "enrolled", "pointing", "segmented"),
+    "perception.dials": ("Dials",),
     "perception.things": ("Thing", "Words"),
     "render.renderer": ("Renderer",),
     "scene.scene": ("Scene",),
@@ -84,6 +87,7 @@ _HOMES = {
     "scene.setup_file": ("read_setup",),
     "scores.summary": ("Scores",),
     "tasks.grading": ("Score",),
+    "tasks.headline": ("HeadlineErrors",),
     "tasks.suite": ("Suite",),
     "tasks.task": ("Task",),
     "toolshed.result": ("ToolResult",),
@@ -96,9 +100,11 @@ __all__ = [
     "Agent",
     "Call",
     "Camera",
+    "Dials",
     "EpisodeRecord",
     "Frame",
     "Graph",
+    "HeadlineErrors",
     "Library",
     "Noise",
     "OpenEpisode",

@@ -45,6 +45,10 @@ def carry_out(said: Mapping[str, Any], out: Path) -> None:
             {"model": "m", "pointer": "self", "setting": "direct"},
             "does nothing with --setting direct",
         ),
+        (
+            {"model": "m", "dry_run": True, "json": True},
+            "--json: does nothing with --dry-run",
+        ),
         ({"graphs": "short"}, "--graphs: does nothing without --model"),
         ({"model": "m", "graphs": "short"}, "--graphs: does nothing with --setting agentic"),
         (

@@ -7,7 +7,7 @@ from importlib import import_module
 import pytest
 
 from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES
-from probe.cli.rescore import _lines, rescore
+from probe.cli.rescore import _lines, _table, rescore
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
@@ -103,3 +103,20 @@ def test_a_setting_named_after_its_agent_is_told_once(folder, capsys):
     rescore(folder)
     said = capsys.readouterr().out
     assert "scripted: n = " in said and "scripted (scripted)" not in said
+
+
+def test_restraint_and_what_is_necessary_stand_in_the_table_of_suites_that_state_it(capsys):
+    rows = [
+        row("beneath-1", True, necessary=1, manipulations=3),
+        row("beneath-2", True, necessary=2, manipulations=3),
+    ]
+    (card,) = summarise("s", rows, roster_of(rows)).cards
+    _table(card).show()
+    told = " ".join(capsys.readouterr().out.split())
+    # Both are right; the first took two more than necessary.
+    assert "│ restrained │ 2 │ 2 │ 50.0%" in told
+    assert "│ 1 necessary │ 1 │ 1 │ 100.0%" in told and "│ 2 necessary" in told
+    bare = [row("beneath-1", True)]
+    (card,) = summarise("s", bare, roster_of(bare)).cards
+    _table(card).show()
+    assert "necessary" not in capsys.readouterr().out

@@ -8,8 +8,9 @@ from types import TracebackType
 from probe.api.scenes import running
 from probe.assets.library import Library
 from probe.episodes.circumstances import Circumstances
+from probe.episodes.conditions import AS_FROZEN
 from probe.episodes.episode import Episode
-from probe.episodes.noise import Noise, NoiseName, noise_of
+from probe.episodes.noise import NO_NOISE, Noise, NoiseName, noise_of
 from probe.episodes.perceptions import used_by
 from probe.episodes.play import open_episode as _open_episode
 from probe.episodes.play import play as _play
@@ -17,11 +18,13 @@ from probe.episodes.play import replay_afresh
 from probe.episodes.play import score as _score
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import differences
+from probe.episodes.tool_errors import tool_errors
 from probe.episodes.turns import Agent, Call, Question
 from probe.perception.choice import Perceiver, ideal
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
 from probe.tasks.grading import Score
+from probe.tasks.headline import HeadlineErrors
 from probe.tasks.task import Task
 from probe.toolshed.result import ToolResult
 
@@ -94,6 +97,7 @@ def open_episode(
     library: Library,
     *,
     noise: Noise | NoiseName = "none",
+    headline: HeadlineErrors | None = None,
     run: int = 0,
     perceiver: Perceiver = ideal,
     renderer: Renderer | None = None,
@@ -104,17 +108,20 @@ def open_episode(
         task: Of a suite; see load_suite().
         library: Has the task's objects; `open_library("all")` has those of every packaged suite.
         noise: How far the hand misses where it is sent: "none", "paper", or a Noise.
+        headline: Errors of hand and detector in place of noise: `suite.headline`, for the setting
+            in which a suite's scores are taken. By default neither errs.
         run: Number of the run; each run of a task has its own noise.
         perceiver: What the tools see with; by default the ideal detector. See pointing().
         renderer: One that is running already, for this episode alone; by default one is started.
 
     Raises:
         NoGraphicsDriver: The machine has no Vulkan driver.
-        UnknownName: The library lacks an object of the task.
+        UnknownName: The library lacks an object of the task, or there is no such noise.
+        ValueError: Both a noise and a headline setting are given.
     """
+    circumstances = _circumstances(noise, headline, perceiver, run)
     with ExitStack() as started:
         drawing = started.enter_context(running(renderer, task.setup.renderer))
-        circumstances = Circumstances(run, noise_of(noise), perception=used_by(perceiver))
         episode = _open_episode(task, "by hand", library, drawing, circumstances, perceiver)
         return OpenEpisode(task, episode, library, drawing, started.pop_all())
 
@@ -126,6 +133,7 @@ def play(
     *,
     name: str | None = None,
     noise: Noise | NoiseName = "none",
+    headline: HeadlineErrors | None = None,
     run: int = 0,
     pictures: bool = True,
     perceiver: Perceiver = ideal,
@@ -142,6 +150,7 @@ def play(
         library: Has the task's objects.
         name: What the record calls the agent; by default its class's name.
         noise: As in open_episode().
+        headline: As in open_episode().
         run: As in open_episode().
         pictures: Whether the agent looks at any. Without, it is faster; the texts are the same.
         perceiver: As in open_episode().
@@ -149,11 +158,12 @@ def play(
 
     Raises:
         NoGraphicsDriver: The machine has no Vulkan driver.
-        UnknownName: The library lacks an object of the task.
+        UnknownName: The library lacks an object of the task, or there is no such noise.
+        ValueError: Both a noise and a headline setting are given.
     """
     called = name or type(agent).__name__
+    circumstances = _circumstances(noise, headline, perceiver, run)
     with running(renderer, task.setup.renderer) as drawing:
-        circumstances = Circumstances(run, noise_of(noise), perception=used_by(perceiver))
         return _play(
             task,
             agent,
@@ -164,6 +174,17 @@ def play(
             pictures=pictures,
             perceiver=perceiver,
         )
+
+
+def _circumstances(
+    noise: Noise | NoiseName, headline: HeadlineErrors | None, perceiver: Perceiver, run: int
+) -> Circumstances:
+    hand, conditions = noise_of(noise), AS_FROZEN
+    if headline is not None:
+        if hand != NO_NOISE:
+            raise ValueError("A headline setting has a noise of its own: give one of the two.")
+        hand, conditions = tool_errors(headline, "own", AS_FROZEN, oracle=perceiver is ideal)
+    return Circumstances(run, hand, conditions, perception=used_by(perceiver))
 
 
 def score(

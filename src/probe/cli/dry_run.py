@@ -12,6 +12,7 @@ from probe.cli.screen import say
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.participation import has_tools
+from probe.report.formats import plural
 from probe.tasks.suite import Suite
 from probe.toolshed.toolshed import TURNS
 
@@ -31,7 +32,10 @@ def would_ask(suite: Suite, options: ModelRunOptions, out: Path) -> None:
 def _tell(suite: Suite, options: ModelRunOptions, out: Path, price: Price | None) -> None:
     tasks = options.tasks_of(suite)
     whole = len(tasks) * options.epochs
-    say(f"{len(tasks)} tasks, {options.epochs} runs each: {whole} episodes.")
+    say(
+        f"{plural(len(tasks), 'task')}, {plural(options.epochs, 'run')} each: "
+        f"{plural(whole, 'episode')}."
+    )
     done = _done(suite, options, out)
     left = [task for task in tasks for run in range(options.epochs) if (task.id, run) not in done]
     if len(left) < whole:

@@ -32,7 +32,7 @@ def export(
     """Write a suite's pictures, questions and answers as a data set of Hugging Face's form.
 
     Args:
-        suite: "v1", "demo" or a file that `probe suite build` wrote.
+        suite: "v2", "v1", "demo" or a file that `probe suite build` wrote.
         out: A new folder; `datasets.load_dataset` reads it.
         points: How coordinates are written in the texts.
         renderer: What draws the pictures: as the suite was frozen, or another; the card says which.

@@ -60,7 +60,7 @@ def human(
     it; the same command continues, with every table as it was left. See docs/how-to/human.md.
 
     Args:
-        suite: "v1", "demo", or a file that `probe suite build` wrote.
+        suite: "v2", "v1", "demo", or a file that `probe suite build` wrote.
         out: Folder that the records are added to; `probe report` shows it.
         port: Where to listen; 0 for any that is free.
         noise: How far the hand errs, as in `probe run`; the same for all records of a folder.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated
 
 import tyro
@@ -16,6 +17,7 @@ from probe.cli.metavars import RunFolder
 from probe.cli.screen import ScreenTable, say, track
 from probe.episodes.folder import SUITE
 from probe.report.episodes import name_of
+from probe.report.formats import plural
 from probe.scores.scorecard import Figure, Scorecard
 from probe.scores.summary import AGENTIC, DIRECT, Scores
 from probe.tasks.identity import identity_of
@@ -25,6 +27,10 @@ _FLOORS = (
     "Chance is a blind guess; naive is a guess after a look (Count: what is visible and 0, 1 or 2 "
     "more; all right where no manipulation is necessary); beyond is accuracy beyond chance, "
     "relative to naive: 0 % for it, 100 % for all right."
+)
+_RESTRAINED = (
+    "Restrained is right with at most one manipulation more than necessary; below it are the tasks "
+    "by how many are necessary."
 )
 
 
@@ -45,6 +51,8 @@ def rescore(
         _table(card).show()
     if scores.cards:
         say(_FLOORS)
+    if any(card.restrained for card in scores.cards):
+        say(_RESTRAINED)
     if remark := identity_of(read_suite(out / SUITE)).remark:
         say(f"{out}: {remark}.")
     for line in _lines(scores):
@@ -56,16 +64,25 @@ def rescore(
 def headline_line(card: Scorecard) -> str:
     """One entrant's headline in a line."""
     _, tasks, runs, right, interval, chance, naive, _ = _cells(card.macro)
-    sizes = f"n = {tasks} tasks, {runs} of {card.macro.headline.rows} runs"
+    of = plural(card.macro.headline.rows, "run")
+    sizes = f"n = {plural(int(tasks), 'task')}, {runs} of {of}"
     return f"{name_of(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}, naive {naive}"
 
 
 def _table(card: Scorecard) -> ScreenTable:
     columns = ("", "tasks", "runs", "right", "95 % interval", "chance", "naive", "beyond")
     table = ScreenTable(*columns, title=name_of(card.entrant), left=True)
-    for figure in (card.macro, *card.question_types, *card.parts):
+    for figure in (card.macro, *card.question_types, *card.parts, *_by_restraint(card)):
         table.add(*_cells(figure))
     return table
+
+
+def _by_restraint(card: Scorecard) -> Iterator[Figure]:
+    """What suites give whose tasks state how many manipulations are necessary."""
+    if card.restrained is not None:
+        yield card.restrained
+    for figure in card.by_necessary:
+        yield replace(figure, name=f"{figure.name} necessary")
 
 
 def _lines(scores: Scores) -> Iterator[str]:
@@ -76,7 +93,8 @@ def _lines(scores: Scores) -> Iterator[str]:
         if card.detectable is not None and card.detectable > 1:
             gap = "none, with so few tasks"
         yield (
-            f"{name_of(card.entrant)}: n = {card.macro.tasks} tasks; ICC of runs {resemblance}; "
+            f"{name_of(card.entrant)}: n = {plural(card.macro.tasks, 'task')}; "
+            f"ICC of runs {resemblance}; "
             f"detectable difference from an unrelated agent {gap}; {len(card.gaps)} rows missing"
         )
     for pair in scores.all_pairs:

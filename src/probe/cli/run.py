@@ -113,7 +113,7 @@ def run(
     """Run an agent on the tasks of a suite; continues where an earlier run stopped.
 
     Args:
-        suite: "v1", "demo" or a file that `probe suite build` wrote.
+        suite: "v2", "v1", "demo" or a file that `probe suite build` wrote.
         acting: Who acts, without a model.
         asked: The model that acts instead.
         chosen: Which tasks; by default all.
@@ -147,6 +147,7 @@ def run(
                 tasks, suite, acting, asked, order, out, engine, perceiver, watch=watch
             )
         elif asked.dry_run:
+            refuse_stray("run", "with --dry-run", {"--json": json or None})
             would_ask(tasks, _options_of(acting, asked, order, workers, seeing), out)
             return
         else:

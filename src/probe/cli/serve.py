@@ -49,7 +49,7 @@ def serve(
     One process is one session: one client, one table, one episode. See docs/how-to/serve.md.
 
     Args:
-        suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
+        suite: One of the package ("v2", "demo"), or a file that `probe suite build` wrote.
         task: Id of a task of it; without it, the seed chooses.
         seed: Chooses a task.
         out: Folder that the record is added to; `probe report` shows it.

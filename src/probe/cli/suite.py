@@ -188,7 +188,7 @@ def show(suite: SuiteName) -> None:
     """List a suite's questions. Answers are shown: don't paste this to a model.
 
     Args:
-        suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
+        suite: One of the package ("v2", "demo"), or a file that `probe suite build` wrote.
     """
     table = ScreenTable("task", "type", "question", "options", "answer")
     tasks = find_suite(suite).tasks

@@ -58,7 +58,7 @@ def verify(
     """Check each task: text, at rest, hidden, true, unambiguous, solvable; may be interrupted.
 
     Args:
-        suite: One of the package ("v1", "demo"), or a file that `probe suite build` wrote.
+        suite: One of the package ("v2", "demo"), or a file that `probe suite build` wrote.
         out: Folder for the verdicts, by default outputs/verify-NAME; those that are there stand.
         solve: Whether scripted agents have to solve each task again.
         histories: On how many tasks, evenly spaced, three random histories are played.

@@ -14,6 +14,7 @@ from typing import Literal
 import numpy as np
 
 from probe.episodes.touched import touched
+from probe.errors import UnknownName
 from probe.scene.seeds import generator
 from probe.types import Array, Frame
 
@@ -40,8 +41,16 @@ NO_NOISE = NOISES["none"]
 
 
 def noise_of(noise: Noise | NoiseName) -> Noise:
-    """A noise, given as it is or by its name."""
-    return NOISES[noise] if isinstance(noise, str) else noise
+    """A noise, given as it is or by its name.
+
+    Raises:
+        UnknownName: There is none of this name.
+    """
+    if isinstance(noise, Noise):
+        return noise
+    if noise not in NOISES:
+        raise UnknownName("noise", noise, list(NOISES))
+    return NOISES[noise]
 
 
 class HandErrors:

@@ -10,6 +10,7 @@ from pathlib import Path
 from probe.episodes.conditions import RendererKind
 from probe.errors import BadData, ProbeError
 from probe.files import write_text
+from probe.generation.necessary import is_answerable_at_sight
 from probe.reading import contents
 from probe.report.build_log import Candidates
 from probe.report.episodes import ReportEpisode, detail_of, index_of, keys_of
@@ -165,6 +166,7 @@ def _values(report: Report) -> dict[str, object]:
         "shares": [(share, height(share)) for share in TICKS],
         "highlight": highlight,
         "highlight_key": highlight and keys_of(played)[played.index(highlight.played)],
+        "at_sight": any(map(is_answerable_at_sight, report.suite.tasks)),
         "facts": suite_facts(report.suite.tasks),
         "candidates": report.candidates,
         "files": report.files,

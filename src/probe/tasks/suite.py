@@ -22,8 +22,9 @@ class Suite:
     """Tasks that are always run together.
 
     Attributes:
-        name: "v1", "demo".
-        tasks: In a fixed order.
+        name: "v2", "demo".
+        tasks: In a fixed order. `for task in suite` goes through them, `len(suite)` counts them,
+            and `suite["find-c09c4db2"]` is one of them.
         objects: Fingerprint of each object that appears, by id.
         commitment: To the salt that a private suite was made with; None of a public one.
         pool: Which objects it was made of; None of suites from before this was written down.
