@@ -54,7 +54,7 @@ TYPED = (
     "assets list --category mug",
     "assets show red_block",
     "tools bench --grasps -1",
-    "suite show v2",
+    "suite show v3",
 )
 _PATIENCE = 900.0
 _ESCAPES = re.compile(r"\x1b(\[[0-9;?]*[A-Za-z]|[()][A-Z0-9])")

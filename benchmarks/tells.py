@@ -1,4 +1,4 @@
-"""What the height of a cover tells in v1's Size and Reduce: `python benchmarks/tells.py`; seconds.
+"""What the height of a cover tells in Size and Reduce: `python benchmarks/tells.py`; seconds.
 
 From the true poses and the catalogue's sizes, as a depth camera could measure them; no answer is
 looked at before a rule has given its own. The procedural pool is enough.
@@ -7,9 +7,10 @@ looked at before a rule has given its own. The procedural pool is enough.
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
+import tyro
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
@@ -130,12 +131,18 @@ def reduce_letters(task: probe.Task, table: Table, things: probe.Library) -> dic
     }
 
 
-def main() -> None:
-    """Print how often each rule is right."""
-    things = probe.open_library()
+def main(name: Annotated[str, tyro.conf.Positional] = "v1") -> None:
+    """Print how often each rule is right.
+
+    Args:
+        name: Of a suite, or a file. Tasks that a look answers are left out.
+    """
+    suite = probe.load_suite(name)
+    things = probe.open_library(suite.pool or "procedural")
     right, asked = Counter[str](), Counter[str]()
-    for task in probe.load_suite("v1").tasks:
-        if task.question_type not in ("size", "reduce"):
+    for task in suite.tasks:
+        at_sight = task.certificate.measures.get("necessary") == 0
+        if at_sight or task.question_type not in ("size", "reduce"):
             continue
         table = Table(task, things)
         size = task.question_type == "size"
@@ -148,4 +155,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    tyro.cli(main)

@@ -1,7 +1,7 @@
 """Makes the README's sheet: `scripts/object_sheet.py SHEET.png docs/pictures/objects.jpg`.
 
-SHEET.png is what `probe assets sheet --pool evaluation` writes. Numbers are left out, and what is
-over for the last row stands in its middle.
+SHEET.png is what `probe assets sheet --pool evaluation` writes. Numbers are left out, and a
+last row that isn't full is centred.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from probe.report.contact_sheet import CAPTION_PX, TILE_PX
 
 WIDTH = 1620
 WIDE = 1.25
-"""Width of the picture in its heights."""
+"""Width of the picture divided by its height, about."""
 
 
 def main(sheet: Path, out: Path) -> None:

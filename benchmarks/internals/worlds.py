@@ -88,10 +88,13 @@ def _targets(task: Task, scene: Scene, candidate: str) -> tuple[int, ...]:
     """What is asked about where a candidate is the answer, and what else decides there."""
     before = {placed.instance for placed in task.scene.objects}
     here = [placed.instance for placed in scene.objects]
-    first = next(it.instance for it in scene.objects if it.object_id == candidate)
-    kept = [it for it in task.targets if it in here and it != first]
-    new = [it for it in here if it not in before and it != first]
-    return (first, *(kept + new)[: len(task.targets) - 1])
+    named = [it.instance for it in scene.objects if it.object_id == candidate]
+    kept = [it for it in task.targets if it in here and it not in named]
+    new = [it for it in here if it not in before and it not in named]
+    found = (*named[:1], *(kept + new)[: len(task.targets) - 1])
+    if not named or len(found) < len(task.targets):
+        raise SystemExit(f"{task.id}: {candidate} or what decides with it isn't on its table.")
+    return found
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any, cast
 
 import pytest
 
@@ -11,7 +12,9 @@ from probe.api.episodes import open_episode, play, replay
 from probe.assets.library import Library
 from probe.episodes.noise import Noise
 from probe.episodes.tool_errors import HEADLINE
-from probe.errors import UnknownName
+from probe.episodes.turns import Agent
+from probe.errors import BadData, UnknownName
+from probe.perception.choice import segmented
 from probe.perception.dials import Dials
 from probe.render.renderer import Renderer
 from probe.tasks.suite_file import demo_suite
@@ -20,7 +23,9 @@ TASK = demo_suite().tasks[0]
 
 
 @pytest.mark.slow
-def test_the_headline_setting_of_a_suite_is_had_by_hand(library: Library, renderer: Renderer):
+def test_the_headline_setting_applies_to_episodes_stepped_by_hand(
+    library: Library, renderer: Renderer
+):
     with open_episode(TASK, library, headline=HEADLINE, renderer=renderer) as episode:
         listed = read_graph(episode.step("perceive_scene").text)
         record = episode.record
@@ -41,11 +46,20 @@ def test_errors_of_the_hand_alone_leave_the_detector_ideal(library: Library, ren
         assert episode.record.conditions.dials == Dials()
 
 
-def test_a_noise_that_there_isnt_is_refused_by_name(library: Library):
+def test_an_unknown_noise_is_refused_by_name(library: Library):
     with pytest.raises(UnknownName, match="no noise called 'own'. Known: none, paper"):
-        open_episode(TASK, library, noise="own")
+        open_episode(TASK, library, noise=cast(Any, "own"))
 
 
 def test_a_headline_setting_and_a_noise_are_one_too_many(library: Library):
-    with pytest.raises(ValueError, match="give one of the two"):
-        play(TASK, lambda question, history: None, library, noise="paper", headline=HEADLINE)
+    with pytest.raises(BadData, match="headline: has a noise of its own"):
+        play(TASK, cast(Agent, None), library, noise="paper", headline=HEADLINE)
+
+
+@pytest.mark.slow
+def test_the_detectors_errors_are_of_the_ideal_one_alone(library: Library, renderer: Renderer):
+    with open_episode(
+        TASK, library, headline=HEADLINE, perceiver=segmented, renderer=renderer
+    ) as episode:
+        assert episode.record.noise == Noise(0.018, 0.0)
+        assert episode.record.conditions.dials == Dials()

@@ -113,7 +113,7 @@ def test_restraint_and_what_is_necessary_stand_in_the_table_of_suites_that_state
     (card,) = summarise("s", rows, roster_of(rows)).cards
     _table(card).show()
     told = " ".join(capsys.readouterr().out.split())
-    # Both are right; the first took two more than necessary.
+    # Both are right; the first took two more than necessary, the second one.
     assert "│ restrained │ 2 │ 2 │ 50.0%" in told
     assert "│ 1 necessary │ 1 │ 1 │ 100.0%" in told and "│ 2 necessary" in told
     bare = [row("beneath-1", True)]

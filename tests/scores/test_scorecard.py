@@ -283,6 +283,20 @@ def test_right_answers_that_took_more_than_one_needless_manipulation_are_not_res
         ("2", 1, 1.0),
     ]
     assert (card.needless.n, card.needless.total) == (4, 1 + 2 + 0 + 5)
+    # A look answers those that need none, so that nothing is beyond it.
+    at_sight, one, _ = card.by_necessary
+    assert (at_sight.naive, at_sight.corrected) == (1, None)
+    assert (one.naive, one.corrected) == (0.2, 1)
+
+
+def test_letters_alone_have_the_floors_of_a_guessed_letter():
+    told = {"answer": "B", "letter_correct": True, "necessary": 1}
+    rows = [row("exact-1", False, **told), row("exact-2", False, necessary=1)]
+    listed = {task: Listed("exact", "", 5, 1) for task in ("exact-1", "exact-2")}
+    card = scorecard(rows, listed, 0)
+    (letter,) = (it for it in card.parts if it.name == "exact, letter alone")
+    assert (card.macro.chance, card.macro.naive) == (0, 0)
+    assert (letter.headline.value, letter.chance, letter.naive) == (0.5, 0.2, 0.2)
 
 
 def test_accuracy_by_necessary_manipulations_is_of_tasks_and_not_of_types():

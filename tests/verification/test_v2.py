@@ -9,10 +9,14 @@ import pytest
 from probe.assets.library import Library, open_library
 from probe.assets.pools.division import parts_shown
 from probe.assets.tables import table_ids
-from probe.episodes.tool_errors import HEADLINE
 from probe.generation.build import without_notes
 from probe.generation.repeats import roles_of
+from probe.perception.dials import Dials
 from probe.render.renderer import Renderer
+from probe.scores.estimates import macro_chance
+from probe.scores.marking import roster_of_tasks
+from probe.scores.roster import chance_by_type, naive_by_type
+from probe.tasks.headline import HeadlineErrors
 from probe.tasks.suite import check_objects, selection
 from probe.tasks.suite_file import packaged_suite
 from probe.tasks.task import QUESTION_TYPES
@@ -47,7 +51,21 @@ def test_all_its_objects_are_for_evaluation():
 
 
 def test_it_states_its_headline_setting():
-    assert V2.headline == HEADLINE
+    dials = Dials(over=0.14, under=0.08, general=1.0)
+    assert V2.headline == HeadlineErrors(grasp=0.018, push=0.0, dials=dials)
+
+
+def test_guesses_and_looks_give_what_pages_say():
+    """Of 14 types Exact and Memory have no chance; five of Compare's 20 tasks are at sight."""
+    listed = roster_of_tasks(V2.tasks)
+    assert macro_chance(chance_by_type(listed)) == pytest.approx((10 / 5 + 2 / 2) / 14)
+    assert macro_chance(chance_by_type(listed, letter_alone=True)) == pytest.approx(3.4 / 14)
+    naive = naive_by_type(listed)
+    assert naive["compare"] == pytest.approx(5 / 20 + 15 / 20 / 2)
+    assert naive["size"] == pytest.approx(7 / 22 + 15 / 22 / 2)
+    assert naive["count"] == pytest.approx(8 / 22 + 14 / 22 / 3)
+    assert naive["find"] == pytest.approx(6 / 22 + 16 / 22 / 5)
+    assert 0.275 < macro_chance(naive) < 0.285
 
 
 def test_all_its_tasks_were_solved_and_state_what_is_necessary():

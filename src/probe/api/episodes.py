@@ -20,6 +20,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.episodes.replay import differences
 from probe.episodes.tool_errors import tool_errors
 from probe.episodes.turns import Agent, Call, Question
+from probe.errors import BadData
 from probe.perception.choice import Perceiver, ideal
 from probe.render.photograph import load_scene
 from probe.render.renderer import Renderer
@@ -109,7 +110,8 @@ def open_episode(
         library: Has the task's objects; `open_library("all")` has those of every packaged suite.
         noise: How far the hand misses where it is sent: "none", "paper", or a Noise.
         headline: Errors of hand and detector in place of noise: `suite.headline`, for the setting
-            in which a suite's scores are taken. By default neither errs.
+            in which a suite's scores are taken. The detector's are of the ideal one alone. By
+            default, and with None, which suites like v1 state, neither errs.
         run: Number of the run; each run of a task has its own noise.
         perceiver: What the tools see with; by default the ideal detector. See pointing().
         renderer: One that is running already, for this episode alone; by default one is started.
@@ -117,7 +119,7 @@ def open_episode(
     Raises:
         NoGraphicsDriver: The machine has no Vulkan driver.
         UnknownName: The library lacks an object of the task, or there is no such noise.
-        ValueError: Both a noise and a headline setting are given.
+        BadData: Both a noise and a headline setting are given.
     """
     circumstances = _circumstances(noise, headline, perceiver, run)
     with ExitStack() as started:
@@ -159,7 +161,7 @@ def play(
     Raises:
         NoGraphicsDriver: The machine has no Vulkan driver.
         UnknownName: The library lacks an object of the task, or there is no such noise.
-        ValueError: Both a noise and a headline setting are given.
+        BadData: Both a noise and a headline setting are given.
     """
     called = name or type(agent).__name__
     circumstances = _circumstances(noise, headline, perceiver, run)
@@ -182,7 +184,9 @@ def _circumstances(
     hand, conditions = noise_of(noise), AS_FROZEN
     if headline is not None:
         if hand != NO_NOISE:
-            raise ValueError("A headline setting has a noise of its own: give one of the two.")
+            raise BadData(
+                "headline", "has a noise of its own", "Give a noise or a headline setting"
+            )
         hand, conditions = tool_errors(headline, "own", AS_FROZEN, oracle=perceiver is ideal)
     return Circumstances(run, hand, conditions, perception=used_by(perceiver))
 

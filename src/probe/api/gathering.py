@@ -185,8 +185,10 @@ def _difference(first: Suite, other: Suite) -> str:
     if mine.keys() != theirs.keys():
         alone = len(mine.keys() ^ theirs.keys())
         if first.name == other.name:
-            some = f"they are about different tasks of {first.name} ({alone} are in one of them)"
-            return f"{some}; run both with the same --limit, --type and --task"
+            return (
+                f"{alone} tasks of {first.name} are in only one of them. If both are parts of one "
+                "suite, run them with the same --limit, --type and --task"
+            )
         return f"{first.name} and {other.name} differ in {alone} tasks"
     changed = [name for name, task in mine.items() if task != theirs[name]]
     if changed:

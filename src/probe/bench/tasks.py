@@ -30,7 +30,7 @@ _SPACE = "" if "site-packages" in __file__ else "probe/"
 
 @task(name=f"{_SPACE}agentic")
 def agentic(
-    suite: str = "v1",
+    suite: str = "v2",
     out: str = "outputs/inspect/agentic",
     epochs: int = 3,
     points: Points = "pixels",
@@ -50,7 +50,7 @@ def agentic(
 
 @task(name=f"{_SPACE}text_only")
 def text_only(
-    suite: str = "v1",
+    suite: str = "v2",
     out: str = "outputs/inspect/text_only",
     epochs: int = 3,
     points: Points = "pixels",
@@ -69,7 +69,7 @@ def text_only(
 
 @task(name=f"{_SPACE}direct")
 def direct(
-    suite: str = "v1",
+    suite: str = "v2",
     out: str = "outputs/inspect/direct",
     epochs: int = 3,
     points: Points = "pixels",
@@ -85,7 +85,7 @@ def direct(
 
 @task(name=f"{_SPACE}blind")
 def blind(
-    suite: str = "v1",
+    suite: str = "v2",
     out: str = "outputs/inspect/blind",
     epochs: int = 3,
     points: Points = "pixels",
@@ -98,7 +98,7 @@ def blind(
 
 @task(name=f"{_SPACE}oracle_view")
 def oracle_view(
-    suite: str = "v1",
+    suite: str = "v2",
     out: str = "outputs/inspect/oracle_view",
     epochs: int = 3,
     points: Points = "pixels",

@@ -24,13 +24,13 @@ from probe.tasks.identity import identity_of
 from probe.tasks.suite_file import read_suite
 
 _FLOORS = (
-    "Chance is a blind guess; naive is a guess after a look (Count: what is visible and 0, 1 or 2 "
-    "more; all right where no manipulation is necessary); beyond is accuracy beyond chance, "
-    "relative to naive: 0 % for it, 100 % for all right."
+    "Chance is a blind guess; naive is a guess after a look: all right where no manipulation is "
+    "necessary, in Count what is visible and 0, 1 or 2 more, elsewhere as chance. Beyond is "
+    "accuracy beyond chance, relative to naive: 0 % for it, 100 % for all right."
 )
 _RESTRAINED = (
     "Restrained is right with at most one manipulation more than necessary; below it are the tasks "
-    "by how many are necessary."
+    "by how many are necessary. Needless manipulations an episode: {mean:.1f}."
 )
 
 
@@ -51,8 +51,8 @@ def rescore(
         _table(card).show()
     if scores.cards:
         say(_FLOORS)
-    if any(card.restrained for card in scores.cards):
-        say(_RESTRAINED)
+        if card.needless is not None:
+            say(_RESTRAINED.format(mean=card.needless.mean))
     if remark := identity_of(read_suite(out / SUITE)).remark:
         say(f"{out}: {remark}.")
     for line in _lines(scores):
@@ -63,9 +63,9 @@ def rescore(
 
 def headline_line(card: Scorecard) -> str:
     """One entrant's headline in a line."""
-    _, tasks, runs, right, interval, chance, naive, _ = _cells(card.macro)
+    _, _, runs, right, interval, chance, naive, _ = _cells(card.macro)
     of = plural(card.macro.headline.rows, "run")
-    sizes = f"n = {plural(int(tasks), 'task')}, {runs} of {of}"
+    sizes = f"n = {plural(card.macro.tasks, 'task')}, {runs} of {of}"
     return f"{name_of(card.entrant)}: {right} ({interval}), {sizes}, chance {chance}, naive {naive}"
 
 
@@ -89,13 +89,14 @@ def _lines(scores: Scores) -> Iterator[str]:
     """What must stand beside the table, in words."""
     for card in scores.cards:
         resemblance = "unknown" if card.icc is None else f"{card.icc:.2f}"
+        gone = plural(len(card.gaps), "row")
         gap = "unknown" if card.detectable is None else f"{100 * card.detectable:.0f} points"
         if card.detectable is not None and card.detectable > 1:
             gap = "none, with so few tasks"
         yield (
             f"{name_of(card.entrant)}: n = {plural(card.macro.tasks, 'task')}; "
             f"ICC of runs {resemblance}; "
-            f"detectable difference from an unrelated agent {gap}; {len(card.gaps)} rows missing"
+            f"detectable difference from an unrelated agent {gap}; {gone} missing"
         )
     for pair in scores.all_pairs:
         verdict = "a tie" if pair.tie else "different"

@@ -53,9 +53,10 @@ def chance_by_type(roster: Roster, *, letter_alone: bool = False) -> dict[str, f
 
 
 def naive_by_type(roster: Roster, *, letter_alone: bool = False) -> dict[str, float]:
-    """Share that is right by type without moving anything: by a look where that is enough.
+    """Share that is right by type without moving anything.
 
-    Elsewhere it is a guess, or more where counting what shows is.
+    All tasks that a look answers; of the others what a guess gives, in Count what counting the
+    visible ones and adding 0, 1 or 2 does.
     """
     guess = _letter_guessed if letter_alone else _guessed
     return _means_by_type(roster, partial(_looked, guess))
