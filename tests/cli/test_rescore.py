@@ -110,10 +110,13 @@ def test_restraint_and_what_is_necessary_stand_in_the_table_of_suites_that_state
         row("beneath-1", True, necessary=1, manipulations=3),
         row("beneath-2", True, necessary=2, manipulations=3),
     ]
-    (card,) = summarise("s", rows, roster_of(rows)).cards
+    scores = summarise("s", rows, roster_of(rows))
+    (card,) = scores.cards
     _table(card).show()
     told = " ".join(capsys.readouterr().out.split())
     # Both are right; the first took two more than necessary, the second one.
+    (line,) = _lines(scores)
+    assert "1.5 needless manipulations an episode" in line
     assert "│ restrained │ 2 │ 2 │ 50.0%" in told
     assert "│ 1 necessary │ 1 │ 1 │ 100.0%" in told and "│ 2 necessary" in told
     bare = [row("beneath-1", True)]

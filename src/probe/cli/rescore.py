@@ -30,7 +30,7 @@ _FLOORS = (
 )
 _RESTRAINED = (
     "Restrained is right with at most one manipulation more than necessary; below it are the tasks "
-    "by how many are necessary. Needless manipulations an episode: {mean:.1f}."
+    "by how many are necessary."
 )
 
 
@@ -51,8 +51,8 @@ def rescore(
         _table(card).show()
     if scores.cards:
         say(_FLOORS)
-        if card.needless is not None:
-            say(_RESTRAINED.format(mean=card.needless.mean))
+    if any(card.by_necessary for card in scores.cards):
+        say(_RESTRAINED)
     if remark := identity_of(read_suite(out / SUITE)).remark:
         say(f"{out}: {remark}.")
     for line in _lines(scores):
@@ -96,7 +96,7 @@ def _lines(scores: Scores) -> Iterator[str]:
         yield (
             f"{name_of(card.entrant)}: n = {plural(card.macro.tasks, 'task')}; "
             f"ICC of runs {resemblance}; "
-            f"detectable difference from an unrelated agent {gap}; {gone} missing"
+            f"detectable difference from an unrelated agent {gap}; {gone} missing{_needless(card)}"
         )
     for pair in scores.all_pairs:
         verdict = "a tie" if pair.tie else "different"
@@ -111,6 +111,12 @@ def _lines(scores: Scores) -> Iterator[str]:
             f"{AGENTIC} against {DIRECT} over {scores.settings.agents} agents: "
             f"p = {scores.settings.p:.2g} (plain CMH {scores.settings.plain_p:.2g})"
         )
+
+
+def _needless(card: Scorecard) -> str:
+    if card.needless is None:
+        return ""
+    return f"; {card.needless.mean:.1f} needless manipulations an episode"
 
 
 def _cells(figure: Figure) -> tuple[str, ...]:
