@@ -34,7 +34,7 @@ def typed(monkeypatch, capsys):
     [
         (("rnu", "demo"), "There is no command called 'rnu'. Did you mean run? There are"),
         (("--versoin",), "There is no option --versoin here."),
-        (("run",), 'SUITE is missing: "v1", "demo" or a file'),
+        (("run",), 'SUITE is missing: "v2", "v1", "demo" or a file'),
         (("run", "v1", "--agnt", "random"), "There is no option --agnt. Did you mean --agent? See"),
         (("run", "v1", "--xyzzy"), "There is no option --xyzzy. See `probe run --help`."),
         (("run", "v1", "--agent"), "Missing value for argument '--agent'."),
