@@ -1,6 +1,6 @@
 """A suite's tasks with each of their answers: does anything that shows tell them apart?
 
-`python benchmarks/internals/worlds.py v2.json outputs/worlds.json`, then
+`python benchmarks/internals/worlds.py v2 outputs/worlds.json`, then
 `probe suite shortcuts outputs/worlds.json`. Measures internals, not the public API.
 
 The generator lays each of five candidates in the hidden place, and keeps a scene only if all five
