@@ -54,9 +54,13 @@ class Table:
         """Height of its highest point, metres."""
         return float(self.points[number][:, 2].max())
 
+    def low(self, number: int) -> float:
+        """Height of its lowest point, metres."""
+        return float(self.points[number][:, 2].min())
+
     def middle(self, number: int) -> float:
         """Height half way between its lowest and its highest point, metres."""
-        return float(self.points[number][:, 2].min() + self.top(number)) / 2
+        return (self.low(number) + self.top(number)) / 2
 
     def is_round(self, number: int) -> bool:
         """Whether its outline is a circle from above, when it lies flat."""
@@ -109,6 +113,7 @@ def size_letters(task: probe.Task, table: Table) -> dict[str, str]:
     told = {
         "Size: whose cover's highest point is higher": letter(table.top(a), table.top(b)),
         "Size: whose cover's middle is higher": letter(table.middle(a), table.middle(b)),
+        "Size: whose cover's lowest point is higher": letter(table.low(a), table.low(b)),
     }
     if table.is_round(a) and table.is_round(b):
         heights = table.by_outline(a), table.by_outline(b)
