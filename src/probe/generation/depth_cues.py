@@ -30,6 +30,10 @@ class DepthCues(NamedTuple):
 WINDOWS: Windows = ((math.log(1.05), math.log(1.8)),) * 2
 """Of DepthCues: where amounts differ, they tell which is larger."""
 
+RIMS = 0.003
+"""Metres by which the lowest points of the two covers may differ: where one of them touches the
+table nowhere, it lay over the larger thing in 27 of 28 tasks."""
+
 _LOWEST = 0.002
 """Metres; what lies flatter counts as so high, as its depth is measured no better."""
 
@@ -41,10 +45,12 @@ class DepthLook:
     Attributes:
         cover_height: Height above the table of its cover's highest point, metres.
         height: Height above the table of the highest point that shows of the thing, metres.
+        cover_low: Height above the table of its cover's lowest point, metres.
     """
 
     cover_height: float
     height: float
+    cover_low: float
 
     @classmethod
     def of(cls, view: SceneView, scene: Scene, labels: Array, number: int) -> DepthLook:
@@ -63,6 +69,7 @@ class DepthLook:
         return cls(
             max(view.top_of(cover), _LOWEST),
             max(view.top_shown(scene, labels, number), _LOWEST),
+            view.bottom_of(cover),
         )
 
 
@@ -72,6 +79,11 @@ def leads_of(larger: DepthLook, smaller: DepthLook) -> DepthCues:
         math.log(larger.cover_height / smaller.cover_height),
         math.log(larger.height / smaller.height),
     )
+
+
+def rims_tell(one: DepthLook, other: DepthLook) -> bool:
+    """Whether one cover lies clear of the table, or both do and not equally high."""
+    return abs(one.cover_low - other.cover_low) > RIMS
 
 
 def _hiding(labels: Array, outline: Array, number: int) -> int:

@@ -77,6 +77,10 @@ class SceneView:
         """Height above the table of an object's highest point, metres."""
         return float(placed.pose.apply(self._meshes[placed.object_id].vertices)[:, 2].max())
 
+    def bottom_of(self, placed: PlacedObject) -> float:
+        """Height above the table of an object's lowest point, metres."""
+        return float(placed.pose.apply(self._meshes[placed.object_id].vertices)[:, 2].min())
+
     def silhouettes(self, scene: Scene, of: Collection[int]) -> dict[int, Silhouette]:
         """Silhouettes of some instances of a scene."""
         placed = [item for item in scene.objects if item.instance in of]

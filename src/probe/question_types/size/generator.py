@@ -13,6 +13,7 @@ from probe.assets.spec import ObjectSpec
 from probe.generation.alike import told_apart
 from probe.generation.colour_views import ColourViews
 from probe.generation.covers import NEEDS_SHIELD, low_footprint_of
+from probe.generation.depth_cues import rims_tell
 from probe.generation.in_view import OPEN, is_open
 from probe.generation.marked import (
     MARKABLE,
@@ -78,6 +79,8 @@ def generate_size(
     a_shown, b_shown = (shown_of(made, plan, scene, labels, number) for number in made.marked)
     if hidden and not cues.hold(a_shown, b_shown):
         raise Rejected("cues", "what shows tells something else than planned")
+    if a_shown.depth and b_shown.depth and rims_tell(a_shown.depth, b_shown.depth):
+        raise Rejected("rims", "one cover lies clear of the table")
     marks = draw_marks(made, labels)
     seen = view.visibility(scene, labels, made.marked)
     looks = ColourViews(renderer, scene, labels, made.marked, library)

@@ -38,6 +38,9 @@ def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
     if task.version >= DEPTH_RULES:
         high, low = (DepthLook.of(anew.view, task.scene, anew.labels, n) for n in numbers)
         yield from _too_much(depth_cues.leads_of(high, low), depth_cues.WINDOWS)
+        if depth_cues.rims_tell(high, low):
+            lows = (f"{1000 * look.cover_low:.0f}" for look in (high, low))
+            yield f"the covers' lowest points are {' and '.join(lows)} mm above the table"
 
 
 def _too_much(leads: SizeCues | DepthCues, windows: Windows) -> Iterator[str]:
