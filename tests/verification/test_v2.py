@@ -9,7 +9,11 @@ import pytest
 from probe.assets.library import Library, open_library
 from probe.assets.pools.division import parts_shown
 from probe.assets.tables import table_ids
-from probe.generation.build import without_notes
+from probe.generation.build import BuildResources, fill, without_notes
+from probe.generation.build_folder import BuildFolder, TaskSlot
+from probe.generation.depth_cues import DepthLook
+from probe.generation.necessary import is_answerable_at_sight as at_sight
+from probe.generation.necessary import view_of
 from probe.generation.repeats import roles_of
 from probe.perception.dials import Dials
 from probe.render.renderer import Renderer
@@ -103,3 +107,18 @@ def test_some_tasks_hold_and_come_out_of_their_seeds_again(
     verdict = check(task, evaluated, renderer, CheckDepth(solve=False))
     assert {name: found for name, found in verdict.problems.items() if found} == {}
     assert rebuild_problem(task, evaluated, renderer, table_ids(None)) is None
+
+
+@pytest.mark.slow
+def test_covers_of_size_touch_the_table_or_neither_does(
+    evaluated: Library, renderer: Renderer, tmp_path
+):
+    """Candidate 50014000 was a task of v2 before the covers' lowest points were compared."""
+    task = next(it for it in V2.tasks if it.question_type == "size" and not at_sight(it))
+    view = view_of(task, evaluated, renderer)
+    labels = view.labels(task.scene)
+    looks = [DepthLook.of(view, task.scene, labels, mark.instance) for mark in task.marks]
+    assert abs(looks[0].cover_low - looks[1].cover_low) < 0.003
+    resources = BuildResources(evaluated, table_ids(None), renderer, setup=task.setup)
+    first = next(fill(TaskSlot("size", 50014), BuildFolder(tmp_path / "parts"), resources))
+    assert (first.seed, first.check) == (50014000, "rims")
