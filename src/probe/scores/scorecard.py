@@ -115,7 +115,8 @@ class Scorecard:
     Attributes:
         macro: The headline: mean over types.
         question_types: Each type.
-        parts: Find's letter alone, and Find's hidden and partly visible targets.
+        parts: Letters alone of types that need more than a letter, and Find's hidden, open and
+            partly visible targets.
         gaps: What is missing, by task and run.
         icc: Of runs, within types; None if there is nothing to tell it from.
         detectable: Difference from an equally variable agent, unrelated to this one, that 80 % of
