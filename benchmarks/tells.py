@@ -1,7 +1,7 @@
 """What the height of a cover tells in Size and Reduce: `python benchmarks/tells.py`; seconds.
 
 From the true poses and the catalogue's sizes, as a depth camera could measure them; no answer is
-looked at before a rule has given its own. The procedural pool is enough.
+looked at before a rule has given its own. The built-in objects are enough.
 """
 
 from __future__ import annotations

@@ -58,3 +58,8 @@ def _visible(sign: str) -> str:
     if sign == "\n" or sign in _JOINERS or category(sign) not in _UNSEEN:
         return sign
     return sign.encode("unicode_escape").decode()
+
+
+def plural(count: int, word: str) -> str:
+    """A count with its noun: "1 task", "2 tasks"."""
+    return f"{count:,} {word}" + ("" if count == 1 else "s")

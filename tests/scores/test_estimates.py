@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from probe.scores.estimates import corrected, macro, macro_chance
-from probe.scores.roster import Listed, chance_by_type, naive_by_type, roster_of
+from probe.scores.roster import Listed, chance_by_type, letter_guessed, naive_by_type, roster_of
 from score_rows import roster, row
 
 
@@ -59,8 +59,8 @@ def test_nobody_removes_things_by_a_guess():
     both = roster("exact-1", "reduce-1")
     assert chance_by_type(both) == naive_by_type(both) == {"exact": 0.0, "reduce": 0.2}
     letters = {"exact": 0.2, "reduce": 0.2}
-    assert chance_by_type(both, letter_alone=True) == letters
-    assert naive_by_type(both, letter_alone=True) == letters
+    assert chance_by_type(both, letter_guessed) == letters
+    assert naive_by_type(both, letter_guessed) == letters
 
 
 def test_chance_is_a_mean_over_tasks():

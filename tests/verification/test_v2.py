@@ -19,7 +19,7 @@ from probe.perception.dials import Dials
 from probe.render.renderer import Renderer
 from probe.scores.estimates import macro_chance
 from probe.scores.marking import roster_of_tasks
-from probe.scores.roster import chance_by_type, naive_by_type
+from probe.scores.roster import chance_by_type, letter_guessed, naive_by_type
 from probe.tasks.headline import HeadlineErrors
 from probe.tasks.suite import check_objects, selection
 from probe.tasks.suite_file import packaged_suite
@@ -63,7 +63,7 @@ def test_guesses_and_looks_give_what_pages_say():
     """Of 14 types Exact and Memory have no chance; five of Compare's 20 tasks are at sight."""
     listed = roster_of_tasks(V2.tasks)
     assert macro_chance(chance_by_type(listed)) == pytest.approx((10 / 5 + 2 / 2) / 14)
-    assert macro_chance(chance_by_type(listed, letter_alone=True)) == pytest.approx(3.4 / 14)
+    assert macro_chance(chance_by_type(listed, letter_guessed)) == pytest.approx(3.4 / 14)
     naive = naive_by_type(listed)
     assert naive["compare"] == pytest.approx(5 / 20 + 15 / 20 / 2)
     assert naive["size"] == pytest.approx(7 / 22 + 15 / 22 / 2)

@@ -12,8 +12,8 @@ from probe.cli.screen import say
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.episodes.participation import has_tools
-from probe.report.formats import plural
 from probe.tasks.suite import Suite
+from probe.texts import plural
 from probe.toolshed.toolshed import TURNS
 
 

@@ -17,11 +17,11 @@ from probe.cli.metavars import RunFolder
 from probe.cli.screen import ScreenTable, say, track
 from probe.episodes.folder import SUITE
 from probe.report.episodes import name_of
-from probe.report.formats import plural
 from probe.scores.scorecard import Figure, Scorecard
 from probe.scores.summary import AGENTIC, DIRECT, Scores
 from probe.tasks.identity import identity_of
 from probe.tasks.suite_file import read_suite
+from probe.texts import plural
 
 _FLOORS = (
     "Chance is a blind guess; naive is a guess after a look: all right where no manipulation is "

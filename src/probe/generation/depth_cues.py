@@ -66,11 +66,9 @@ class DepthLook:
             ValueError: Nothing hides any of it.
         """
         cover = scene[_hiding(labels, view.silhouettes(scene, [number])[number].mask, number)]
-        return cls(
-            max(view.top_of(cover), _LOWEST),
-            max(view.top_shown(scene, labels, number), _LOWEST),
-            view.bottom_of(cover),
-        )
+        low, high = view.reach_of(cover)
+        shown = view.top_shown(scene, labels, number)
+        return cls(max(high, _LOWEST), max(shown, _LOWEST), low)
 
 
 def leads_of(larger: DepthLook, smaller: DepthLook) -> DepthCues:

@@ -75,11 +75,12 @@ class SceneView:
 
     def top_of(self, placed: PlacedObject) -> float:
         """Height above the table of an object's highest point, metres."""
-        return float(placed.pose.apply(self._meshes[placed.object_id].vertices)[:, 2].max())
+        return self.reach_of(placed)[1]
 
-    def bottom_of(self, placed: PlacedObject) -> float:
-        """Height above the table of an object's lowest point, metres."""
-        return float(placed.pose.apply(self._meshes[placed.object_id].vertices)[:, 2].min())
+    def reach_of(self, placed: PlacedObject) -> tuple[float, float]:
+        """Heights above the table of an object's lowest and highest point, metres."""
+        heights = placed.pose.apply(self._meshes[placed.object_id].vertices)[:, 2]
+        return float(heights.min()), float(heights.max())
 
     def silhouettes(self, scene: Scene, of: Collection[int]) -> dict[int, Silhouette]:
         """Silhouettes of some instances of a scene."""

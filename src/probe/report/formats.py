@@ -6,6 +6,7 @@ from probe.report.episodes import name_of
 from probe.scores.intervals import Interval
 from probe.scores.row import Entrant
 from probe.scores.scorecard import Figure
+from probe.texts import plural
 
 UNKNOWN = "\N{EN DASH}"
 _THIN = "\N{NARROW NO-BREAK SPACE}"
@@ -79,11 +80,6 @@ def gap(detectable: float | None) -> str:
 def entrant(who: Entrant) -> str:
     """An entrant in one line."""
     return name_of(who)
-
-
-def plural(count: int, word: str) -> str:
-    """A count with its noun: "1 task", "2 tasks"."""
-    return f"{count:,} {word}" + ("" if count == 1 else "s")
 
 
 def _signed(value: float, digits: int, *, plus: bool = False) -> str:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from probe.report.episodes import name_of
-from probe.report.formats import between, percent, plural, surest
+from probe.report.formats import between, percent, surest
 from probe.scores.row import Entrant
 from probe.scores.scorecard import Scorecard
 from probe.scores.summary import Scores
+from probe.texts import plural
 
 TOO_FEW = "too few tasks to tell"
 """The verdict on two entrants of whom nobody was shown to be better."""

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from probe.report.formats import UNKNOWN, plural
+from probe.report.formats import UNKNOWN
 from probe.report.result_words import names_of
 from probe.scores.correlation import ALL_ORDERS, least_telling
 from probe.scores.intervals import Interval
 from probe.scores.sim_real import FEWEST, SimReal
+from probe.texts import plural
 
 
 def result_of(found: SimReal) -> str:

@@ -31,6 +31,9 @@ class Listed(NamedTuple):
 Roster = Mapping[str, Listed]
 """Tasks by id."""
 
+Guess = Callable[[Listed], float]
+"""How often somebody who moves nothing is right about a task."""
+
 
 def task_of(row: Row) -> Listed:
     """What a row says of its task."""
@@ -42,27 +45,34 @@ def roster_of(rows: Iterable[Row]) -> dict[str, Listed]:
     return {row.task: task_of(row) for row in rows}
 
 
-def chance_by_type(roster: Roster, *, letter_alone: bool = False) -> dict[str, float]:
+def guessed(listed: Listed) -> float:
+    """How often a blind guess is right; whoever moves nothing removes nothing."""
+    return 0.0 if rules_of(listed.question_type).exact else letter_guessed(listed)
+
+
+def letter_guessed(listed: Listed) -> float:
+    """How often the letter of a blind guess is right."""
+    return 1 / listed.options
+
+
+def chance_by_type(roster: Roster, guess: Guess = guessed) -> dict[str, float]:
     """What a blind guess among the options gives, by type: the mean over its tasks.
 
-    In Find it gives less, since the point must be hit as well; the letter alone gives this. In
-    Exact and Memory it gives nothing unless the letter alone counts: whoever moves nothing removes
-    nothing.
+    In Find it gives less, since the point must be hit as well; the letter alone gives this.
     """
-    return _means_by_type(roster, _letter_guessed if letter_alone else _guessed)
+    return _means_by_type(roster, guess)
 
 
-def naive_by_type(roster: Roster, *, letter_alone: bool = False) -> dict[str, float]:
+def naive_by_type(roster: Roster, guess: Guess = guessed) -> dict[str, float]:
     """Share that is right by type without moving anything.
 
     All tasks that a look answers; of the others what a guess gives, in Count what counting the
     visible ones and adding 0, 1 or 2 does.
     """
-    guess = _letter_guessed if letter_alone else _guessed
     return _means_by_type(roster, partial(_looked, guess))
 
 
-def _means_by_type(roster: Roster, share: Callable[[Listed], float]) -> dict[str, float]:
+def _means_by_type(roster: Roster, share: Guess) -> dict[str, float]:
     question_types = sorted({listed.question_type for listed in roster.values()})
     return {
         question_type: float(
@@ -72,15 +82,7 @@ def _means_by_type(roster: Roster, share: Callable[[Listed], float]) -> dict[str
     }
 
 
-def _guessed(listed: Listed) -> float:
-    return 0.0 if rules_of(listed.question_type).exact else _letter_guessed(listed)
-
-
-def _letter_guessed(listed: Listed) -> float:
-    return 1 / listed.options
-
-
-def _looked(guess: Callable[[Listed], float], listed: Listed) -> float:
+def _looked(guess: Guess, listed: Listed) -> float:
     if listed.necessary == 0:
         return 1.0
     return max(guess(listed), rules_of(listed.question_type).naive)

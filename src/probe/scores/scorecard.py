@@ -24,7 +24,15 @@ from probe.scores.intervals import Interval, bootstrap, standard_error, student,
 from probe.scores.missing import Gap, Headline, gaps_of, headline, present, runs_of
 from probe.scores.power import detectable_gap
 from probe.scores.restraint import is_restrained, needless
-from probe.scores.roster import Listed, Roster, chance_by_type, naive_by_type
+from probe.scores.roster import (
+    Guess,
+    Listed,
+    Roster,
+    chance_by_type,
+    guessed,
+    letter_guessed,
+    naive_by_type,
+)
 from probe.scores.row import Entrant, Row
 from probe.scores.units import ContraryRows, Unit, Worth, is_correct, strata_of, units_of
 from probe.tasks.type_rules import rules_of
@@ -211,7 +219,7 @@ def _parts(rows: Sequence[Row], roster: Roster, seed: int) -> tuple[Figure, ...]
     ]
     more = {it.question_type for it in roster.values() if _needs_more(it.question_type)}
     letters = [
-        _part(f"{name}, letter alone", rows, roster, seed, _of_type(name), _letter)
+        _part(f"{name}, letter alone", rows, roster, seed, _of_type(name), _letter, letter_guessed)
         for name in sorted(more)
     ]
     return (*letters, *figures)
@@ -234,12 +242,13 @@ def _part(
     seed: int,
     keep: Callable[[Listed], bool],
     worth: Worth = is_correct,
+    guess: Guess = guessed,
     *,
     pool: bool = False,
 ) -> Figure:
     some = {task: listed for task, listed in roster.items() if keep(listed)}
     mine = [row for row in rows if row.task in some]
-    return _figure(name, mine, some, seed, worth, runs_of(rows), pool=pool)
+    return _figure(name, mine, some, seed, worth, runs_of(rows), guess, pool=pool)
 
 
 def _floor(by_type: Mapping[str, float], roster: Roster, *, pool: bool) -> float:
@@ -256,13 +265,13 @@ def _figure(
     seed: int,
     worth: Worth = is_correct,
     runs: Collection[int] = (),
+    guess: Guess = guessed,
     *,
     pool: bool = False,
 ) -> Figure:
     top = headline(rows, roster, worth, runs, pool=pool)
     chance, naive = (
-        _floor(by(roster, letter_alone=worth is _letter), roster, pool=pool)
-        for by in (chance_by_type, naive_by_type)
+        _floor(by(roster, guess), roster, pool=pool) for by in (chance_by_type, naive_by_type)
     )
     known = top.value is not None
     units = units_of(rows, worth) if known else []
