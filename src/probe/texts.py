@@ -1,4 +1,4 @@
-"""Texts from outside, made fit for where they go: a file, a terminal, a spreadsheet. Pure."""
+"""Texts made fit for where they go: a file, a terminal, a spreadsheet, a sentence. Pure."""
 
 from __future__ import annotations
 
