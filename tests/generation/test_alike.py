@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import draw_alike, sides_alike, told_apart, unlike
+from probe.generation.alike import are_level, draw_alike, sides_alike, told_apart, unlike
 from probe.generation.result import Rejected
 
 
@@ -130,6 +130,15 @@ def test_where_all_sides_count_a_taller_one_is_not_taken():
         not sides_alike(draw_alike(pool, pool, 0.1, 4, np.random.default_rng(seed)), 0.1)
         for seed in range(20)
     )
+
+
+def test_where_things_must_be_level_a_slightly_taller_one_is_not_taken():
+    tall = [replace(it, size=(*it.size[:2], it.size[2] + 2e-3)) for it in POOL if "red" in it.id]
+    pool = [*(one for one in POOL if "red" not in one.id), *tall]
+    sets = [draw_alike(pool, pool, 0.25, 4, np.random.default_rng(n), level=1e-3) for n in range(9)]
+    assert all(are_level(drawn, 1e-3) for drawn in sets)
+    loose = [draw_alike(pool, pool, 0.25, 4, np.random.default_rng(seed)) for seed in range(9)]
+    assert not all(are_level(drawn, 1e-3) for drawn in loose)
 
 
 def test_sides_are_compared_as_things_stand():

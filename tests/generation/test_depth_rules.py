@@ -14,6 +14,7 @@ from probe.generation.plan import plan_of
 from probe.generation.result import Rejected
 from probe.generation.task_generator import generator_of
 from probe.question_types.find.generator import PARTLY_SEEN
+from probe.question_types.reduce.verifier import VERIFIER
 from probe.scene.seeds import generator
 from probe.tasks.suite_file import packaged_suite
 from probe.tasks.task import RulesVersion
@@ -62,3 +63,10 @@ def test_unlike_heights_are_found_in_tasks_of_the_new_rules_alone(library: Libra
     assert "a side of its candidates differs by more than 10%" in {
         line for it in told for line in it
     }
+
+
+def test_a_slab_that_tells_by_its_gap_is_found_in_tasks_of_the_new_rules_alone(library: Library):
+    tasks = [task for task in packaged_suite("v1").tasks if task.question_type == "reduce"]
+    uneven = "its candidates' heights differ by more than 1 mm"
+    assert not any(uneven in VERIFIER.subject(task, library) for task in tasks)
+    assert all(uneven in VERIFIER.subject(replace(task, version=3), library) for task in tasks)

@@ -116,6 +116,7 @@ def draw_cast(
     *,
     one_colour: bool = False,
     sides: float | None = None,
+    level: float | None = None,
 ) -> ObjectSelection:
     """Draw five candidates, something to cover any of them, and the others.
 
@@ -129,6 +130,7 @@ def draw_cast(
         draw_more: Draw what else lies there, on top.
         one_colour: Whether the candidates' names are to say the same colours.
         sides: By how much each of their sides differs, as a share; None for any.
+        level: By how much their heights differ, metres; None for any.
 
     Raises:
         Rejected: The library has no such set.
@@ -143,6 +145,7 @@ def draw_cast(
             rng,
             one_colour=one_colour,
             sides=sides,
+            level=level,
             varied=sides is not None and number < VARIED_TRIES,
             leads=library.leads,
         )

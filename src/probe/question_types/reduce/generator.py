@@ -10,7 +10,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import TWIN_TOLERANCE, sides_of
+from probe.generation.alike import TWIN_TOLERANCE, level_of, sides_of
 from probe.generation.covers import NEEDS_SLAB, Cover, draw_slab, draw_topping, footprint_of
 from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
 from probe.generation.removal import GhostRemoval, RemovalView
@@ -119,8 +119,17 @@ def select_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
     pool = hideable(library, LARGEST_BENEATH_MORE if more else LARGEST)
     if plan.rules >= KIND_RULES:
         pool = _hidden_by_one(library, pool, rng)
-    sides = sides_of(plan.rules)
-    return draw_cast(library, pool, draw_slab, TWIN_TOLERANCE, rng, count, more, sides=sides)
+    return draw_cast(
+        library,
+        pool,
+        draw_slab,
+        TWIN_TOLERANCE,
+        rng,
+        count,
+        more,
+        sides=sides_of(plan.rules),
+        level=level_of(plan.rules),
+    )
 
 
 def _hidden_by_one(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from probe.assets.library import Library
+from probe.generation.alike import are_level, level_of
 from probe.generation.visibility_rules import (
     CLEAR_SHARE,
     HIDDEN_SHARE,
@@ -18,10 +19,16 @@ from probe.verification.remeasure import Remeasurement
 from probe.verification.truth import candidate_on_table
 from probe.verification.type_verifier import Makeup, Verifier
 
+_ROUNDING = 1e-9
+
 
 def _subject(task: Task, library: Library) -> Iterator[str]:
     yield from named_problems(task, library)
     yield from depth_problems(task, library)
+    level = level_of(task.version)
+    specs = [library[object_id] for object_id in task.certificate.candidates]
+    if level is not None and not are_level(specs, level + _ROUNDING):
+        yield f"its candidates' heights differ by more than {1000 * level:g} mm"
 
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
