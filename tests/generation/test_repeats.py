@@ -32,6 +32,14 @@ def test_the_roles_of_a_task_are_what_decides_it_and_what_hides_that():
     assert roles_of(COUNT)[1] >= counted and len(counted) == 1
 
 
+def test_where_no_single_thing_hides_what_decides_all_that_is_to_go_counts():
+    """Reduce in v2: of 16 things that several slabs hide, each could be asked about once only."""
+    task = next(it for it in find_suite("v2").tasks if it.question_type == "reduce")
+    (hidden,) = task.targets
+    assert task.cover is None and len(task.named) >= 1
+    assert roles_of(task)[1] == {names_of(task)[it] for it in (hidden, *task.named)}
+
+
 def names_of(task: Task) -> dict[int, str]:
     return {item.instance: item.object_id for item in task.scene.objects}
 

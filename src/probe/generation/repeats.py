@@ -14,12 +14,12 @@ Roles = tuple[str, frozenset[str]]
 
 
 def roles_of(task: Task) -> Roles:
-    """A task's type, with the objects that decide it and the named object that hides them.
+    """A task's type, with the objects that decide it and the named ones that hide them.
 
     Where nothing on the table does (none of what is counted is there), the thing that is named.
     """
-    instances = {*task.targets, *([] if task.cover is None else [task.cover])}
-    objects = frozenset(task.scene[instance].object_id for instance in instances)
+    hiding = task.named if task.cover is None else (task.cover,)
+    objects = frozenset(task.scene[instance].object_id for instance in (*task.targets, *hiding))
     return task.question_type, objects or frozenset({task.subject})
 
 
