@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -9,7 +10,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import are_level, draw_alike, sides_alike, told_apart, unlike
+from probe.generation.alike import (
+    are_level,
+    draw_alike,
+    says_in_part,
+    sides_alike,
+    told_apart,
+    unlike,
+)
 from probe.generation.result import Rejected
 
 
@@ -139,6 +147,33 @@ def test_where_things_must_be_level_a_slightly_taller_one_is_not_taken():
     assert all(are_level(drawn, 1e-3) for drawn in sets)
     loose = [draw_alike(pool, pool, 0.25, 4, np.random.default_rng(seed)) for seed in range(9)]
     assert not all(are_level(drawn, 1e-3) for drawn in loose)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "part"),
+    [
+        ("tea light", "red tea light", True),
+        ("white and orange glue stick", "glue stick", True),
+        ("white bowl", "white and blue bowl", True),
+        ("orange", "orange ball", False),
+        ("red tea light", "blue tea light", False),
+        ("tea light", "tea light", False),
+    ],
+)
+def test_a_name_may_say_in_part_what_another_says(one, other, part):
+    assert says_in_part(one, other) == says_in_part(other, one) == part
+
+
+def test_where_names_are_to_be_whole_no_other_one_may_hold_them():
+    plain = [replace(it, name=it.category) for it in POOL if "red" in it.id]
+    pool = [*(it for it in POOL if "red" not in it.id), *plain]
+    for asked in (False, True):
+        drawn = [
+            draw_alike(pool, pool, 0.25, 5, np.random.default_rng(seed), whole_names=asked)
+            for seed in range(30)
+        ]
+        told = [says_in_part(a.name, b.name) for it in drawn for a, b in combinations(it, 2)]
+        assert any(told) != asked
 
 
 def test_sides_are_compared_as_things_stand():

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Hashable, Sequence
+from itertools import combinations
 
 import numpy as np
 
@@ -54,6 +55,17 @@ def longest(spec: ObjectSpec) -> float:
     return max(spec.size)
 
 
+def whole_names_by(rules: RulesVersion) -> bool:
+    """Whether no option may be what another one says in part."""
+    return rules >= DEPTH_RULES
+
+
+def says_in_part(one: str, other: str) -> bool:
+    """Whether a name is true of what another one names: "tea light" of a "red tea light"."""
+    fewer, more = sorted((one.split(), other.split()), key=len)
+    return fewer[-1] == more[-1] and set(fewer) < set(more)
+
+
 def is_lying(spec: ObjectSpec) -> bool:
     """Whether a thing lies along its longest side."""
     return max(spec.size[:2]) == longest(spec)
@@ -81,6 +93,7 @@ def draw_alike(
     one_colour: bool = False,
     sides: float | None = None,
     level: float | None = None,
+    whole_names: bool = False,
     varied: bool = False,
     leads: Leads = nobody,
 ) -> tuple[ObjectSpec, ...]:
@@ -98,6 +111,7 @@ def draw_alike(
         one_colour: Whether their names are to say the same colours, or none.
         sides: Of length, width and height as they stand, as a share; None for any.
         level: Metres by which their heights may differ; None for any.
+        whole_names: Whether no name may be what another's says in part.
         varied: Whether a set with at most MOST_OF_A_KIND of one category is looked for first.
         leads: Which are to be drawn wherever they can.
 
@@ -108,9 +122,8 @@ def draw_alike(
         raise Rejected("candidates", "nothing here is of the right size")
     common = Counter(spec.category for spec in library)
     enough = min(_ENOUGH_LEADING, sum(map(leads, pool)))
-    together = _pairs_that_go_together(pool, tolerance, common, sides)
-    if level is not None:
-        together &= _level([spec.size[2] for spec in pool], level)
+    together = _told_apart(pool, whole_names=whole_names) & _alike(pool, tolerance, sides, level)
+    together &= _within([common[spec.category] for spec in pool], FREQUENCY_RATIO)
     if one_colour:
         together &= _same([colour_words_in(spec.name) for spec in pool])
     one_kind = _same([spec.category for spec in pool])
@@ -142,16 +155,23 @@ def _grown(order: Array, count: int, most: int, together: Array, one_kind: Array
     return drawn
 
 
-def _pairs_that_go_together(
-    pool: Sequence[ObjectSpec], tolerance: float, common: Counter[str], sides: float | None
+def _told_apart(pool: Sequence[ObjectSpec], *, whole_names: bool) -> Array:
+    """Whether words tell two things apart, shape (n, n), and so any of which each two are."""
+    names = [spec.name for spec in pool]
+    apart = ~(_same(names) | _same([_look(spec) for spec in pool]))
+    return apart & _whole_names(names) if whole_names else apart
+
+
+def _alike(
+    pool: Sequence[ObjectSpec], tolerance: float, sides: float | None, level: float | None
 ) -> Array:
-    """Whether a set may hold both of two things, shape (n, n), and so any that go in pairs."""
-    together = ~(_same([spec.name for spec in pool]) | _same([_look(spec) for spec in pool]))
-    together &= _within([longest(spec) for spec in pool], 1 + tolerance)
-    together &= _within([common[spec.category] for spec in pool], FREQUENCY_RATIO)
+    """Whether two things are of about one size, shape (n, n), and so any of which each two are."""
+    together = _within([longest(spec) for spec in pool], 1 + tolerance)
     if sides is not None:
         for lengths in zip(*map(_sides, pool), strict=True):
             together &= _within(lengths, 1 + sides)
+    if level is not None:
+        together &= _level([spec.size[2] for spec in pool], level)
     return together
 
 
@@ -163,6 +183,18 @@ def _within(values: Sequence[float], ratio: float) -> Array:
 def _level(heights: Sequence[float], tolerance: float) -> Array:
     low, high = np.array(heights)[:, None], np.array(heights)[None, :]
     return np.abs(low - high) <= tolerance
+
+
+def _whole_names(names: Sequence[str]) -> Array:
+    whole = np.ones((len(names), len(names)), bool)
+    kinds = defaultdict[str, list[int]](list)
+    for number, name in enumerate(names):
+        kinds[name.split()[-1]].append(number)
+    for alike in kinds.values():
+        for one, other in combinations(alike, 2):
+            told = says_in_part(names[one], names[other])
+            whole[one, other] = whole[other, one] = not told
+    return whole
 
 
 def _same(labels: Sequence[Hashable]) -> Array:

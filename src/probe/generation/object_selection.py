@@ -117,6 +117,7 @@ def draw_cast(
     one_colour: bool = False,
     sides: float | None = None,
     level: float | None = None,
+    whole_names: bool = False,
 ) -> ObjectSelection:
     """Draw five candidates, something to cover any of them, and the others.
 
@@ -131,6 +132,7 @@ def draw_cast(
         one_colour: Whether the candidates' names are to say the same colours.
         sides: By how much each of their sides differs, as a share; None for any.
         level: By how much their heights differ, metres; None for any.
+        whole_names: Whether no name may be what another's says in part.
 
     Raises:
         Rejected: The library has no such set.
@@ -146,6 +148,7 @@ def draw_cast(
             one_colour=one_colour,
             sides=sides,
             level=level,
+            whole_names=whole_names,
             varied=sides is not None and number < VARIED_TRIES,
             leads=library.leads,
         )

@@ -10,7 +10,13 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import SIDES_TOLERANCE, TWIN_TOLERANCE, draw_alike, unlike
+from probe.generation.alike import (
+    SIDES_TOLERANCE,
+    TWIN_TOLERANCE,
+    draw_alike,
+    unlike,
+    whole_names_by,
+)
 from probe.generation.covers import GRASP_WIDTH, Cover, Footprint, draw_cover, footprint_of
 from probe.generation.object_selection import (
     CAST_TRIES,
@@ -78,6 +84,7 @@ class Hidden:
             CANDIDATES + secrets,
             rng,
             sides=SIDES_TOLERANCE,
+            whole_names=whole_names_by(rules),
             varied=rules >= KIND_RULES,
             leads=library.leads,
         )

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import combinations
 
-from probe.generation.alike import told_apart
+from probe.generation.alike import says_in_part, told_apart, whole_names_by
 from probe.tasks.task import NONE_OF_THE_ABOVE, Task
 from probe.tasks.truth import which_on_table
 from probe.tasks.type_rules import rules_of
@@ -33,6 +34,8 @@ def clarity_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
     texts, rules = [option.text for option in task.options], rules_of(task.question_type)
     if len(set(texts)) < len(texts):
         yield "two options are the same"
+    if whole_names_by(task.version):
+        yield from _said_in_part(texts)
     once = {o.object_id: o for o in task.scene.objects}
     specs = [anew.library[object_id] for object_id in once]
     if not told_apart(specs):
@@ -46,6 +49,12 @@ def clarity_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
         if len(present) > 1:
             yield f"several options are on the table: {', '.join(sorted(present))}"
     yield from verifier_of(task.question_type).clear(task, anew)
+
+
+def _said_in_part(texts: Sequence[str]) -> Iterator[str]:
+    for one, other in combinations(texts, 2):
+        if says_in_part(one, other):
+            yield f"{one} and {other} may both be said of one thing"
 
 
 def candidate_on_table(task: Task, anew: Remeasurement) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.library import Library
-from probe.generation.alike import TWIN_TOLERANCE
+from probe.generation.alike import TWIN_TOLERANCE, whole_names_by
 from probe.generation.covers import Footprint, footprint_of
 from probe.generation.frame import SceneFrame, frame_of
 from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
@@ -78,7 +78,15 @@ def generate_behind(
 def select_behind(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """Who plays; see draw_cast()."""
     count = int(rng.integers(_FEWEST, _MOST + 1))
-    return draw_cast(library, hideable(library, LARGEST), draw_occluder, TWIN_TOLERANCE, rng, count)
+    return draw_cast(
+        library,
+        hideable(library, LARGEST),
+        draw_occluder,
+        TWIN_TOLERANCE,
+        rng,
+        count,
+        whole_names=whole_names_by(plan.rules),
+    )
 
 
 def _rooms(cast: ObjectSelection, library: Library) -> list[Footprint]:

@@ -83,6 +83,7 @@ def _hidden(library: Library, rng: np.random.Generator) -> Hidden:
         TWIN_TOLERANCE,
         CANDIDATES,
         rng,
+        whole_names=True,
         leads=library.leads,
     )
     length = min(map(longest, candidates))

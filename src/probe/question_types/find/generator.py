@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.library import Library
-from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, sides_of
+from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, sides_of, whole_names_by
 from probe.generation.covers import NEEDS_COVER, NEEDS_LEAN, draw_cover, draw_lean
 from probe.generation.frame import SceneFrame
 from probe.generation.in_view import OPEN
@@ -92,6 +92,7 @@ def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> O
     Raises:
         Rejected: The library has no such set.
     """
+    whole_names = whole_names_by(plan.rules)
     if is_partly(plan):
         # A colour that shows would tell; so all candidates have it.
         return draw_cast(
@@ -101,10 +102,16 @@ def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> O
             LOOSE_TOLERANCE,
             rng,
             one_colour=True,
+            whole_names=whole_names,
         )
-    sides = sides_of(plan.rules)
     cast = draw_cast(
-        library, hideable(library, LARGEST_HIDDEN), draw_cover, TWIN_TOLERANCE, rng, sides=sides
+        library,
+        hideable(library, LARGEST_HIDDEN),
+        draw_cover,
+        TWIN_TOLERANCE,
+        rng,
+        sides=sides_of(plan.rules),
+        whole_names=whole_names,
     )
     if is_find_open(plan):
         return with_secret(library, cast, LARGEST_HIDDEN, rng)

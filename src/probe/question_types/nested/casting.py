@@ -8,7 +8,13 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import SIDES_TOLERANCE, TWIN_TOLERANCE, draw_alike, unlike
+from probe.generation.alike import (
+    SIDES_TOLERANCE,
+    TWIN_TOLERANCE,
+    draw_alike,
+    unlike,
+    whole_names_by,
+)
 from probe.generation.covers import Cover, Footprint, draw_cover, footprint_of
 from probe.generation.object_selection import (
     CAST_TRIES,
@@ -50,6 +56,7 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
             CANDIDATES,
             rng,
             sides=SIDES_TOLERANCE,
+            whole_names=whole_names_by(plan.rules),
             varied=plan.rules >= KIND_RULES and number < VARIED_TRIES,
             leads=library.leads,
         )

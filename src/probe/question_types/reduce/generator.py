@@ -10,7 +10,7 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import TWIN_TOLERANCE, level_of, sides_of
+from probe.generation.alike import TWIN_TOLERANCE, level_of, sides_of, whole_names_by
 from probe.generation.covers import NEEDS_SLAB, Cover, draw_slab, draw_topping, footprint_of
 from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
 from probe.generation.removal import GhostRemoval, RemovalView
@@ -129,6 +129,7 @@ def select_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
         more,
         sides=sides_of(plan.rules),
         level=level_of(plan.rules),
+        whole_names=whole_names_by(plan.rules),
     )
 
 
