@@ -34,8 +34,10 @@ def clarity_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
     texts, rules = [option.text for option in task.options], rules_of(task.question_type)
     if len(set(texts)) < len(texts):
         yield "two options are the same"
-    if whole_names_by(task.version):
-        yield from _said_in_part(texts)
+    if whole_names_by(task.version) and rules.answers == "objects":
+        # Also those that aren't offered: one of them may be what "none of the above" stands for.
+        drawn = [anew.library[object_id].name for object_id in task.certificate.candidates]
+        yield from _said_in_part(drawn)
     once = {o.object_id: o for o in task.scene.objects}
     specs = [anew.library[object_id] for object_id in once]
     if not told_apart(specs):
@@ -51,8 +53,8 @@ def clarity_problems(task: Task, anew: Remeasurement) -> Iterator[str]:
     yield from verifier_of(task.question_type).clear(task, anew)
 
 
-def _said_in_part(texts: Sequence[str]) -> Iterator[str]:
-    for one, other in combinations(texts, 2):
+def _said_in_part(names: Sequence[str]) -> Iterator[str]:
+    for one, other in combinations(names, 2):
         if says_in_part(one, other):
             yield f"{one} and {other} may both be said of one thing"
 
