@@ -10,7 +10,13 @@ from probe.errors import BadData
 from probe.perception.dials import Dials
 from probe.tasks.headline import HeadlineErrors
 from probe.tasks.suite import Suite, part
-from probe.tasks.suite_file import content_hash, read_suite, write_suite
+from probe.tasks.suite_file import (
+    content_hash,
+    find_suite,
+    packaged_suite,
+    read_suite,
+    write_suite,
+)
 from probe.tasks.task import LETTERS
 from task_examples import FIND, SCENE, with_answer
 
@@ -131,3 +137,13 @@ def test_letters_keep_their_texts(path: Path):
     task = read_suite(path).tasks[0]
     assert [option.letter for option in task.options] == list(LETTERS)
     assert task.options[1].text == "lime"
+
+
+def test_a_folder_called_like_a_packaged_suite_is_not_taken_for_it(tmp_path: Path, monkeypatch):
+    """`probe run demo --out demo`, the second time."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "demo").mkdir()
+    assert find_suite("demo") == packaged_suite("demo")
+    (tmp_path / "other").mkdir()
+    with pytest.raises(BadData, match="is a folder"):
+        find_suite("other")

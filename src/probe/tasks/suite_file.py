@@ -376,8 +376,10 @@ def find_suite(name: str) -> Suite:
         UnknownName: It is neither.
         BadData: The file isn't a whole suite, or bears the name of a packaged one that it isn't.
     """
-    # A link is looked at, wherever it leads; a name that no file can have is none.
-    if name.endswith(".json") or os.path.lexists(name):
+    # A link is looked at, wherever it leads; a name that no file can have is none. A folder may
+    # well be called like a suite: a run's output, say.
+    is_folder = name in packaged_suites() and Path(name).is_dir()
+    if name.endswith(".json") or (os.path.lexists(name) and not is_folder):
         suite = read_suite(Path(name))
         check_name(suite, Path(name))
         return suite
