@@ -24,6 +24,8 @@ def test_tasks_of_v1_are_found_by_the_new_rules_alone(library: Library, renderer
     assert not any(said(task, library, renderer) for task in TASKS)
     found = [task for task in TASKS if said(replace(task, version=3), library, renderer)]
     assert 3 <= len(found) < len(TASKS)
+    # One of its two such names isn't offered: "none of the above" could stand for it.
+    assert "reduce-d199305e" in [task.id for task in found]
     names = {object_id: library[object_id].name for object_id in found[0].certificate.candidates}
     told = said(replace(found[0], version=3), library, renderer)
     assert all(sum(name in line for name in names.values()) >= 2 for line in told)

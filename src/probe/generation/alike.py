@@ -50,20 +50,14 @@ def level_of(rules: RulesVersion) -> float | None:
     return LEVEL if rules >= DEPTH_RULES else None
 
 
-def longest(spec: ObjectSpec) -> float:
-    """Longest side in metres."""
-    return max(spec.size)
-
-
 def whole_names_by(rules: RulesVersion) -> bool:
-    """Whether no option may be what another one says in part."""
+    """Whether no candidate's name may say in part what another's says."""
     return rules >= DEPTH_RULES
 
 
-def says_in_part(one: str, other: str) -> bool:
-    """Whether a name is true of what another one names: "tea light" of a "red tea light"."""
-    fewer, more = sorted((one.split(), other.split()), key=len)
-    return fewer[-1] == more[-1] and set(fewer) < set(more)
+def longest(spec: ObjectSpec) -> float:
+    """Longest side in metres."""
+    return max(spec.size)
 
 
 def is_lying(spec: ObjectSpec) -> bool:
@@ -210,6 +204,12 @@ def _sides(spec: ObjectSpec) -> tuple[float, ...]:
 
 def _look(spec: ObjectSpec) -> tuple[str, ...]:
     return (spec.category, *spec.colours[:1])
+
+
+def says_in_part(one: str, other: str) -> bool:
+    """Whether a name is true of what another one names: "tea light" of a "red tea light"."""
+    fewer, more = sorted((one.split(), other.split()), key=len)
+    return fewer[-1] == more[-1] and set(fewer) < set(more)
 
 
 def told_apart(specs: Sequence[ObjectSpec]) -> bool:

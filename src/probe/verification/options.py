@@ -9,6 +9,8 @@ from probe.generation.alike import (
     LOOSE_TOLERANCE,
     SIDES_TOLERANCE,
     TWIN_TOLERANCE,
+    are_level,
+    level_of,
     longest,
     sides_alike,
     told_apart,
@@ -103,6 +105,14 @@ def depth_problems(task: Task, library: Library) -> Iterator[str]:
     partly = task.certificate.measures.get("partly", 0.0) > 0
     if task.version >= DEPTH_RULES and not partly:
         yield from sides_problems(task, library)
+
+
+def level_problems(task: Task, library: Library) -> Iterator[str]:
+    """That candidates are equally high, by rules that ask for it: a slab may rest on them."""
+    level = level_of(task.version)
+    specs = [library[object_id] for object_id in task.certificate.candidates]
+    if level is not None and not are_level(specs, level + _ROUNDING):
+        yield f"its candidates' heights differ by more than {1000 * level:g} mm"
 
 
 def _shown(texts: Sequence[str]) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from probe.assets.library import Library
-from probe.generation.alike import are_level, level_of
 from probe.generation.visibility_rules import (
     CLEAR_SHARE,
     HIDDEN_SHARE,
@@ -14,21 +13,16 @@ from probe.generation.visibility_rules import (
 )
 from probe.tasks.task import Task
 from probe.verification.named import named_problems, named_slots, shown_problems
-from probe.verification.options import depth_problems
+from probe.verification.options import depth_problems, level_problems
 from probe.verification.remeasure import Remeasurement
 from probe.verification.truth import candidate_on_table
 from probe.verification.type_verifier import Makeup, Verifier
-
-_ROUNDING = 1e-9
 
 
 def _subject(task: Task, library: Library) -> Iterator[str]:
     yield from named_problems(task, library)
     yield from depth_problems(task, library)
-    level = level_of(task.version)
-    specs = [library[object_id] for object_id in task.certificate.candidates]
-    if level is not None and not are_level(specs, level + _ROUNDING):
-        yield f"its candidates' heights differ by more than {1000 * level:g} mm"
+    yield from level_problems(task, library)
 
 
 def _hidden(task: Task, anew: Remeasurement) -> Iterator[str]:
