@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from probe.assets.library import Library
-from probe.generation.alike import sides_alike
 from probe.generation.covers import Cover
+from probe.generation.likeness import sides_alike
 from probe.generation.object_selection import ObjectSelection
 from probe.generation.plan import plan
 from probe.generation.side_by_side import COVERS, draw_posts

@@ -11,8 +11,9 @@ import numpy as np
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.errors import Unsatisfiable
-from probe.generation.alike import draw_alike, longest, unlike
+from probe.generation.alike import draw_alike, unlike
 from probe.generation.covers import Cover, Footprint, footprint_of
+from probe.generation.likeness import Likeness, longest
 from probe.generation.result import Rejected
 from probe.scene.sampling import DEFAULT_COUNT, draw_objects
 from probe.tasks.options import CANDIDATES
@@ -109,15 +110,10 @@ def draw_cast(
     library: Library,
     pool: Sequence[ObjectSpec],
     draw_over: CoverDraw,
-    tolerance: float,
+    likeness: Likeness,
     rng: np.random.Generator,
     count: int = DEFAULT_COUNT,
     draw_more: Sequence[CoverDraw] = (),
-    *,
-    one_colour: bool = False,
-    sides: float | None = None,
-    level: float | None = None,
-    whole_names: bool = False,
 ) -> ObjectSelection:
     """Draw five candidates, something to cover any of them, and the others.
 
@@ -125,14 +121,10 @@ def draw_cast(
         library: To choose from.
         pool: What may be hidden; see hideable().
         draw_over: Draws the cover: draw_cover(), draw_lean() or draw_slab().
-        tolerance: By how much their longest sides differ, as a share.
+        likeness: How alike the candidates are.
         rng: Draws everything.
         count: Things on the table.
         draw_more: Draw what else lies there, on top.
-        one_colour: Whether the candidates' names are to say the same colours.
-        sides: By how much each of their sides differs, as a share; None for any.
-        level: By how much their heights differ, metres; None for any.
-        whole_names: Whether no name may be what another's says in part.
 
     Raises:
         Rejected: The library has no such set.
@@ -142,14 +134,10 @@ def draw_cast(
         candidates = draw_alike(
             pool,
             library.specs,
-            tolerance,
+            likeness,
             CANDIDATES,
             rng,
-            one_colour=one_colour,
-            sides=sides,
-            level=level,
-            whole_names=whole_names,
-            varied=sides is not None and number < VARIED_TRIES,
+            varied=likeness.sides is not None and number < VARIED_TRIES,
             leads=library.leads,
         )
         free = unlike(library.specs, candidates)

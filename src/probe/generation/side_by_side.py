@@ -10,14 +10,9 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import (
-    SIDES_TOLERANCE,
-    TWIN_TOLERANCE,
-    draw_alike,
-    unlike,
-    whole_names_by,
-)
+from probe.generation.alike import draw_alike, unlike
 from probe.generation.covers import GRASP_WIDTH, Cover, Footprint, draw_cover, footprint_of
+from probe.generation.likeness import SIDES_TOLERANCE, TWIN_TOLERANCE, Likeness, whole_names_by
 from probe.generation.object_selection import (
     CAST_TRIES,
     LARGEST,
@@ -80,11 +75,9 @@ class Hidden:
         specs = draw_alike(
             hideable(library),
             library.specs,
-            TWIN_TOLERANCE,
+            Likeness(TWIN_TOLERANCE, SIDES_TOLERANCE, whole_names=whole_names_by(rules)),
             CANDIDATES + secrets,
             rng,
-            sides=SIDES_TOLERANCE,
-            whole_names=whole_names_by(rules),
             varied=rules >= KIND_RULES,
             leads=library.leads,
         )

@@ -10,9 +10,9 @@ import numpy as np
 from probe.assets.colour.difference import ciede2000
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import told_apart
 from probe.generation.colour_cues import least_lead, misfit, wanted
 from probe.generation.colour_words import colours_in
+from probe.generation.likeness import told_apart
 from probe.generation.paint_twins import PaintTwins
 from probe.generation.palettes import dimmed, main_colour
 from probe.generation.task_plan import CROSSED, TaskPlan

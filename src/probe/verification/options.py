@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from probe.assets.library import Library
-from probe.generation.alike import (
+from probe.generation.likeness import (
     LOOSE_TOLERANCE,
     SIDES_TOLERANCE,
     TWIN_TOLERANCE,

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from probe.generation.alike import says_in_part, told_apart, whole_names_by
+from probe.generation.likeness import says_in_part, told_apart, whole_names_by
 from probe.tasks.task import NONE_OF_THE_ABOVE, Task
 from probe.tasks.truth import which_on_table
 from probe.tasks.type_rules import rules_of

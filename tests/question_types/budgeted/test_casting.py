@@ -10,7 +10,8 @@ from dataclasses import replace
 import pytest
 
 from probe.assets.library import Library
-from probe.generation.alike import is_lying, longest
+from probe.generation.alike import is_lying
+from probe.generation.likeness import longest
 from probe.generation.object_selection import ObjectSelection
 from probe.generation.plan import plan
 from probe.generation.result import Rejected

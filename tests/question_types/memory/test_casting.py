@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from probe.assets.library import Library
-from probe.generation.alike import sides_alike
+from probe.generation.likeness import sides_alike
 from probe.generation.plan import plan
 from probe.question_types.memory.casting import select_memory
 from probe.scene.seeds import generator

@@ -13,7 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from probe.assets.library import Library
-from probe.generation.alike import is_lying, longest, told_apart
+from probe.generation.alike import is_lying
+from probe.generation.likeness import longest, told_apart
 from probe.generation.plan import plan
 from probe.generation.result import Rejected
 from probe.generation.side_by_side import Hidden

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from probe.assets.library import Library, open_library
-from probe.generation.alike import are_level
+from probe.generation.likeness import are_level
 from probe.generation.plan import plan_of
 from probe.generation.result import Rejected
 from probe.question_types.reduce.generator import REMOVALS, select_reduce

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.library import Library
-from probe.generation.alike import TWIN_TOLERANCE, whole_names_by
 from probe.generation.covers import Footprint, footprint_of
 from probe.generation.frame import SceneFrame, frame_of
+from probe.generation.likeness import TWIN_TOLERANCE, Likeness, whole_names_by
 from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
 from probe.generation.removal import GhostRemoval
 from probe.generation.result import Rejected, TaskCandidate
@@ -82,10 +82,9 @@ def select_behind(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
         library,
         hideable(library, LARGEST),
         draw_occluder,
-        TWIN_TOLERANCE,
+        Likeness(TWIN_TOLERANCE, whole_names=whole_names_by(plan.rules)),
         rng,
         count,
-        whole_names=whole_names_by(plan.rules),
     )
 
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from probe.assets.library import Library
-from probe.generation.alike import TWIN_TOLERANCE, sides_of, whole_names_by
 from probe.generation.covers import NEEDS_COVER, draw_cover
+from probe.generation.likeness import TWIN_TOLERANCE, Likeness, sides_of, whole_names_by
 from probe.generation.object_selection import (
     LARGEST,
     ObjectSelection,
@@ -84,14 +84,14 @@ def generate_beneath(
 
 def select_beneath(library: Library, plan: TaskPlan, rng: np.random.Generator) -> ObjectSelection:
     """Who plays; see draw_cast() and with_toppings()."""
+    whole = whole_names_by(plan.rules)
+    likeness = Likeness(TWIN_TOLERANCE, sides_of(plan.rules), whole_names=whole)
     cast = draw_cast(
         library,
         hideable(library, LARGEST),
         draw_cover,
-        TWIN_TOLERANCE,
+        likeness,
         rng,
-        sides=sides_of(plan.rules),
-        whole_names=whole_names_by(plan.rules),
     )
     return with_toppings(library, cast, [0], rng) if is_topped(plan) else cast
 

@@ -9,15 +9,9 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import (
-    TWIN_TOLERANCE,
-    draw_alike,
-    is_lying,
-    longest,
-    told_apart,
-    unlike,
-)
+from probe.generation.alike import draw_alike, is_lying, unlike
 from probe.generation.covers import Cover, draw_cover, footprint_of
+from probe.generation.likeness import TWIN_TOLERANCE, Likeness, longest, told_apart
 from probe.generation.object_selection import ObjectSelection, hideable
 from probe.generation.result import Rejected
 from probe.generation.side_by_side import Hidden, liftable, select
@@ -80,10 +74,9 @@ def _hidden(library: Library, rng: np.random.Generator) -> Hidden:
     candidates = draw_alike(
         [it for it in hideable(library, LONGEST) if longest(it) >= SHORTEST and is_lying(it)],
         library.specs,
-        TWIN_TOLERANCE,
+        Likeness(TWIN_TOLERANCE, whole_names=True),
         CANDIDATES,
         rng,
-        whole_names=True,
         leads=library.leads,
     )
     length = min(map(longest, candidates))

@@ -8,8 +8,8 @@ from functools import partial
 import numpy as np
 
 from probe.assets.library import Library
-from probe.generation.alike import longest
 from probe.generation.edgewise_nests import EdgewiseNests
+from probe.generation.likeness import longest
 from probe.generation.necessary import with_necessary
 from probe.generation.nests_judge import NestsJudge
 from probe.generation.object_selection import ObjectSelection

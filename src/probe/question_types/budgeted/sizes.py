@@ -10,8 +10,8 @@ from scipy.spatial import ConvexHull
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import longest
 from probe.generation.covers import cover_of
+from probe.generation.likeness import longest
 from probe.types import Array, Pose
 
 RULED_OUT = 1.15

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import longest
 from probe.generation.covers import cover_of
+from probe.generation.likeness import longest
 from probe.generation.necessary import NECESSARY
 from probe.question_types.budgeted.casting import SMALL, WIDE
 from probe.question_types.budgeted.judge import LIFTED

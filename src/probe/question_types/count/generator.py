@@ -11,10 +11,11 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import LOOSE_TOLERANCE, draw_alike, sides_of, unlike
+from probe.generation.alike import draw_alike, unlike
 from probe.generation.covers import NEEDS_COVER, Cover, Footprint, draw_cover, footprint_of
 from probe.generation.frame import SceneFrame
 from probe.generation.in_view import OPEN, check_all_seen, is_open
+from probe.generation.likeness import LOOSE_TOLERANCE, Likeness, sides_of
 from probe.generation.object_selection import (
     CAST_TRIES,
     LARGEST,
@@ -140,10 +141,9 @@ def select_count(library: Library, plan: TaskPlan, rng: np.random.Generator) -> 
         counted, *decoys = draw_alike(
             pool,
             library.specs,
-            LOOSE_TOLERANCE,
+            Likeness(LOOSE_TOLERANCE, sides_of(plan.rules)),
             1 + NESTS,
             rng,
-            sides=sides_of(plan.rules),
             leads=library.leads,
         )
         free = unlike(library.specs, [counted, *decoys])

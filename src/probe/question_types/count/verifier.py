@@ -7,7 +7,7 @@ from itertools import product
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import told_apart
+from probe.generation.likeness import told_apart
 from probe.generation.visibility_rules import is_clear, is_hidden
 from probe.tasks.english import plural
 from probe.tasks.options import MOST_HIDDEN

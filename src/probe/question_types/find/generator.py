@@ -8,10 +8,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from probe.assets.library import Library
-from probe.generation.alike import LOOSE_TOLERANCE, TWIN_TOLERANCE, sides_of, whole_names_by
 from probe.generation.covers import NEEDS_COVER, NEEDS_LEAN, draw_cover, draw_lean
 from probe.generation.frame import SceneFrame
 from probe.generation.in_view import OPEN
+from probe.generation.likeness import (
+    LOOSE_TOLERANCE,
+    TWIN_TOLERANCE,
+    Likeness,
+    sides_of,
+    whole_names_by,
+)
 from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
 from probe.generation.result import Rejected, TaskCandidate
 from probe.generation.scene_view import SceneView
@@ -92,26 +98,22 @@ def select_find(library: Library, plan: TaskPlan, rng: np.random.Generator) -> O
     Raises:
         Rejected: The library has no such set.
     """
-    whole_names = whole_names_by(plan.rules)
+    whole = whole_names_by(plan.rules)
     if is_partly(plan):
         # A colour that shows would tell; so all candidates have it.
         return draw_cast(
             library,
             hideable(library, LARGEST_PARTLY),
             draw_lean,
-            LOOSE_TOLERANCE,
+            Likeness(LOOSE_TOLERANCE, one_colour=True, whole_names=whole),
             rng,
-            one_colour=True,
-            whole_names=whole_names,
         )
     cast = draw_cast(
         library,
         hideable(library, LARGEST_HIDDEN),
         draw_cover,
-        TWIN_TOLERANCE,
+        Likeness(TWIN_TOLERANCE, sides_of(plan.rules), whole_names=whole),
         rng,
-        sides=sides_of(plan.rules),
-        whole_names=whole_names,
     )
     if is_find_open(plan):
         return with_secret(library, cast, LARGEST_HIDDEN, rng)

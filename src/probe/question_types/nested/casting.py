@@ -8,14 +8,9 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import (
-    SIDES_TOLERANCE,
-    TWIN_TOLERANCE,
-    draw_alike,
-    unlike,
-    whole_names_by,
-)
+from probe.generation.alike import draw_alike, unlike
 from probe.generation.covers import Cover, Footprint, draw_cover, footprint_of
+from probe.generation.likeness import SIDES_TOLERANCE, TWIN_TOLERANCE, Likeness, whole_names_by
 from probe.generation.object_selection import (
     CAST_TRIES,
     VARIED_TRIES,
@@ -47,16 +42,16 @@ def select_nested(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
         Rejected: The library has no such set.
     """
     count = int(rng.integers(_FEWEST, _MOST + 1))
+    whole = whole_names_by(plan.rules)
+    likeness = Likeness(TWIN_TOLERANCE, SIDES_TOLERANCE, whole_names=whole)
     failure = Rejected("cover", "nothing was drawn")
     for number in range(CAST_TRIES):
         candidates = draw_alike(
             hideable(library, LARGEST),
             library.specs,
-            TWIN_TOLERANCE,
+            likeness,
             CANDIDATES,
             rng,
-            sides=SIDES_TOLERANCE,
-            whole_names=whole_names_by(plan.rules),
             varied=plan.rules >= KIND_RULES and number < VARIED_TRIES,
             leads=library.leads,
         )

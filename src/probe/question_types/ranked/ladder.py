@@ -16,8 +16,9 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import is_lying, longest, told_apart, unlike
+from probe.generation.alike import is_lying, unlike
 from probe.generation.covers import footprint_of
+from probe.generation.likeness import longest, told_apart
 from probe.generation.object_selection import LARGEST, SMALLEST, hideable
 from probe.generation.result import Rejected
 from probe.generation.side_by_side import Hidden

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from probe.assets.library import Library
-from probe.generation.alike import is_lying, longest
+from probe.generation.alike import is_lying
+from probe.generation.likeness import longest
 from probe.generation.necessary import NECESSARY
 from probe.generation.shown import LEVEL, SHOWN_LONGER, height_spread, least_step
 from probe.generation.visibility_rules import is_hidden

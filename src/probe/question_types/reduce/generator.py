@@ -10,8 +10,8 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import TWIN_TOLERANCE, level_of, sides_of, whole_names_by
 from probe.generation.covers import NEEDS_SLAB, Cover, draw_slab, draw_topping, footprint_of
+from probe.generation.likeness import TWIN_TOLERANCE, Likeness, level_of, sides_of, whole_names_by
 from probe.generation.object_selection import ObjectSelection, draw_cast, hideable, needs_alike
 from probe.generation.removal import GhostRemoval, RemovalView
 from probe.generation.result import Rejected, TaskCandidate
@@ -119,18 +119,13 @@ def select_reduce(library: Library, plan: TaskPlan, rng: np.random.Generator) ->
     pool = hideable(library, LARGEST_BENEATH_MORE if more else LARGEST)
     if plan.rules >= KIND_RULES:
         pool = _hidden_by_one(library, pool, rng)
-    return draw_cast(
-        library,
-        pool,
-        draw_slab,
+    likeness = Likeness(
         TWIN_TOLERANCE,
-        rng,
-        count,
-        more,
         sides=sides_of(plan.rules),
         level=level_of(plan.rules),
         whole_names=whole_names_by(plan.rules),
     )
+    return draw_cast(library, pool, draw_slab, likeness, rng, count, more)
 
 
 def _hidden_by_one(

@@ -9,8 +9,8 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import TWIN_TOLERANCE
 from probe.generation.covers import Cover, draw_cover
+from probe.generation.likeness import TWIN_TOLERANCE
 from probe.generation.object_selection import LARGEST, ObjectSelection, needs_alike
 from probe.generation.side_by_side import Hidden, liftable, select
 from probe.generation.task_plan import TaskPlan

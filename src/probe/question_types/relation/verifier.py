@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from probe.assets.library import Library
-from probe.generation.alike import SIDES_TOLERANCE, sides_alike, told_apart
+from probe.generation.likeness import SIDES_TOLERANCE, sides_alike, told_apart
 from probe.generation.necessary import NECESSARY
 from probe.generation.visibility_rules import is_hidden
 from probe.question_types.relation.truth import next_beneath

@@ -10,11 +10,11 @@ import numpy as np
 
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
-from probe.generation.alike import told_apart
 from probe.generation.colour_views import ColourViews
 from probe.generation.covers import NEEDS_SHIELD, low_footprint_of
 from probe.generation.depth_cues import rims_tell
 from probe.generation.in_view import OPEN, is_open
+from probe.generation.likeness import told_apart
 from probe.generation.marked import (
     MARKABLE,
     CoveredThing,
