@@ -10,7 +10,8 @@ import pytest
 from probe.errors import BadData
 from probe.train.serve.speaking import ServedModel
 from probe.train.tune import libraries
-from probe.train.tune.conversations import NotUnderstood
+from probe.train.tune.collating import encoded
+from probe.train.tune.conversations import NotUnderstood, of_row, tools_of_row
 from probe.train.tune.fine_tuning import train
 from probe.train.tune.loading import load
 from probe.train.tune.processors import sees
@@ -42,6 +43,14 @@ def test_it_learns_without_pictures(tmp_path, dataset, model, lora):
     card = (tmp_path / "README.md").read_text()
     # Four episodes of each type, all with tools.
     assert "| count | 4 | 0 |" in card and "| find | 4 | 0 |" in card
+    processor = load(str(model))[1]
+    lengths = [
+        encoded(processor, of_row(row), tools_of_row(row))["input_ids"].shape[1]
+        for row in libraries.part("datasets").load_dataset(str(dataset))["train"]
+    ]
+    run = Run.model_validate_json((tmp_path / "run.json").read_text())
+    assert run.tokens == 3 * sum(lengths)
+    assert f"{run.tokens:,} tokens read" in card
 
 
 def test_attention_makes_no_plan_for_each_length(model):

@@ -34,6 +34,7 @@ def select(
     collected: RunFolders,
     out: Path = Path("outputs/selected"),
     counts: dict[QuestionType, int] | None = None,
+    total: int | None = None,
     direct_share: float = 0.5,
     slack: int = SLACK,
     seed: int = 0,
@@ -48,6 +49,8 @@ def select(
         collected: Folders that `probe collect` wrote.
         out: A new folder for the choice.
         counts: Examples of each type at most; by default all that can be learnt from.
+        total: Examples of all types at most, in the proportions of --counts, or of what can be
+            learnt from. With the same seed more of them include, type by type, the fewer.
         direct_share: Part of a type's examples that may be without tools.
         slack: Manipulations over the median of a type's successes that are accepted.
         seed: Chooses among equals.
@@ -65,7 +68,8 @@ def select(
     counted = {
         f"--counts.{question_type}": count for question_type, count in (counts or {}).items()
     }
-    check_numbers({**counted, "--slack": slack, "--seed": seed, "--workers": workers})
+    numbers = {"--total": total, "--slack": slack, "--seed": seed, "--workers": workers}
+    check_numbers({**counted, **numbers})
     check_new(out)
     objects: dict[str, Fingerprint] = {}
     candidates = _candidates(collected, objects)
@@ -74,7 +78,7 @@ def select(
     suites = [*packaged, *others]
     parts = read_split(split) if split else None
     groups = _alike(objects, packaged, others, workers) if near else []
-    recipe = Recipe(dict(counts or {}), direct_share, slack, seed)
+    recipe = Recipe(dict(counts or {}), direct_share, slack, seed, total)
     found = selected(candidates, evaluation_of(suites, parts, groups), recipe)
     if not found.chosen:
         raise _nothing_chosen(collected[0], found.dropped)

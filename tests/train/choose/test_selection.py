@@ -99,6 +99,35 @@ def test_counts_hold_for_each_type_and_an_empty_one_is_told():
         chosen(lessons, counts={"size": 5})
 
 
+@pytest.mark.parametrize(
+    ("counts", "expected"),
+    [
+        ({}, {"find": 4, "count": 2}),
+        ({"find": 1, "count": 1}, {"find": 1, "count": 1}),
+        ({"find": 9, "count": 9}, {"find": 3, "count": 3}),
+        ({"find": 9, "count": 9, "size": 0}, {"find": 3, "count": 3}),
+    ],
+)
+def test_a_total_is_shared_in_proportion(counts, expected):
+    lessons = [
+        *(lesson(training_task(n, "find")) for n in range(8)),
+        *(lesson(training_task(n, "count")) for n in range(4)),
+    ]
+    found = chosen(lessons, counts=counts, total=6)
+    assert Counter(it.task.question_type for it in found.chosen) == expected
+
+
+def test_fewer_examples_are_among_more():
+    lessons = [
+        lesson(training_task(n, kind, answer="ABCDE"[n % 3]))
+        for n in range(24)
+        for kind in ("find", "count")
+    ]
+    sets = [set(ids(chosen(lessons, total=total, seed=3))) for total in (4, 10, 24, 99)]
+    assert [len(it) for it in sets] == [4, 10, 24, 48]
+    assert sets[0] < sets[1] < sets[2] < sets[3]
+
+
 def test_evaluation_is_refused_and_reported():
     leaked = replace(training_task(1), seed=5)
     selection = chosen([lesson(leaked), lesson(leaked, setting="direct"), lesson(training_task(2))])

@@ -11,14 +11,16 @@ from probe.train.tune.training_log import (
     LoggedStep,
     LossInterval,
     diary_callback,
+    effort_of,
     learning_curve,
     read_log,
 )
 
 
-def note(log, step: int) -> None:
+def note(log, step: int, tokens: int = 0) -> None:
     state = SimpleNamespace(is_world_process_zero=True, global_step=step)
-    log.on_log(None, state, None, logs={"loss": 1.0 / step, "learning_rate": 0.1})
+    logs = {"loss": 1.0 / step, "learning_rate": 0.1, "num_tokens": tokens}
+    log.on_log(None, state, None, logs=logs)
 
 
 def entries(*losses: float) -> list[LoggedStep]:
@@ -40,11 +42,13 @@ def test_learning_curve():
 @pytest.mark.slow  # Transformers takes seconds to import.
 def test_a_line_that_was_cut_off_spoils_neither_the_next_nor_the_end(tmp_path):
     first = diary_callback(tmp_path)
-    note(first, 1)
-    note(first, 2)
+    note(first, 1, tokens=50)
+    note(first, 2, tokens=100)
     text = (tmp_path / DIARY).read_text()
     (tmp_path / DIARY).write_text(text[:-20])
     again = diary_callback(tmp_path)
-    note(again, 2)
-    note(again, 3)
+    note(again, 2, tokens=40)
+    note(again, 3, tokens=90)
     assert [(it.step, it.loss) for it in read_log(tmp_path)] == [(1, 1.0), (2, 0.5), (3, 1 / 3)]
+    # The step whose entry was cut off was made twice, but only what was written down counts.
+    assert effort_of(tmp_path)[1] == 50 + 90

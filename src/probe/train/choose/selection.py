@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import zip_longest
 
 from probe.errors import BadData
 from probe.scene.seeds import generator
 from probe.tasks.suite_file import digest_of
+from probe.tasks.task import QuestionType
 from probe.train.choose.candidates import EpisodeCandidate, Ways, usable_by_task
 from probe.train.choose.efficiency import SLACK, limits
 from probe.train.choose.evaluation import Evaluation, TrainingRefusal
+from probe.train.collect.aim import in_proportion
 
 BEYOND_SHARE = "without tools, beyond --direct-share"
 """Why an episode was left out that would be wanted, if its task had been solved with tools."""
@@ -26,13 +28,16 @@ class Recipe:
         counts: Examples of each type at most; a type that isn't named gives all it has.
         direct_share: Part of a type's examples that may be without tools.
         slack: Manipulations over the type's median that are let pass.
-        seed: Chooses among equals.
+        seed: Chooses among equals. A type's examples are among those of a larger count.
+        total: Examples of all types at most, in the proportions of `counts`, or of what can be
+            learnt from if no type is named; None for no limit.
     """
 
-    counts: Mapping[str, int] = field(default_factory=dict[str, int])
+    counts: Mapping[QuestionType, int] = field(default_factory=dict[QuestionType, int])
     direct_share: float = 0.5
     slack: int = SLACK
     seed: int = 0
+    total: int | None = None
 
 
 @dataclass(frozen=True)
@@ -66,6 +71,7 @@ def select(
     agentic = [it for it in allowed if it.correct and not it.direct]
     most = limits([(it.task.question_type, it.record) for it in agentic], recipe.slack)
     tasks = usable_by_task(allowed, most, dropped)
+    recipe = replace(recipe, counts=_counts(tasks, recipe))
     chosen = list[EpisodeCandidate]()
     for question_type in sorted({*(ways[0].task.question_type for ways in tasks), *recipe.counts}):
         mine = [ways for ways in tasks if ways[0].task.question_type == question_type]
@@ -80,6 +86,15 @@ def select(
     rest = sum(map(len, tasks)) - len(chosen) - dropped[BEYOND_SHARE]
     dropped["another of its task, or more than wanted"] += rest
     return Selection(tuple(chosen), tuple(refused), +dropped, most)
+
+
+def _counts(tasks: Sequence[Ways], recipe: Recipe) -> Mapping[QuestionType, int]:
+    """Examples of each type at most."""
+    learnable = Counter(ways[0].task.question_type for ways in tasks)
+    counts = recipe.counts or learnable
+    if recipe.total is None or recipe.total >= sum(counts.values()):
+        return recipe.counts
+    return in_proportion(counts, recipe.total)
 
 
 def _allowed(
@@ -97,7 +112,7 @@ def _allowed(
     return allowed, [verdict for verdict in verdicts.values() if verdict is not None]
 
 
-def _nothing(question_type: str, recipe: Recipe, *, without_tools: bool) -> BadData:
+def _nothing(question_type: QuestionType, recipe: Recipe, *, without_tools: bool) -> BadData:
     """What is told of a type that was asked for in vain: all of it is without tools, or none."""
     reason = f"{recipe.counts[question_type]} examples are wanted, but "
     if without_tools:

@@ -19,9 +19,9 @@ from probe.train.tune.started import TrainingStart
 from probe.train.tune.training_log import (
     LoggedStep,
     LossInterval,
+    effort_of,
     learning_curve,
     read_log,
-    seconds_of,
 )
 
 RUN, CARD = "run.json", "README.md"
@@ -41,6 +41,8 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
         weights: Type of the numbers that were trained, such as "float32".
         steps: How many.
         seconds: Of all sessions together, from their first step's log on.
+        tokens: That were read, in all sessions together; 0 for trainings of before they were
+            counted.
         first_loss, last_loss: Means over a tenth of the steps.
     """
 
@@ -53,6 +55,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
     weights: str
     steps: int
     seconds: float
+    tokens: int = 0
     first_loss: float
     last_loss: float
 
@@ -71,6 +74,7 @@ def write_card(out: Path, begun: TrainingStart, manifest: Manifest, weights: str
     """
     log = read_log(out)
     tenth = max(1, len(log) // 10)
+    seconds, tokens = effort_of(out)
     run = Run(
         begun=begun,
         examples=manifest.examples,
@@ -79,7 +83,8 @@ def write_card(out: Path, begun: TrainingStart, manifest: Manifest, weights: str
         hardware=hardware(),
         weights=weights,
         steps=len(log),
-        seconds=round(seconds_of(out), 1),
+        seconds=round(seconds, 1),
+        tokens=tokens,
         first_loss=round(_mean(log[:tenth]), 4),
         last_loss=round(_mean(log[-tenth:]), 4),
     )
@@ -128,6 +133,7 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         hardware=run.hardware,
         weights=run.weights,
         steps=run.steps,
+        tokens=f"{run.tokens:,}",
         minutes=f"{run.seconds / 60:.1f}",
         loss="\n".join(curve),
     )

@@ -27,6 +27,7 @@ class LoggedStep(pydantic.BaseModel, extra="ignore", frozen=True):
         learning_rate: That it was made with.
         session: When the process began that made it, in seconds since 1970.
         seconds: Since then.
+        tokens: That were read since then; 0 in logs of before they were counted.
     """
 
     step: int
@@ -34,6 +35,7 @@ class LoggedStep(pydantic.BaseModel, extra="ignore", frozen=True):
     learning_rate: float
     session: float
     seconds: float
+    tokens: int = 0
 
 
 @dataclass(frozen=True)
@@ -70,6 +72,7 @@ def diary_callback(out: Path) -> Any:
                     learning_rate=float(logs.get("learning_rate", 0.0)),
                     session=session,
                     seconds=time() - session,
+                    tokens=int(logs.get("num_tokens", 0)),
                 )
                 append_line(out / DIARY, entry.model_dump_json().encode() + b"\n")
 
@@ -109,13 +112,13 @@ def _stretch(entries: Sequence[LoggedStep]) -> LossInterval:
     return LossInterval(entries[0].step, entries[-1].step, loss, entries[-1].learning_rate)
 
 
-def seconds_of(out: Path) -> float:
-    """Of all sessions together, as far as they made steps."""
-    longest: dict[float, float] = {}
+def effort_of(out: Path) -> tuple[float, int]:
+    """Seconds and tokens of all sessions together, as far as they made steps."""
+    last: dict[float, LoggedStep] = {}
     for line in _lines(out / DIARY):
         entry = LoggedStep.model_validate_json(line)
-        longest[entry.session] = max(longest.get(entry.session, 0.0), entry.seconds)
-    return sum(longest.values())
+        last[entry.session] = entry
+    return sum(it.seconds for it in last.values()), sum(it.tokens for it in last.values())
 
 
 def _lines(path: Path) -> Sequence[str]:
