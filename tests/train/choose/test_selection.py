@@ -106,6 +106,9 @@ def test_counts_hold_for_each_type_and_an_empty_one_is_told():
         ({"find": 1, "count": 1}, {"find": 1, "count": 1}),
         ({"find": 9, "count": 9}, {"find": 3, "count": 3}),
         ({"find": 9, "count": 9, "size": 0}, {"find": 3, "count": 3}),
+        ({"find": 2}, {"find": 2, "count": 4}),
+        ({"count": 0}, {"find": 6}),
+        ({"count": 16}, {"find": 2, "count": 4}),
     ],
 )
 def test_a_total_is_shared_in_proportion(counts, expected):

@@ -29,8 +29,8 @@ class Recipe:
         direct_share: Part of a type's examples that may be without tools.
         slack: Manipulations over the type's median that are let pass.
         seed: Chooses among equals. A type's examples are among those of a larger count.
-        total: Examples of all types at most, in the proportions of `counts`, or of what can be
-            learnt from if no type is named; None for no limit.
+        total: Examples of all types at most, in the proportions of `counts` and, of types that
+            aren't named, of what can be learnt from; None for no limit.
     """
 
     counts: Mapping[QuestionType, int] = field(default_factory=dict[QuestionType, int])
@@ -91,7 +91,7 @@ def select(
 def _counts(tasks: Sequence[Ways], recipe: Recipe) -> Mapping[QuestionType, int]:
     """Examples of each type at most."""
     learnable = Counter(ways[0].task.question_type for ways in tasks)
-    counts = recipe.counts or learnable
+    counts = {**learnable, **recipe.counts}
     if recipe.total is None or recipe.total >= sum(counts.values()):
         return recipe.counts
     return in_proportion(counts, recipe.total)
