@@ -1,13 +1,14 @@
 """A suite's tasks with each of their answers: does anything that shows tell them apart?
 
-`python benchmarks/internals/worlds.py v2 outputs/worlds.json`, then
-`probe suite shortcuts outputs/worlds.json`. Measures internals, not the public API.
+`python benchmarks/internals/worlds.py v2 outputs/worlds.json`. Measures internals, not the public
+API.
 
 The generator lays each of five candidates in the hidden place, and keeps a scene only if all five
 pass. Here a task is made from its seed again, and all five scenes are written down with its
 question and options, so that each of its letters is right once. What is alike in the five gives one
 fifth, up to ties, whoever learns from it; whatever is found beyond that comes from what differs
-between them. The five stand in one block, and are predicted in one round.
+between them. The rules and classifiers of `probe suite shortcuts` are tried on them. Classifiers
+predict the scenes of five tasks in one round; the five scenes of each are even in letters.
 
 Types that don't lay all candidates (Compare, Count, Size; Find where nothing is wholly hidden) have
 no worlds. Each task is a file in a folder beside the output, so that the same command goes on where
@@ -16,6 +17,7 @@ it was stopped.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
@@ -23,28 +25,40 @@ from typing import Annotated
 import tyro
 from rich.progress import track
 
-from probe.api.resources import opener, tables_for
+from probe.api.resources import cache_folder, everything, opener, tables_for
 from probe.assets.library import Library
+from probe.files import write_text
 from probe.generation.result import TaskCandidate
 from probe.render.renderer import Renderer
 from probe.scene.scene import Scene
-from probe.tasks.suite import freeze
+from probe.shortcuts.investigation import investigate
+from probe.shortcuts.looks import examples_of
+from probe.shortcuts.sample import CatalogueFacts, LabelledSample
+from probe.shortcuts.table import markdown
+from probe.tasks.suite import Suite, freeze
 from probe.tasks.suite_file import find_suite, read_suite, write_suite
 from probe.tasks.task import NONE_OF_THE_ABOVE, QuestionType, Task
 from probe.verification.check import rebuilt
+
+_ROUND = 5
+"""Tasks whose scenes are predicted at once."""
 
 
 def main(
     suite: Annotated[str, tyro.conf.Positional],
     out: Annotated[Path, tyro.conf.Positional],
     types: tuple[QuestionType, ...] = (),
+    table: Path | None = None,
+    rules_only: bool = False,
 ) -> None:
-    """Write the worlds of a public suite's tasks.
+    """Write the worlds of a public suite's tasks, and try what tells them apart.
 
     Args:
         suite: Name, or a file that `probe suite build` wrote.
         out: File for them.
         types: Only tasks of these types; by default all.
+        table: File for what rules and classifiers reach; by default OUT with the ending .md.
+        rules_only: Train nothing.
     """
     frozen = find_suite(suite)
     pool = frozen.pool or "procedural"
@@ -62,8 +76,22 @@ def main(
                     raise SystemExit(f"{task.id} can't be made from its seed again: {made}")
                 write_suite(part, freeze(task.id, worlds_of(task, made, library), library))
             found += read_suite(part).tasks
-    write_suite(out, freeze(out.stem, tuple(found), library))
+    worlds = freeze(out.stem, tuple(found), library)
+    write_suite(out, worlds)
     print(f"{len(found)} worlds of {len(tasks)} tasks are in {out}.")
+    things = everything()
+    looking = examples_of([worlds], things, cache_folder())
+    examples = in_rounds(list(track(looking, "Looking", total=len(found))), worlds)
+    findings = investigate(examples, CatalogueFacts(things.specs), learning=not rules_only)
+    write_text(table or out.with_suffix(".md"), told := markdown(findings))
+    print(told)
+
+
+def in_rounds(examples: Sequence[LabelledSample], worlds: Suite) -> list[LabelledSample]:
+    """The examples, those of some tasks in a block; `worlds` tells of which task a scene is."""
+    seeds = {task.id: (task.question_type, task.seed) for task in worlds.tasks}
+    number = {seed: place for place, seed in enumerate(dict.fromkeys(seeds.values()))}
+    return [replace(it, block=number[seeds[it.task]] // _ROUND) for it in examples]
 
 
 def worlds_of(task: Task, made: TaskCandidate, library: Library) -> tuple[Task, ...]:

@@ -34,6 +34,8 @@ def test_each_letter_is_right_of_one_of_the_worlds(tmp_path: Path, cache: Path):
         text=True,
     )
     assert ended.returncode == 0, ended.stdout + ended.stderr
+    # Whoever always says one letter is right in one of a task's five scenes.
+    assert out.with_suffix(".md").read_text().count("| always A | 20.0% | 5 |") == 2
     worlds = read_suite(out).tasks
     for task in some:
         mine = [it for it in worlds if it.id.startswith(task.id)]
