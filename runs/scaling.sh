@@ -1,37 +1,54 @@
 #!/usr/bin/env bash
 # How a student gets better with more examples, and what augmented ones bring, after runs/student.sh:
-# for each number of examples two trainings, each evaluated on practice tasks. One reads the examples
-# alone, three times; the other each of them once in three ways (as it went, mirrored, in other words), so
-# that both make as many updates where all can be mirrored. Practice tasks have objects of the pool for
-# training, as examples have, and seeds of their own, so nothing is chosen here by a suite.
-# Each step goes on where it was stopped: run it again.
+# for each number of examples two trainings, each evaluated on tasks for validation. One reads the
+# examples alone, three times; the other each of them once in three ways (as it went, mirrored, in other
+# words), so that both make about as many updates. The tasks have objects of the pool for training, as
+# examples have, and seeds of their own, so nothing is chosen here by a suite. Each step goes on where
+# it was stopped: run it again, with the same settings. SIZES and WAYS may grow.
 #
-#   runs/scaling.sh                     # 75 and 150 examples from outputs/student, into outputs/scaling
-#   SIZES="75 150 300 600" STUDENT=elsewhere OUT=there runs/scaling.sh
+#   COUNTS="--total 250" runs/student.sh && runs/scaling.sh     # 75 and 150 examples, into outputs/scaling
+#   SIZES="75 150 300" STUDENT=elsewhere OUT=there runs/scaling.sh
+#
+# On two cores with bfloat16, a training on 75 examples takes some 20 minutes, and twice as many examples
+# twice as long; each evaluation takes some 30.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-STUDENT=${STUDENT:-outputs/student}     # has collected/, and base/ unless BASE is set
+STUDENT=${STUDENT:-outputs/student}     # has collected/
 OUT=${OUT:-outputs/scaling}
 SIZES=${SIZES:-75 150}
 WAYS=${WAYS:-plain augmented}
-PRACTICE=${PRACTICE:---counts.count 16 --counts.find 16 --counts.size 12 --counts.compare 10 --counts.reduce 6}
-SELECT=${SELECT:---slack 3}
-TRAIN=${TRAIN:---learning-rate 3e-4 --global-batch 2 --warmup 0.1 --no-save-memory}
+VALIDATION=${VALIDATION:---counts.count 16 --counts.find 16 --counts.size 12 --counts.compare 10 --counts.reduce 6}
+CHOOSE=${CHOOSE:---slack 3}             # more options of probe select
+TUNE=${TUNE:---learning-rate 3e-4 --global-batch 2 --warmup 0.1 --no-save-memory}
 SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
-BASE=${BASE:-$STUDENT/base}
+BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
 WORKERS=${WORKERS:-2}
 PORT=${PORT:-8001}
 probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch .venv/.student
 
+if [ ! -d "$STUDENT/collected/batches" ]; then
+    echo "$STUDENT has no collected/: run runs/student.sh first, or set STUDENT." >&2
+    exit 1
+fi
+. runs/same_settings.sh
+# The more there is to choose from, the less a small choice is a part of a large one.
+same_settings "$OUT" "BATCHES=$(ls "$STUDENT/collected/batches" | wc -l)" "VALIDATION=$VALIDATION" \
+    "CHOOSE=$CHOOSE" "TUNE=$TUNE" "SERVE=$SERVE" "BASE=$BASE"
+
 step() { echo; echo "== $*"; }
 
-step "practice: tasks that no example is of"
-[ -e "$OUT/practice.json" ] ||
-    $probe suite build "$OUT/practice.json" --public --first 2900000 --unchecked --pool train \
-        --workers "$WORKERS" $PRACTICE
-export SUITE=$OUT/practice.json WORKERS PORT OUT SERVE PROBE="$probe" ARMS=text-only RUN="--graphs short"
+export SUITE=$OUT/validation.json WORKERS PORT OUT SERVE PROBE="$probe" ARMS=text-only RUN="--graphs short"
+step "validation: tasks that no example is of"
+if [ ! -e "$SUITE" ]; then
+    $probe suite build "$SUITE" --public --first 2900000 --unchecked --pool train --workers "$WORKERS" \
+        $VALIDATION || [ -e "$SUITE" ]  # some may lack; tables say how many there are
+fi
+if [ -z "$BASE" ]; then
+    BASE=$OUT/base
+    [ -d "$BASE" ] || $probe unpack-model "$BASE"
+fi
 runs/serve_and_run.sh base "$BASE"
 $probe run "$SUITE" --agent scripted --out "$OUT/runs/scripted" --workers "$WORKERS"
 
@@ -40,7 +57,7 @@ for size in $SIZES; do
     step "select: $size examples"
     [ -e "$chosen/selection.json" ] ||
         $probe select "$STUDENT/collected" --out "$chosen" --direct-share 0 --total "$size" \
-            --against "$SUITE" $SELECT
+            --against "$SUITE" $CHOOSE
     for way in $WAYS; do
         name=$way-$size here=$OUT/$size/$way
         case $way in
@@ -52,7 +69,7 @@ for size in $SIZES; do
         [ -e "$here/data/manifest.json" ] ||
             $probe dataset "$chosen" "$here/data" --setting text-only --graphs short --no-others $augment
         $probe train "$here/data" --model "$BASE" --out "$here/trained" --cpu-bfloat16 \
-            --epochs "$epochs" $TRAIN
+            $TUNE --epochs "$epochs"
         runs/serve_and_run.sh "$name" "$here/trained/model"
     done
 done

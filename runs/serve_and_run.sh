@@ -61,13 +61,21 @@ for arm in $ARMS; do
         ask "$arm" "$PORT" "$out"
         continue
     fi
-    runs=() shards=$OUT/shards/$name-$arm
+    runs=() shards=$OUT/shards/$name-$arm-of-$SERVERS
+    if [ -d "$out" ] && [ ! -d "$shards" ]; then
+        echo "$out was begun with another number of servers: set SERVERS to that, or remove it." >&2
+        exit 1
+    fi
     for i in "${!servers[@]}"; do
         ask "$arm" $((PORT + i)) "$shards/$i" --shard "$i/$SERVERS" &
         runs+=($!)
     done
     for run in "${runs[@]}"; do wait "$run"; done
-    [ -d "$out" ] || $probe merge "$shards"/* --out "$out"
+    if [ ! -d "$out" ]; then
+        rm -rf "$OUT/shards/.merging"
+        $probe merge "$shards"/* --out "$OUT/shards/.merging"
+        mv "$OUT/shards/.merging" "$out"  # whole or not at all
+    fi
 done
 kill "${servers[@]}"
 wait "${servers[@]}" || true

@@ -2,11 +2,12 @@
 # From a teacher's episodes to a small language model that was pretrained, top to bottom, in the
 # setting text-only: collect, select, dataset, train, serve, evaluate, where it fails. Weights come
 # from the package index (SmolLM2-135M-Instruct, 98 MB). Each step goes on where it was stopped: run
-# it again.
+# it again, with the same settings.
 #
 #   runs/student.sh                     # everything into outputs/student, at a small setting
 #   OUT=elsewhere SUITE=v1 COUNTS="--total 300" SELECT="--slack 3" runs/student.sh
 #   TEACHER= COUNTS="--total 40" runs/student.sh              # nothing is taken over
+#   SERVERS=8 runs/student.sh           # on many cores or a GPU: see runs/serve_and_run.sh
 #
 # It starts from episodes that are here (runs/data/README.md), and collects what is lacking of COUNTS.
 set -euo pipefail
@@ -24,6 +25,10 @@ SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
 probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch .venv/.student
+
+. runs/same_settings.sh
+same_settings "$OUT" "SUITE=$SUITE" "TEACHER=$TEACHER" "COUNTS=$COUNTS" "SELECT=$SELECT" \
+    "TRAIN=$TRAIN" "SERVE=$SERVE" "BASE=$BASE"
 
 step() { echo; echo "== $*"; }
 
@@ -66,5 +71,5 @@ step "at which step of using the tools each fails"
 $probe ladder "$OUT"/runs/* --out "$OUT/ladder.md"
 
 step "in one table, what nobody learnt apart"
-$probe held-out "$OUT"/runs/* --types beneath --learnt "$OUT/question_only.json" \
+$probe held-out "$OUT"/runs/* --learnt "$OUT/question_only.json" \
     --out "$OUT/table.md"

@@ -69,9 +69,9 @@ def test_more_examples_and_augmented_ones(student, base, tmp_path):
         PORT=str(free_ports()),
         SIZES="4",
         WAYS="augmented",
-        PRACTICE="--counts.count 1",
-        SELECT="--no-near --counts count 9 find 9 compare 0 reduce 0 size 0",
-        TRAIN="--learning-rate 1e-3 --global-batch 4",
+        VALIDATION="--counts.count 1",
+        CHOOSE="--no-near --counts count 9 find 9 compare 0 reduce 0 size 0",
+        TUNE="--learning-rate 1e-3 --global-batch 4",
         SERVE=SERVE,
     )
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]

@@ -22,12 +22,12 @@ from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import QuestionType
 from probe.train.baselines import floors
-from probe.train.held_out import markdown, standings
+from probe.train.held_out import markdown, standings, untrained_types
 
 
 def held_out(
     runs: RunFolders,
-    types: tuple[QuestionType, ...] = ("beneath",),
+    types: tuple[QuestionType, ...] | None = None,
     learnt: Path | None = None,
     out: Path = Path("outputs/held-out.md"),
 ) -> None:
@@ -37,13 +37,15 @@ def held_out(
 
     Args:
         runs: Folders that `probe run` wrote, of one suite.
-        types: Which nobody was trained on.
+        types: Which nobody was trained on; by default all that `probe collect` makes no tasks of
+            unless it is told.
         learnt: What question-only learnt (`probe suite learn`); by default the package's.
         out: File for the table.
     """
     if not runs:
         raise BadData("probe held-out", "was given no folder", "Name some that `probe run` wrote")
     suite = read_suite(runs[0] / SUITE)
+    others = untrained_types(suite) if types is None else types
     rows: list[Row] = []
     for folder in runs:
         asked = read_suite(folder / SUITE)
@@ -52,8 +54,8 @@ def held_out(
             raise BadData(folder, reason, "Compare runs of one suite")
         rows += rows_of(folder, asked, graded(folder, track))
         tell_unsummed(folder)
-    rows += floors(suite, types, _learnt(learnt))
-    table = markdown(standings(rows, roster_of_tasks(suite.tasks), types))
+    rows += floors(suite, others, _learnt(learnt))
+    table = markdown(standings(rows, roster_of_tasks(suite.tasks), others))
     text = f"{_words(suite, len(runs))}\n\n{table}"
     write_text(out, text)
     say(*text.splitlines())

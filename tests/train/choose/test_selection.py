@@ -103,7 +103,6 @@ def test_counts_hold_for_each_type_and_an_empty_one_is_told():
     ("counts", "expected"),
     [
         ({}, {"find": 4, "count": 2}),
-        ({"find": 1, "count": 1}, {"find": 1, "count": 1}),
         ({"find": 9, "count": 9}, {"find": 3, "count": 3}),
         ({"find": 9, "count": 9, "size": 0}, {"find": 3, "count": 3}),
         ({"find": 2}, {"find": 2, "count": 4}),
@@ -120,13 +119,20 @@ def test_a_total_is_shared_in_proportion(counts, expected):
     assert Counter(it.task.question_type for it in found.chosen) == expected
 
 
+@pytest.mark.parametrize("counts", [{}, {"find": 1, "count": 9}])
+def test_a_total_that_cannot_be_had_is_told(counts):
+    lessons = [lesson(training_task(n, kind)) for n in range(4) for kind in ("find", "count")]
+    with pytest.raises(BadData, match=r"--total: wants 9 examples, and [58] can be had"):
+        chosen(lessons, counts=counts, total=9)
+
+
 def test_fewer_examples_are_among_more():
     lessons = [
         lesson(training_task(n, kind, answer="ABCDE"[n % 3]))
         for n in range(24)
         for kind in ("find", "count")
     ]
-    sets = [set(ids(chosen(lessons, total=total, seed=3))) for total in (4, 10, 24, 99)]
+    sets = [set(ids(chosen(lessons, total=total, seed=3))) for total in (4, 10, 24, 48)]
     assert [len(it) for it in sets] == [4, 10, 24, 48]
     assert sets[0] < sets[1] < sets[2] < sets[3]
 

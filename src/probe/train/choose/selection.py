@@ -29,8 +29,8 @@ class Recipe:
         direct_share: Part of a type's examples that may be without tools.
         slack: Manipulations over the type's median that are let pass.
         seed: Chooses among equals. A type's examples are among those of a larger count.
-        total: Examples of all types at most, in the proportions of `counts` and, of types that
-            aren't named, of what can be learnt from; None for no limit.
+        total: Examples of all types, in the proportions of `counts` and, of types that aren't
+            named, of what can be learnt from; None for as many as there are.
     """
 
     counts: Mapping[QuestionType, int] = field(default_factory=dict[QuestionType, int])
@@ -63,7 +63,8 @@ def select(
     """Choose.
 
     Raises:
-        BadData: A type was asked for of which nothing can be chosen.
+        BadData: A type was asked for of which nothing can be chosen, or there are fewer examples
+            than the total.
     """
     dropped = Counter[str]()
     allowed, refused = _allowed(candidates, evaluation)
@@ -83,6 +84,9 @@ def select(
         if len(picked) < wanted:
             dropped[BEYOND_SHARE] += sum(map(len, left))
         chosen += picked
+    if recipe.total is not None and len(chosen) < recipe.total:
+        reason = f"wants {recipe.total} examples, and {len(chosen)} can be had"
+        raise BadData("--total", reason, "Collect more, or say a smaller number")
     rest = sum(map(len, tasks)) - len(chosen) - dropped[BEYOND_SHARE]
     dropped["another of its task, or more than wanted"] += rest
     return Selection(tuple(chosen), tuple(refused), +dropped, most)

@@ -1,0 +1,13 @@
+# To be sourced. A step that is done isn't done again, so a folder keeps the settings it was begun with.
+
+# same_settings FOLDER NAME=VALUE...
+same_settings() {
+    local file=$1/settings asked
+    asked=$(printf '%s\n' "${@:2}")
+    mkdir -p "$1"
+    [ -e "$file" ] || { echo "$asked" > "$file.new" && mv "$file.new" "$file"; }
+    diff "$file" <(echo "$asked") >&2 || {
+        echo "$1 was begun with the settings marked <: ask for these, or set OUT to another folder." >&2
+        exit 1
+    }
+}
