@@ -6,9 +6,8 @@ import pytest
 
 from probe.agents.question_classifier import QuestionClassifier
 from probe.errors import BadData
-from probe.tasks.suite_file import packaged_suite
 from probe.train.baselines import floors
-from probe.train.held_out import markdown, standings, untrained_types
+from probe.train.held_out import markdown, standings
 from run_folders import DEMO
 from score_rows import faulty, roster, row
 
@@ -44,14 +43,6 @@ def test_who_ran_only_what_is_held_out_leaves_the_other_columns_empty():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
         assert len(cells) == len(lines[0].strip("|").split("|"))
         assert cells[2:6] == ["0", "", "", ""] and cells[6].startswith("100.0 (")
-
-
-def test_what_is_collected_by_default_counts_as_trained():
-    assert untrained_types(packaged_suite("v1")) == ("beneath",)
-    trained = {"count", "find", "compare", "size", "reduce"}
-    every = packaged_suite("v2")
-    others = {task.question_type for task in every.tasks} - trained
-    assert {*untrained_types(every)} == others and len(others) == 9
 
 
 def test_a_missing_run_gives_no_number():

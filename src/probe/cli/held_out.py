@@ -22,7 +22,8 @@ from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import QuestionType
 from probe.train.baselines import floors
-from probe.train.held_out import markdown, standings, untrained_types
+from probe.train.collect.aim import uncollected
+from probe.train.held_out import markdown, standings
 
 
 def held_out(
@@ -45,7 +46,7 @@ def held_out(
     if not runs:
         raise BadData("probe held-out", "was given no folder", "Name some that `probe run` wrote")
     suite = read_suite(runs[0] / SUITE)
-    others = untrained_types(suite) if types is None else types
+    others = uncollected({it.question_type for it in suite.tasks}) if types is None else types
     rows: list[Row] = []
     for folder in runs:
         asked = read_suite(folder / SUITE)

@@ -10,9 +10,6 @@ from probe.scores.roster import Roster
 from probe.scores.row import Entrant, Row
 from probe.scores.scorecard import Figure, Scorecard, scorecard
 from probe.scores.units import by_entrant
-from probe.tasks.suite import Suite
-from probe.tasks.task import QUESTION_TYPES, QuestionType
-from probe.train.collect.aim import PAPER_COUNTS
 
 
 @dataclass(frozen=True)
@@ -28,12 +25,6 @@ class EntrantResult:
     entrant: Entrant
     trained: Scorecard | None
     held_out: Scorecard | None
-
-
-def untrained_types(suite: Suite) -> tuple[QuestionType, ...]:
-    """Types of a suite of which `probe collect` makes no tasks unless it is told."""
-    asked = {task.question_type for task in suite.tasks}
-    return tuple(it for it in QUESTION_TYPES if it in asked and not PAPER_COUNTS.get(it))
 
 
 def standings(

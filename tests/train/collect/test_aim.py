@@ -5,7 +5,8 @@ from collections import Counter
 import pytest
 
 from probe.errors import BadData
-from probe.train.collect.aim import PAPER_COUNTS, Aim, in_proportion
+from probe.tasks.task import QUESTION_TYPES
+from probe.train.collect.aim import PAPER_COUNTS, Aim, in_proportion, uncollected
 from probe.train.collect.batches import CollectedBatches
 from probe.types import Shard
 
@@ -15,6 +16,12 @@ FIRST = 2_000_000
 def test_the_papers_counts():
     assert sum(PAPER_COUNTS.values()) == 2947
     assert in_proportion(PAPER_COUNTS, 2947) == dict(PAPER_COUNTS)
+
+
+def test_what_is_not_collected_by_default():
+    assert uncollected(["find", "beneath", "nested"]) == ("beneath", "nested")
+    trained = {"count", "find", "compare", "size", "reduce"}
+    assert {*uncollected(QUESTION_TYPES)} == {*QUESTION_TYPES} - trained
 
 
 def test_fewer_in_the_papers_proportions():

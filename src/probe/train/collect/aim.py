@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from itertools import islice
 from typing import Literal
 
 from probe.errors import BadData
 from probe.generation.build_folder import TaskSlot
-from probe.tasks.task import QuestionType
+from probe.tasks.task import QUESTION_TYPES, QuestionType
 from probe.train.collect.batches import CollectedBatches, fresh_places
 from probe.types import Shard
 
@@ -23,6 +23,11 @@ PAPER_COUNTS: Mapping[QuestionType, int] = {
     "beneath": 0,
 }
 """Successful episodes of the paper's fine-tuning, by type; Beneath is held out."""
+
+
+def uncollected(types: Collection[QuestionType]) -> tuple[QuestionType, ...]:
+    """Those of some types of which no episodes are collected by default."""
+    return tuple(it for it in QUESTION_TYPES if it in types and not PAPER_COUNTS.get(it))
 
 
 def in_proportion(counts: Mapping[QuestionType, int], total: int) -> dict[QuestionType, int]:
