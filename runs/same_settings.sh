@@ -5,7 +5,13 @@ same_settings() {
     local file=$1/settings asked
     asked=$(printf '%s\n' "${@:2}")
     mkdir -p "$1"
-    [ -e "$file" ] || { echo "$asked" > "$file.new" && mv "$file.new" "$file"; }
+    if [ ! -e "$file" ]; then
+        if [ -n "$(ls -A "$1")" ]; then
+            echo "$1 has something else in it, and doesn't say its settings: set OUT to another folder." >&2
+            exit 1
+        fi
+        echo "$asked" > "$file.new" && mv "$file.new" "$file"
+    fi
     diff "$file" <(echo "$asked") >&2 || {
         echo "$1 was begun with the settings marked <: ask for these, or set OUT to another folder." >&2
         exit 1

@@ -33,8 +33,9 @@ if [ ! -d "$STUDENT/collected/batches" ]; then
     exit 1
 fi
 . runs/same_settings.sh
-# The more there is to choose from, the less a small choice is a part of a large one.
-same_settings "$OUT" "BATCHES=$(ls "$STUDENT/collected/batches" | wc -l)" "VALIDATION=$VALIDATION" \
+# With more to choose from, a small choice wouldn't be a part of a large one.
+collected=$(cat "$STUDENT"/collected/batches/*/grades.json | sha256sum | cut -c 1-16)
+same_settings "$OUT" "STUDENT=$STUDENT" "COLLECTED=$collected" "VALIDATION=$VALIDATION" \
     "CHOOSE=$CHOOSE" "TUNE=$TUNE" "SERVE=$SERVE" "BASE=$BASE"
 
 step() { echo; echo "== $*"; }

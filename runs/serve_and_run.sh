@@ -57,6 +57,13 @@ for i in "${!servers[@]}"; do
 done
 for arm in $ARMS; do
     out=$OUT/runs/$name-$arm
+    # What each number of servers has played is of its own.
+    for other in "$OUT/shards/$name-$arm"-of-*; do
+        if [ -d "$other" ] && [ "$other" != "$OUT/shards/$name-$arm-of-$SERVERS" ]; then
+            echo "$other was begun with another number of servers: set SERVERS to that, or remove it." >&2
+            exit 1
+        fi
+    done
     if [ "$SERVERS" = 1 ]; then
         ask "$arm" "$PORT" "$out"
         continue

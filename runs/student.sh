@@ -23,6 +23,7 @@ SELECT=${SELECT:---slack 3 --no-near --counts count 6 find 6 size 4 reduce 2 com
 TRAIN=${TRAIN:---learning-rate 3e-4 --global-batch 2 --epochs 1 --warmup 0.1 --no-save-memory}
 SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
+HELD_OUT=${HELD_OUT:-}                  # types without examples, if COUNTS has others than usual
 probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch .venv/.student
 
@@ -71,5 +72,5 @@ step "at which step of using the tools each fails"
 $probe ladder "$OUT"/runs/* --out "$OUT/ladder.md"
 
 step "in one table, what nobody learnt apart"
-$probe held-out "$OUT"/runs/* --learnt "$OUT/question_only.json" \
+$probe held-out "$OUT"/runs/* ${HELD_OUT:+--types $HELD_OUT} --learnt "$OUT/question_only.json" \
     --out "$OUT/table.md"

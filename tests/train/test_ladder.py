@@ -9,7 +9,7 @@ from probe.episodes.participation import ModelReply, Participation
 from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call
 from probe.scores.row import Entrant
-from probe.toolshed.refusals import StaleHandle, UnknownHandle
+from probe.toolshed.refusals import BudgetSpent, StaleHandle, UnknownHandle
 from probe.toolshed.result import Status
 from probe.train.ladder import Share, ladder, markdown, rungs_of
 
@@ -81,11 +81,12 @@ def test_object_ids_that_hold():
         grasping("object_9", unknown, "malformed"),
         step("push", {"object_id": "object_1"}, "push did nothing: direction", "malformed"),
         step("push", {"object_id": "object_1", "direction": "left"}, "Done: it moved."),
+        grasping("object_7", str(BudgetSpent(10)), "refused"),
     )
     found = rungs_of(played, right=False)
     assert found.holding == Share(2, 4)
     # An object_id that doesn't hold is in the right form.
-    assert found.formed == Share(5, 6)
+    assert found.formed == Share(6, 7)
 
 
 def test_everything_in_a_table_by_entrant():

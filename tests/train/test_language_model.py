@@ -63,7 +63,7 @@ def test_in_bfloat16_on_a_processor_that_has_it(tmp_path, dataset, model, monkey
     tuning = Tuning(learning_rate=1e-3, global_batch=8, epochs=1, cpu_bfloat16=True)
     train(dataset, str(model), tmp_path / "short", tuning, ())
     run = Run.model_validate_json((tmp_path / "short" / "run.json").read_text())
-    assert run.weights == "float32"
+    assert (run.weights, run.computed) == ("float32", "bfloat16")
     train(dataset, str(model), tmp_path / "long", Tuning(1e-3, global_batch=8, epochs=1), ())
     (short,), (long,) = read_log(tmp_path / "short"), read_log(tmp_path / "long")
     assert short.loss == pytest.approx(long.loss, rel=0.01) and short.loss != long.loss

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from probe.perception.oracle import Oracle
 from probe.scene.setup import UR5_TABLE
 from probe.toolshed.toolshed import TURNS, Toolshed
 from probe.transcripts.result_texts import ResultTexts
+from probe.transcripts.short_graphs import ListEntry, known_after, short_list
 from probe.transcripts.short_results import ShortResults
 from tabletops import Block, Obedient, PaintedStation, spec
 
@@ -20,8 +23,8 @@ BLOCKS = (
 )
 # The book's point: as far from the corner of the mug on it as from its own edges.
 FIRST = (
-    "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, what it "
-    "lies on or covers."
+    "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, [width, "
+    "height] of its box, what it lies on or covers."
 )
 LATER = "# Changed since the last list:"
 
@@ -38,18 +41,51 @@ def test_the_first_list_tells_all_and_later_ones_what_changed():
     tools, texts = table(), ShortResults()
     assert told(tools, texts, "perceive_scene").split("\n") == [
         FIRST,
-        "- object_1 red mug [159, 159]",
-        "- object_2 red mug [374, 574] on object_3",
-        "- object_3 blue book [441, 641]",
+        "- object_1 red mug [159, 159] [120, 120]",
+        "- object_2 red mug [374, 574] [50, 50] on object_3",
+        "- object_3 blue book [441, 641] [200, 200]",
     ]
     assert told(tools, texts, "perceive_scene") == "# Nothing has changed since the last list."
     done = told(tools, texts, "grasp_and_remove", object_id="object_2")
     assert done.startswith("Done: object_2 was lifted and dropped into the basket.")
     assert told(tools, texts, "perceive_scene").split("\n") == [
         LATER,
-        "- object_4 red coin [374, 574] on object_3",
+        "- object_4 red coin [374, 574] [30, 30] on object_3",
+        "- object_3 blue book [435, 635] [200, 200]",
         "out of date: object_2",
     ]
+
+
+def entry(u: int, v: int = 50, width: int = 20) -> ListEntry:
+    return ListEntry("red mug", (u, v), (width, 20))
+
+
+def test_a_place_that_differs_is_told_again_and_two_pixels_are_not_much():
+    texts = ["# Nothing has changed since the last list."] * 2
+    texts.append(f"{LATER}\n- object_1 red mug [103, 50] [20, 20]")
+    known = known_after(None, {"object_1": entry(100)})
+    for u, text in zip((102, 98, 103), texts, strict=True):
+        assert short_list(known, {"object_1": entry(u)}) == text
+    for changed, told in (
+        (entry(100, v=53), "red mug [100, 53] [20, 20]"),
+        (entry(100, width=23), "red mug [100, 50] [23, 20]"),
+        (replace(entry(100), what="mug"), "mug [100, 50] [20, 20]"),
+        (replace(entry(100), lying=("on object_2",)), "red mug [100, 50] [20, 20] on object_2"),
+    ):
+        assert short_list(known, {"object_1": changed}) == f"{LATER}\n- object_1 {told}"
+
+
+@pytest.mark.parametrize("what", ["u", "width"])
+def test_what_creeps_is_told_before_it_is_far_from_what_was_told(what):
+    known, told = None, list[int]()
+    for number in range(100, 120):
+        now = {"object_1": entry(number) if what == "u" else entry(100, width=number)}
+        known = known_after(known, now)
+        it = known["object_1"]
+        assert it.size is not None
+        told.append(it.point[0] if what == "u" else it.size[0])
+        assert abs(told[-1] - number) <= 2
+    assert sorted({*told}) == [100, 103, 106, 109, 112, 115, 118]
 
 
 def test_a_thing_that_is_found_is_a_line_with_its_box_and_description():
@@ -129,5 +165,5 @@ def test_an_empty_table_is_told_as_one():
 def test_places_are_counted_after_lists_are_shortened():
     tools, texts = table(), ResultTexts("0-1000", "short")
     listed = texts.told("perceive_scene", tools.call("perceive_scene", {}).text)
-    # (159, 159) of 1024 pixels in thousandths.
-    assert "- object_1 red mug [155, 155]" in listed
+    # (159, 159) and 120 of 1024 pixels in thousandths.
+    assert "- object_1 red mug [155, 155] [117, 117]" in listed

@@ -49,8 +49,9 @@ def select(
         collected: Folders that `probe collect` wrote.
         out: A new folder for the choice.
         counts: Examples of each type at most; by default all that can be learnt from.
-        total: Examples of all types together, in the proportions of --counts and, of other types,
-            of what can be learnt from; it is an error if there are fewer.
+        total: Examples of all types together, in the proportions of what can be had of each; it is
+            an error if there are fewer. Of episodes with tools, and with the same seed, a larger
+            selection has all of a smaller.
         direct_share: Part of a type's examples that may be without tools.
         slack: Manipulations over the median of a type's successes that are accepted.
         seed: Chooses among equals.

@@ -47,7 +47,8 @@ class Rungs:
         formed: Replies that a tool could be called by, of all that should have called one.
         listed: Places in find_object that a list told, of a thing that the last list still has; of
             all that were given as numbers.
-        holding: Grasps and pushes whose object_id was given out and holds; of all well-formed ones.
+        holding: Grasps and pushes whose object_id was given out and holds; of all well-formed ones,
+            as long as manipulations were left.
         answered: Episodes with an answer.
         right: Episodes that were right.
     """
@@ -122,7 +123,8 @@ def _of_step(step: Step, lists: _Lists) -> Rungs:
     # Tools call an object_id that doesn't hold malformed, too: that is another rung.
     formed = step.status != "malformed" or lost
     listed = holding = Share()
-    if formed and step.call.name in MOVING:
+    if formed and step.call.name in MOVING and step.status != "refused":
+        # Once no manipulation is left, nobody looks at the object_id.
         holding = Share(int(not lost), 1)
     if formed and step.call.name == "find_object" and (place := _place(step)) is not None:
         listed = Share(int(lists.have(place)), 1)

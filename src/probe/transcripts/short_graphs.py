@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from probe.agents.reading import Graph, Seen, read_graph
 
 _FIRST = (
-    "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, what it "
-    "lies on or covers."
+    "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, [width, "
+    "height] of its box, what it lies on or covers."
 )
 _LATER = "# Changed since the last list:"
 _SAME = "# Nothing has changed since the last list."
@@ -20,23 +20,38 @@ _EMPTY = "# Nothing shows."
 
 _CONTACTS = ("on", "covering")
 
+_STILL_PX = 2
+"""By how much a point or a box may differ from what was told before it is told again."""
+
 
 @dataclass(frozen=True)
 class ListEntry:
-    """A thing in a list: what it is, (u, v) of a point on it, and what it lies on or covers."""
+    """A thing in a list.
+
+    Attributes:
+        what: It is.
+        point: Pixel (u, v) on it.
+        size: Width and height of its box, pixels; none where the box itself is told.
+        lying: What it lies on or covers.
+    """
 
     what: str
     point: tuple[int, int]
+    size: tuple[int, int] | None = None
     lying: tuple[str, ...] = ()
 
     def line(self, object_id: str) -> str:
         """All of it."""
         told = f"- {object_id} {self.what} {list(self.point)}"
+        if self.size:
+            told += f" {list(self.size)}"
         return " ".join([told, ", ".join(self.lying)]) if self.lying else told
 
-    def tells_as_much_as(self, other: ListEntry | None) -> bool:
-        """Whether nothing is new: a thing that kept its id is where it was, whatever its point."""
-        return other is not None and (self.what, self.lying) == (other.what, other.lying)
+    def is_told_by(self, other: ListEntry | None) -> bool:
+        """Whether nothing of it is new, up to two pixels, to who knows another entry of it."""
+        if other is None or (self.what, self.lying) != (other.what, other.lying):
+            return False
+        return _still(self.point, other.point) and _still(self.size, other.size)
 
 
 def entries_of(text: str) -> dict[str, ListEntry] | None:
@@ -50,19 +65,33 @@ def entries_of(text: str) -> dict[str, ListEntry] | None:
     return {ids[seen.number]: _entry(seen, graph, ids) for seen in graph.objects}
 
 
-def short_list(before: Mapping[str, ListEntry] | None, now: Mapping[str, ListEntry]) -> str:
-    """A list in few words.
+def known_after(
+    known: Mapping[str, ListEntry] | None, now: Mapping[str, ListEntry]
+) -> dict[str, ListEntry]:
+    """What somebody knows of the things of a list who was told it in few words.
 
     Args:
-        before: What the list before this one told; None if this is the first.
-        now: What it has to tell.
+        known: What was known before; None if this is the first list.
+        now: What the list has to tell.
     """
-    if before is None:
+    before = known or {}
+    return {id: before[id] if it.is_told_by(before.get(id)) else it for id, it in now.items()}
+
+
+def _still(now: tuple[int, int] | None, before: tuple[int, int] | None) -> bool:
+    """Whether two numbers are about what they were."""
+    if now is None or before is None:
+        return now is before
+    return all(abs(a - b) <= _STILL_PX for a, b in zip(now, before, strict=True))
+
+
+def short_list(known: Mapping[str, ListEntry] | None, now: Mapping[str, ListEntry]) -> str:
+    """A list in few words; see known_after() for the arguments."""
+    if known is None:
         lines = [entry.line(id) for id, entry in now.items()]
         return "\n".join([_FIRST, *lines]) if lines else _EMPTY
-    fresh = [id for id, entry in now.items() if not entry.tells_as_much_as(before.get(id))]
-    told = [now[id].line(id) for id in fresh]
-    if over := [id for id in before if id not in now]:
+    told = [it.line(id) for id, it in now.items() if not it.is_told_by(known.get(id))]
+    if over := [id for id in known if id not in now]:
         told.append(f"out of date: {', '.join(over)}")
     return "\n".join([_LATER, *told]) if told else _SAME
 
@@ -73,4 +102,6 @@ def _entry(seen: Seen, graph: Graph, ids: Mapping[int, str]) -> ListEntry:
         for above, kind, below in graph.relations
         if above == seen.number and kind in _CONTACTS
     )
-    return ListEntry(seen.name or seen.description, seen.point, lying)
+    left, top, right, bottom = seen.box
+    size = (right - left + 1, bottom - top + 1)
+    return ListEntry(seen.name or seen.description, seen.point, size, lying)

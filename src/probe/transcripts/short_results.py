@@ -12,7 +12,7 @@ from typing import Any, cast
 import yaml
 
 from probe.toolshed.result import LAST_TURN, MOVING
-from probe.transcripts.short_graphs import ListEntry, entries_of, short_list
+from probe.transcripts.short_graphs import ListEntry, entries_of, known_after, short_list
 
 _MOVED = re.compile(
     r"Also moved: .*?\. (?=(?:Also moved, and|May have moved|Beside the basket|Out of sight, and|"
@@ -30,7 +30,7 @@ class ShortResults:
     """The replies to one episode's calls, one after another."""
 
     def __init__(self) -> None:
-        self._listed: Mapping[str, ListEntry] | None = None
+        self._known: Mapping[str, ListEntry] | None = None
 
     def shortened(self, tool: str, text: str) -> str:
         """A reply in few words.
@@ -53,8 +53,8 @@ class ShortResults:
         entries = entries_of(text) if tool == "perceive_scene" else None
         if entries is None:
             return text
-        before, self._listed = self._listed, entries
-        return short_list(before, entries)
+        known, self._known = self._known, known_after(self._known, entries)
+        return short_list(known, entries)
 
 
 def _found(text: str) -> str:

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
+from itertools import pairwise
 
 import pytest
 
@@ -103,11 +104,10 @@ def test_counts_hold_for_each_type_and_an_empty_one_is_told():
     ("counts", "expected"),
     [
         ({}, {"find": 4, "count": 2}),
-        ({"find": 9, "count": 9}, {"find": 3, "count": 3}),
-        ({"find": 9, "count": 9, "size": 0}, {"find": 3, "count": 3}),
+        ({"find": 9, "count": 9, "size": 0}, {"find": 4, "count": 2}),
+        ({"find": 4}, {"find": 3, "count": 3}),
         ({"find": 2}, {"find": 2, "count": 4}),
         ({"count": 0}, {"find": 6}),
-        ({"count": 16}, {"find": 2, "count": 4}),
     ],
 )
 def test_a_total_is_shared_in_proportion(counts, expected):
@@ -127,14 +127,25 @@ def test_a_total_that_cannot_be_had_is_told(counts):
 
 
 def test_fewer_examples_are_among_more():
+    """With these counts, largest remainders would take from a type in 13 of the steps."""
+    counts = {"beneath": 5, "count": 43, "find": 43}
     lessons = [
         lesson(training_task(n, kind, answer="ABCDE"[n % 3]))
-        for n in range(24)
-        for kind in ("find", "count")
+        for kind, count in counts.items()
+        for n in range(count)
     ]
-    sets = [set(ids(chosen(lessons, total=total, seed=3))) for total in (4, 10, 24, 48)]
-    assert [len(it) for it in sets] == [4, 10, 24, 48]
-    assert sets[0] < sets[1] < sets[2] < sets[3]
+    sets = [set(ids(chosen(lessons, total=total, seed=3))) for total in range(1, 92)]
+    assert [len(it) for it in sets] == [*range(1, 92)]
+    assert all(few < more for few, more in pairwise(sets))
+
+
+def test_what_was_solved_without_tools_alone_is_no_part_of_a_total():
+    direct = [lesson(training_task(n, "count"), setting="direct") for n in range(6)]
+    agentic = [lesson(training_task(n, "find")) for n in range(4)]
+    found = chosen([*direct, *agentic], total=4, direct_share=0.0)
+    assert Counter(it.task.question_type for it in found.chosen) == {"find": 4}
+    with pytest.raises(BadData, match="wants 5 examples, and 4 can be had"):
+        chosen([*direct, *agentic], total=5, direct_share=0.0)
 
 
 def test_evaluation_is_refused_and_reported():

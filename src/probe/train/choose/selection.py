@@ -14,7 +14,6 @@ from probe.tasks.task import QuestionType
 from probe.train.choose.candidates import EpisodeCandidate, Ways, usable_by_task
 from probe.train.choose.efficiency import SLACK, limits
 from probe.train.choose.evaluation import Evaluation, TrainingRefusal
-from probe.train.collect.aim import in_proportion
 
 BEYOND_SHARE = "without tools, beyond --direct-share"
 """Why an episode was left out that would be wanted, if its task had been solved with tools."""
@@ -29,8 +28,8 @@ class Recipe:
         direct_share: Part of a type's examples that may be without tools.
         slack: Manipulations over the type's median that are let pass.
         seed: Chooses among equals. A type's examples are among those of a larger count.
-        total: Examples of all types, in the proportions of `counts` and, of types that aren't
-            named, of what can be learnt from; None for as many as there are.
+        total: Examples of all types, in the proportions of what can be had of each; None for as
+            many as there are.
     """
 
     counts: Mapping[QuestionType, int] = field(default_factory=dict[QuestionType, int])
@@ -84,21 +83,33 @@ def select(
         if len(picked) < wanted:
             dropped[BEYOND_SHARE] += sum(map(len, left))
         chosen += picked
-    if recipe.total is not None and len(chosen) < recipe.total:
-        reason = f"wants {recipe.total} examples, and {len(chosen)} can be had"
-        raise BadData("--total", reason, "Collect more, or say a smaller number")
     rest = sum(map(len, tasks)) - len(chosen) - dropped[BEYOND_SHARE]
     dropped["another of its task, or more than wanted"] += rest
     return Selection(tuple(chosen), tuple(refused), +dropped, most)
 
 
 def _counts(tasks: Sequence[Ways], recipe: Recipe) -> Mapping[QuestionType, int]:
-    """Examples of each type at most."""
-    learnable = Counter(ways[0].task.question_type for ways in tasks)
-    counts = {**learnable, **recipe.counts}
-    if recipe.total is None or recipe.total >= sum(counts.values()):
+    """Examples of each type at most.
+
+    A total is shared by Webster's method, by which a larger one takes from no type.
+    """
+    if recipe.total is None:
         return recipe.counts
-    return in_proportion(counts, recipe.total)
+    can_be_had = dict[QuestionType, int]()
+    for question_type in {ways[0].task.question_type for ways in tasks}:
+        mine = [ways for ways in tasks if ways[0].task.question_type == question_type]
+        mixed, _ = _mixed(mine, len(mine), recipe)
+        can_be_had[question_type] = min(len(mixed), recipe.counts.get(question_type, len(mixed)))
+    if sum(can_be_had.values()) < recipe.total:
+        reason = f"wants {recipe.total} examples, and {sum(can_be_had.values())} can be had"
+        raise BadData("--total", reason, "Collect more, or say a smaller number")
+    turns = sorted(
+        ((place + 0.5) / count, question_type)
+        for question_type, count in can_be_had.items()
+        for place in range(count)
+    )
+    taken = Counter(question_type for _, question_type in turns[: recipe.total])
+    return {question_type: taken[question_type] for question_type in can_be_had}
 
 
 def _allowed(

@@ -62,7 +62,7 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
     weights = _numbers(trainer.model)
     growing = _saved(trainer, out, tuning)
     if trainer.is_world_process_zero():
-        write_card(out, asked, manifest, weights)
+        write_card(out, asked, manifest, weights, "bfloat16" if settings.bf16 else weights)
         shutil.rmtree(out / ROWS, ignore_errors=True)
         growing.rename(out / MODEL)  # at the very end: where it is, nothing is left to do
     return out / MODEL

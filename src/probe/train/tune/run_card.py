@@ -39,6 +39,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
         versions: Of libraries, ours included.
         hardware: What it ran on, in words.
         weights: Type of the numbers that were trained, such as "float32".
+        computed: Type of the numbers that were computed with; empty in older files.
         steps: How many.
         seconds: Of all sessions together, from their first step's log on.
         tokens: That were read, in all sessions together; 0 for trainings of before they were
@@ -53,6 +54,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
     versions: dict[str, str]
     hardware: str
     weights: str
+    computed: str = ""
     steps: int
     seconds: float
     tokens: int = 0
@@ -60,7 +62,9 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
     last_loss: float
 
 
-def write_card(out: Path, begun: TrainingStart, manifest: Manifest, weights: str) -> Run:
+def write_card(
+    out: Path, begun: TrainingStart, manifest: Manifest, weights: str, computed: str
+) -> Run:
     """Write run.json and README.md into a training's folder.
 
     Args:
@@ -68,6 +72,7 @@ def write_card(out: Path, begun: TrainingStart, manifest: Manifest, weights: str
         begun: What it was begun with.
         manifest: The data set's.
         weights: Type of the numbers that were trained.
+        computed: Type of the numbers that were computed with.
 
     Raises:
         OutputFailed: They can't be written.
@@ -82,6 +87,7 @@ def write_card(out: Path, begun: TrainingStart, manifest: Manifest, weights: str
         versions={"probe-vqa": version("probe-vqa"), **libraries.versions()},
         hardware=hardware(),
         weights=weights,
+        computed=computed,
         steps=len(log),
         seconds=round(seconds, 1),
         tokens=tokens,
@@ -117,6 +123,7 @@ def _row(it: LossInterval) -> str:
 
 def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
     words = (files("probe.train") / "data/run_card.md").read_text("utf-8")
+    again = sum(sum(by_type.values()) for by_type in run.augmented.values())
     return words.format(
         model=run.begun.model,
         dataset=run.begun.dataset,
@@ -132,6 +139,8 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         versions=", ".join(f"{name} {number}" for name, number in run.versions.items()),
         hardware=run.hardware,
         weights=run.weights,
+        computed=run.computed,
+        told_again=f" and {again} that tell them again" if again else "",
         steps=run.steps,
         tokens=f"{run.tokens:,}",
         minutes=f"{run.seconds / 60:.1f}",
