@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import base64
 import json
+import shutil
 
 import pytest
 
 from probe.errors import BadData
-from probe.train.serve.speaking import ServedModel
+from probe.train.serve.speaking import ConversationTooLong, ServedModel
 from probe.train.tune import libraries
 from probe.train.tune.collating import encoded
 from probe.train.tune.conversations import NotUnderstood, of_row, tools_of_row
@@ -91,3 +92,19 @@ def test_what_was_read_before_changes_no_reply(model):
             assert reply == ServedModel(str(model)).reply(body)
             words = reply.reply.words or json.dumps(reply.reply.calls)
             said += [{"role": "assistant", "content": words}, {"role": "user", "content": "And?"}]
+
+
+@pytest.mark.parametrize(("room", "said"), [(3, 3), (0, None)])
+def test_a_conversation_must_leave_room_for_a_reply(tmp_path, model, room, said):
+    body = {"messages": [{"role": "user", "content": "A lies there."}], "max_tokens": 12}
+    start = ServedModel(str(model)).reply(body).tokens_in
+    narrow = shutil.copytree(model, tmp_path / "narrow")
+    config = json.loads((narrow / "config.json").read_text())
+    config["max_position_embeddings"] = start + room
+    (narrow / "config.json").write_text(json.dumps(config))
+    served = ServedModel(str(narrow))
+    if said is None:
+        with pytest.raises(ConversationTooLong, match=f"has {start} tokens, and .*--graphs short"):
+            served.reply(body)
+    else:
+        assert served.reply(body).tokens_out <= said

@@ -11,10 +11,17 @@ from probe.cli.serve_model import serve_model
 from probe.errors import BadData
 from probe.train.serve.replying import ServedReply
 from probe.train.serve.serving import application, reserved, serve
-from probe.train.serve.speaking import GeneratedReply
+from probe.train.serve.speaking import ConversationTooLong, GeneratedReply
 from probe.train.tune.conversations import of_request
 
 REPLY = ServedReply("I look.", (("perceive_scene", "{}"),))
+
+
+class TooLong:
+    """Has no room for a reply."""
+
+    def reply(self, body):
+        raise ConversationTooLong(9000, 8192)
 
 
 class Replies:
@@ -64,6 +71,19 @@ def test_words_and_words_that_are_cut_off():
 def test_what_is_not_understood_is_told(body):
     answer = asked(GeneratedReply(REPLY, 1, 1, cut=False), body)
     assert answer.status_code == 400 and answer.json()["error"]["message"]
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_conversation_that_is_too_long_is_told_in_openais_words():
+    from starlette.testclient import TestClient
+
+    with TestClient(application(TooLong(), "student")) as client:  # type: ignore[arg-type]
+        told = client.post("/v1/chat/completions", json=HELLO)
+    error = told.json()["error"]
+    assert (told.status_code, error["code"]) == (400, "context_length_exceeded")
+    assert (
+        "9000 tokens" in error["message"] and "maximum context length is 8192" in error["message"]
+    )
 
 
 @pytest.mark.filterwarnings("default")

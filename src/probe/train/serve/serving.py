@@ -12,7 +12,7 @@ from importlib import import_module
 from typing import Any, cast
 
 from probe.errors import BadData, MissingExtra, ProbeError
-from probe.train.serve.speaking import GeneratedReply, ServedModel
+from probe.train.serve.speaking import ConversationTooLong, GeneratedReply, ServedModel
 from probe.train.tune.conversations import NotUnderstood
 
 _LOOPBACK = "127.0.0.1"
@@ -46,7 +46,8 @@ def application(speaker: ServedModel, called: str) -> Any:
         except NotServed as error:
             return responses.JSONResponse(_refusal(error, "model_not_found"), status_code=404)
         except ProbeError as error:
-            return responses.JSONResponse(_refusal(error, None), status_code=400)
+            code = "context_length_exceeded" if isinstance(error, ConversationTooLong) else None
+            return responses.JSONResponse(_refusal(error, code), status_code=400)
         return responses.JSONResponse(completion(said, called))
 
     async def models(request: Any) -> Any:
@@ -133,7 +134,8 @@ def _taken(port: int, error: Exception) -> BadData:
 
 def _refusal(error: ProbeError, code: str | None) -> dict[str, Any]:
     """An error as the protocol has it."""
-    about = {"type": "invalid_request_error", "param": "model" if code else None, "code": code}
+    param = "model" if code == "model_not_found" else None
+    about = {"type": "invalid_request_error", "param": param, "code": code}
     return {"error": {"message": str(error), **about}}
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import Any
 
+from probe.errors import ProbeError
 from probe.train.serve.constraining import CallForms
 from probe.train.serve.read_before import ReadBefore
 from probe.train.serve.replying import ServedReply, read_reply
@@ -18,6 +19,16 @@ from probe.train.tune.processors import sees, tokenizer_of
 
 MOST_TOKENS = 512
 """Of a reply, if a request doesn't say."""
+
+
+class ConversationTooLong(ProbeError):
+    """More tokens than a model can read leave it no room for a reply."""
+
+    def __init__(self, tokens: int, window: int) -> None:
+        super().__init__(
+            f"The conversation has {tokens} tokens, and this model's maximum context length is "
+            f"{window}. Tell it less (--graphs short), or take a model that reads more."
+        )
 
 
 @dataclass(frozen=True)
@@ -85,10 +96,12 @@ class ServedModel:
 
         Raises:
             NotUnderstood: It isn't in OpenAI's form.
+            ConversationTooLong: No room is left for a reply.
         """
         asked = self.asked(body).to(self._model.device)
+        start = asked["input_ids"].shape[1]
         most = int(body.get("max_completion_tokens") or body.get("max_tokens") or 0)
-        most = most or self._most_tokens
+        most = self._room(start, most or self._most_tokens)
         warmth = float(body.get("temperature") or 0.0)
         how: dict[str, Any] = {"do_sample": warmth > 0}
         if warmth > 0:
@@ -97,13 +110,22 @@ class ServedModel:
             how["logits_processor"] = [self._forms.keep_to(tools)]
         with self._lock, libraries.torch().inference_mode():
             made = self._made(asked, {"max_new_tokens": most, **how})
-        start = asked["input_ids"].shape[1]
         fresh = made[start:]
         tokenizer = tokenizer_of(self._processor)
         ended = tokenizer.eos_token_id in fresh.tolist()
         # Tags of calls are no special tokens of Qwen's tokenizer, and stay.
         text = tokenizer.decode(fresh, skip_special_tokens=True)
         return GeneratedReply(read_reply(text), start, len(fresh), cut=not ended)
+
+    def _room(self, start: int, most: int) -> int:
+        """Tokens that a reply may have after so many others."""
+        config = self._model.config.get_text_config()
+        window: int | None = getattr(config, "max_position_embeddings", None)
+        if window is None:
+            return most
+        if start >= window:
+            raise ConversationTooLong(start, window)
+        return min(most, window - start)
 
     def _made(self, asked: Any, how: dict[str, Any]) -> Any:
         """All tokens, those that were asked and those of the reply."""
