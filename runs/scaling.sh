@@ -32,7 +32,8 @@ if [ ! -d "$STUDENT/collected/batches" ]; then
     echo "$STUDENT has no collected/: run runs/student.sh first, or set STUDENT." >&2
     exit 1
 fi
-. runs/same_settings.sh
+. runs/common.sh
+check_port "$PORT"
 # With more to choose from, a small choice wouldn't be a part of a large one.
 collected=$(cat "$STUDENT"/collected/batches/*/grades.json | sha256sum | cut -c 1-16)
 same_settings "$OUT" "STUDENT=$STUDENT" "COLLECTED=$collected" "VALIDATION=$VALIDATION" \

@@ -25,12 +25,8 @@ probe=${PROBE:-.venv/bin/probe}
 
 ports=$(seq "$PORT" $((PORT + SERVERS - 1)))
 servers=() runs=()
-for port in $ports; do
-    if (: < "/dev/tcp/127.0.0.1/$port") 2>/dev/null; then
-        echo "Something else listens at port $port and would answer for $name: set PORT to a free one." >&2
-        exit 1
-    fi
-done
+. runs/common.sh
+for port in $ports; do check_port "$port"; done
 
 # Whether the server at a port has the model.
 serves() {

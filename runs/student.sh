@@ -27,7 +27,8 @@ HELD_OUT=${HELD_OUT:-}                  # types without examples, if COUNTS has 
 probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch .venv/.student
 
-. runs/same_settings.sh
+. runs/common.sh
+check_port "$PORT"
 same_settings "$OUT" "SUITE=$SUITE" "TEACHER=$TEACHER" "COUNTS=$COUNTS" "SELECT=$SELECT" \
     "TRAIN=$TRAIN" "SERVE=$SERVE" "BASE=$BASE"
 

@@ -1,6 +1,15 @@
-# To be sourced. A step that is done isn't done again, so a folder keeps the settings it was begun with.
+# To be sourced.
 
-# same_settings FOLDER NAME=VALUE...
+# check_port PORT: says so and ends if somebody listens there.
+check_port() {
+    if (: < "/dev/tcp/127.0.0.1/$1") 2>/dev/null; then
+        echo "Something else listens at port $1 and would answer for a model: set PORT to a free one." >&2
+        exit 1
+    fi
+}
+
+# same_settings FOLDER NAME=VALUE...: steps that are done aren't done again, so a folder keeps the
+# settings it was begun with; with others it ends.
 same_settings() {
     local file=$1/settings asked
     asked=$(printf '%s\n' "${@:2}")
