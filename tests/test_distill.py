@@ -95,7 +95,7 @@ def several_servers_share_the_tasks(folder: Path) -> None:
     assert {it.task for it in read_records(runs / "trained-direct" / RECORDS)} == {
         task.id for task in demo.tasks[:2]
     }
-    for shard in (folder / "again/shards/trained-direct").iterdir():
+    for shard in (folder / "again/shards/trained-direct-of-2").iterdir():
         assert len(read_records(shard / RECORDS)) == 1
 
 
