@@ -39,8 +39,11 @@ ask() { # ARM PORT OUT, and more options
         --points 0-1000 --epochs 1 --workers "$WORKERS" $RUN --out "$3" "${@:4}"
 }
 
+threads=$(($(nproc) / SERVERS))
 for port in $ports; do
-    $probe serve-model "$folder" --name "$name" --port "$port" $SERVE &
+    # Servers that all want all cores wait for each other.
+    OMP_NUM_THREADS=${OMP_NUM_THREADS:-$((threads > 0 ? threads : 1))} \
+        $probe serve-model "$folder" --name "$name" --port "$port" $SERVE &
     servers+=($!)
 done
 trap 'kill "${servers[@]}" "${runs[@]}" 2>/dev/null || true' EXIT
