@@ -80,6 +80,7 @@ for arm in $ARMS; do
     if [ ! -d "$out" ]; then
         rm -rf "$OUT/shards/.merging"
         $probe merge "$shards"/* --out "$OUT/shards/.merging"
+        mkdir -p "$OUT/runs"
         mv "$OUT/shards/.merging" "$out"  # whole or not at all
     fi
 done
