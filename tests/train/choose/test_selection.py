@@ -8,6 +8,7 @@ import pytest
 
 from lessons import lesson, reminded, training_task
 from probe.errors import BadData
+from probe.tasks.task import LETTERS
 from probe.train.choose.candidates import EpisodeCandidate
 from probe.train.choose.evaluation import evaluation_of
 from probe.train.choose.selection import Recipe, select
@@ -130,7 +131,7 @@ def test_fewer_examples_are_among_more():
     """With these counts, largest remainders would take from a type in 13 of the steps."""
     counts = {"beneath": 5, "count": 43, "find": 43}
     lessons = [
-        lesson(training_task(n, kind, answer="ABCDE"[n % 3]))
+        lesson(training_task(n, kind, answer=LETTERS[n % 3]))
         for kind, count in counts.items()
         for n in range(count)
     ]
