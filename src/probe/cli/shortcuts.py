@@ -10,6 +10,7 @@ from probe.cli.metavars import SuiteNames
 from probe.cli.screen import say, track
 from probe.errors import BadData
 from probe.files import write_text
+from probe.generation.necessary import is_answerable_at_sight
 from probe.shortcuts.investigation import investigate
 from probe.shortcuts.learning import learn as learn_weights
 from probe.shortcuts.looks import examples_of
@@ -37,7 +38,8 @@ def shortcuts(
     things, read = everything(), _read(suites)
     if not rules_only:
         _check_public(read)
-    total = len({task.id for suite in read for task in suite.tasks})
+    tasks = [task for suite in read for task in suite.tasks]
+    total = len({task.id for task in tasks if not is_answerable_at_sight(task)})
     looking = examples_of(read, things, cache_folder())
     examples = list(track(looking, "Looking", total=total))
     findings = investigate(examples, CatalogueFacts(things.specs), learning=not rules_only)
