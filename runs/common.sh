@@ -1,5 +1,7 @@
 # To be sourced.
 
+step() { echo; echo "== $*"; }
+
 # check_port PORT: says so and ends if somebody listens there.
 check_port() {
     if (: < "/dev/tcp/127.0.0.1/$1") 2>/dev/null; then

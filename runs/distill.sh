@@ -20,7 +20,7 @@ TRAIN=${TRAIN:---learning-rate 2e-3 --global-batch 2 --epochs 2 --no-save-memory
 probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch
 
-step() { echo; echo "== $*"; }
+. runs/common.sh
 
 step "collect: the scripted teacher answers training tasks"
 $probe collect --out "$OUT/collected" $COUNTS --counts.beneath 0 --points 0-1000 --workers "$WORKERS"

@@ -39,8 +39,6 @@ collected=$(cat "$STUDENT"/collected/batches/*/grades.json | sha256sum | cut -c 
 same_settings "$OUT" "STUDENT=$STUDENT" "COLLECTED=$collected" "VALIDATION=$VALIDATION" \
     "CHOOSE=$CHOOSE" "TUNE=$TUNE" "SERVE=$SERVE" "BASE=$BASE"
 
-step() { echo; echo "== $*"; }
-
 export SUITE=$OUT/validation.json WORKERS PORT OUT SERVE PROBE="$probe" ARMS=text-only RUN="--graphs short"
 step "validation: tasks that no example is of"
 if [ ! -e "$SUITE" ]; then

@@ -32,8 +32,6 @@ check_port "$PORT"
 same_settings "$OUT" "SUITE=$SUITE" "TEACHER=$TEACHER" "COUNTS=$COUNTS" "SELECT=$SELECT" \
     "TRAIN=$TRAIN" "SERVE=$SERVE" "BASE=$BASE"
 
-step() { echo; echo "== $*"; }
-
 step "collect: the scripted teacher answers training tasks, with tools alone"
 if [ -n "$TEACHER" ] && [ ! -d "$OUT/collected" ]; then
     mkdir -p "$OUT/.teacher"

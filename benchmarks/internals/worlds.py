@@ -48,17 +48,13 @@ def main(
     suite: Annotated[str, tyro.conf.Positional],
     out: Annotated[Path, tyro.conf.Positional],
     types: tuple[QuestionType, ...] = (),
-    table: Path | None = None,
-    rules_only: bool = False,
 ) -> None:
     """Write the worlds of a public suite's tasks, and try what tells them apart.
 
     Args:
         suite: Name, or a file that `probe suite build` wrote.
-        out: File for them.
+        out: File for them; what rules and classifiers reach is beside it, with the ending .md.
         types: Only tasks of these types; by default all.
-        table: File for what rules and classifiers reach; by default OUT with the ending .md.
-        rules_only: Train nothing.
     """
     frozen = find_suite(suite)
     pool = frozen.pool or "procedural"
@@ -82,8 +78,8 @@ def main(
     things = everything()
     looking = examples_of([worlds], things, cache_folder())
     examples = in_rounds(list(track(looking, "Looking", total=len(found))), worlds)
-    findings = investigate(examples, CatalogueFacts(things.specs), learning=not rules_only)
-    write_text(table or out.with_suffix(".md"), told := markdown(findings))
+    findings = investigate(examples, CatalogueFacts(things.specs))
+    write_text(out.with_suffix(".md"), told := markdown(findings))
     print(told)
 
 

@@ -25,7 +25,7 @@ LEVEL = 0.001
 measured exactly, told which it is in 36 of 110 scenes with five candidates."""
 
 LOOSE_TOLERANCE = 0.25
-"""The same where only one of them is ever on the table."""
+"""Candidates' longest sides differ by at most this share where one alone is ever on the table."""
 
 FREQUENCY_RATIO = 6.0
 """Most that the sizes of candidates' categories differ by; most small scans are one of a kind."""

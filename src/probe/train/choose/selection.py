@@ -71,10 +71,13 @@ def select(
     agentic = [it for it in allowed if it.correct and not it.direct]
     most = limits([(it.task.question_type, it.record) for it in agentic], recipe.slack)
     tasks = usable_by_task(allowed, most, dropped)
-    recipe = replace(recipe, counts=_counts(tasks, recipe))
+    by_type: defaultdict[QuestionType, list[Ways]] = defaultdict(list)
+    for ways in tasks:
+        by_type[ways[0].task.question_type].append(ways)
+    recipe = replace(recipe, counts=_counts(by_type, recipe))
     chosen = list[EpisodeCandidate]()
-    for question_type in sorted({*(ways[0].task.question_type for ways in tasks), *recipe.counts}):
-        mine = [ways for ways in tasks if ways[0].task.question_type == question_type]
+    for question_type in sorted({*by_type, *recipe.counts}):
+        mine = by_type[question_type]
         wanted = recipe.counts.get(question_type, len(mine))
         mixed, left = _mixed(mine, wanted, recipe)
         picked = _balanced(mixed, wanted, recipe)
@@ -88,7 +91,9 @@ def select(
     return Selection(tuple(chosen), tuple(refused), +dropped, most)
 
 
-def _counts(tasks: Sequence[Ways], recipe: Recipe) -> Mapping[QuestionType, int]:
+def _counts(
+    by_type: Mapping[QuestionType, Sequence[Ways]], recipe: Recipe
+) -> Mapping[QuestionType, int]:
     """Examples of each type at most.
 
     A total is shared by Webster's method, by which a larger one takes from no type.
@@ -96,8 +101,7 @@ def _counts(tasks: Sequence[Ways], recipe: Recipe) -> Mapping[QuestionType, int]
     if recipe.total is None:
         return recipe.counts
     can_be_had = dict[QuestionType, int]()
-    for question_type in {ways[0].task.question_type for ways in tasks}:
-        mine = [ways for ways in tasks if ways[0].task.question_type == question_type]
+    for question_type, mine in by_type.items():
         mixed, _ = _mixed(mine, len(mine), recipe)
         can_be_had[question_type] = min(len(mixed), recipe.counts.get(question_type, len(mixed)))
     if sum(can_be_had.values()) < recipe.total:
