@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # How a student gets better with more examples, and what augmented ones bring, after runs/student.sh:
 # for each number of examples two trainings, each evaluated on tasks for validation. One reads the
-# examples alone, three times; the other each of them once in three ways (as it went, mirrored, in other
-# words), so that both make about as many updates. The tasks have objects of the pool for training, as
-# examples have, and seeds of their own, so nothing is chosen here by a suite. Each step goes on where
-# it was stopped: run it again, with the same settings. SIZES and WAYS may grow.
+# examples alone, four times; the other each of them once in four ways (as it went, mirrored, asked in
+# other words, with other phrases of the teacher), so that both make about as many updates. The tasks
+# have objects of the pool for training, as examples have, and seeds of their own, so nothing is chosen
+# here by a suite. Each step goes on where it was stopped: run it again, with the same settings. SIZES
+# and WAYS may grow.
 #
 #   COUNTS="--total 250" runs/student.sh && runs/scaling.sh     # 75 and 150 examples, into outputs/scaling
 #   SIZES="75 150 300" STUDENT=elsewhere OUT=there runs/scaling.sh
 #
-# On two cores with bfloat16, a training on 75 examples takes some 20 minutes, and twice as many examples
+# On two cores with bfloat16, a training on 75 examples takes some 25 minutes, and twice as many examples
 # twice as long; each evaluation takes some 30.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -20,7 +21,7 @@ SIZES=${SIZES:-75 150}
 WAYS=${WAYS:-plain augmented}
 VALIDATION=${VALIDATION:---counts.count 16 --counts.find 16 --counts.size 12 --counts.compare 10 --counts.reduce 6}
 CHOOSE=${CHOOSE:---slack 3}             # more options of probe select
-TUNE=${TUNE:---learning-rate 3e-4 --global-batch 2 --warmup 0.1 --no-save-memory}
+TUNE=${TUNE:---learning-rate 2e-4 --global-batch 1 --warmup 0.1 --save-every 100 --no-save-memory}
 SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
 WORKERS=${WORKERS:-2}
@@ -61,8 +62,8 @@ for size in $SIZES; do
     for way in $WAYS; do
         name=$way-$size here=$OUT/$size/$way
         case $way in
-            plain) augment="" epochs=3 ;;
-            augmented) augment="--augment mirrored wordings" epochs=1 ;;
+            plain) augment="" epochs=4 ;;
+            augmented) augment="--augment mirrored wordings phrases" epochs=1 ;;
             *) echo "WAYS has plain and augmented, not $way." >&2; exit 1 ;;
         esac
         step "$name: data set, training, evaluation"

@@ -92,6 +92,36 @@ def test_the_answer_it_explains_is_the_one_it_gives(play, question_type):
         assert re.search(rf"\b{letter}\b", record.steps[-1].call.words)
 
 
+def last_words(play, question_type):
+    return played(play, question_type, PhraseBook(rng())).steps[-1].call.words
+
+
+def test_it_says_what_its_answer_rests_on(play):
+    """Which ones it counted, of which size the two are, of which colour: as the lists tell."""
+    count = played(play, "count", PhraseBook(rng()))
+    die = next(it for it in read_graph(count.steps[-2].text).objects if it.name == "red die")
+    assert f" {die.object_id}" in count.steps[-1].call.words
+    assert "[150, 100]" in last_words(play, "size") and "[100, 80]" in last_words(play, "size")
+    assert "yellow" in last_words(play, "compare")
+    assert re.search(r"\bis red\b", last_words(play, "compare"))
+
+
+def test_what_went_into_the_basket_is_counted_apart(play):
+    """A die on the bowl goes along with it."""
+    subject, form, options, blocks, text = CASES["count"]
+    on_top = [*blocks, Block(2, (440, 440, 489, 489), 0.1)]
+    agent = Scripted("count", subject, rng(), form=form, say=PhraseBook(rng()))
+
+    class Taking(Obedient):
+        def grasp_and_remove(self, station, frame, mask, drop_at):
+            station.blocks = [it for it in station.blocks if it is not on_top[-1]]
+            return super().grasp_and_remove(station, frame, mask, drop_at)
+
+    record = play(agent, options, SPECS, on_top, Taking(), text)
+    assert "and 1 in the basket" in record.steps[-1].call.words
+    assert record.answer.choice == "B"
+
+
 def test_after_a_failure_it_says_so_and_why_it_does_something_else(play):
     record = played(play, "beneath", PhraseBook(rng()), Obedient("blocked"))
     told = [step.call.words for step in record.steps]
@@ -109,7 +139,10 @@ def test_seeds_choose_other_words(play):
 
 
 def test_each_phrase_can_be_said():
-    slots = {"thing", "other", "letter", "number", "direction", "one", "two"}
+    slots = {
+        "thing", "other", "letter", "number", "direction", "one", "two", "each", "size_one",
+        "size_two", "colour", "colour_one", "colour_two",
+    }  # fmt: skip
     for occasion, ways in phrases().items():
         used = [{name for _, name, _, _ in string.Formatter().parse(way) if name} for way in ways]
         assert all(names <= slots for names in used), occasion
@@ -152,6 +185,9 @@ def test_what_shows_is_answered_at_once():
     both = [Block(2, (280, 200, 379, 299)), Block(3, (660, 660, 799, 799))]
     size = glance("size", "", "larger", PAIR, both, TEXT)
     assert size and size.letter == "B"
+    one = glance("count", "red die", "plain", ["1", "2"], [Block(2, (500, 500, 559, 559))])
+    # Who answers at sight was told no object_ids.
+    assert one and "the thing at (529, 529)" in one.words and "object_" not in one.words
     none = glance(
         "count", "red die", "plain", ["1", "2", "3", "4", NONE], [Block(3, (1, 1, 60, 60))]
     )

@@ -55,6 +55,7 @@ class Seen:
         description: What the list says of it.
         point: A pixel (u, v) on it, or thousandths if the agent's texts have these.
         box: Left, top, right and bottom pixel, the last two included.
+        size: Width and height of the box in pixels.
         area: Pixels of the box.
         object_id: Its handle; None where the list gives none.
         place: Words by which find_object finds it.
@@ -68,10 +69,16 @@ class Seen:
     object_id: str | None = None
 
     @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of its box in pixels."""
+        left, top, right, bottom = self.box
+        return right - left + 1, bottom - top + 1
+
+    @property
     def area(self) -> int:
         """Pixels of its box."""
-        left, top, right, bottom = self.box
-        return (right - left + 1) * (bottom - top + 1)
+        width, height = self.size
+        return width * height
 
     @property
     def place(self) -> str:

@@ -65,9 +65,10 @@ def dataset(
             teacher did. In text-only there are no pictures.
         graphs: How lists are told in the setting text-only; by default in full.
         augment: Tell each episode once more in each of these ways, where that is certain: mirrored
-            left to right, or with its question in another wording. Such examples are marked and
-            counted apart. In the setting text-only alone; by default nothing is told again.
-        seed: Chooses the wordings of --augment.
+            left to right, with its question in another wording, or with other phrases of the
+            scripted teacher. Such examples are marked and counted apart. In the setting text-only
+            alone; by default nothing is told again.
+        seed: Chooses the wordings and phrases of --augment.
         pool: Where the objects are that appear; all built-in ones by default.
         workers: Processes that draw.
     """

@@ -39,5 +39,10 @@ def plural(name: str) -> str | None:
 
 def listed(names: Sequence[str]) -> str:
     """Names with their articles as part of a sentence ("the red mug and the white plate")."""
-    *most, last = [f"the {name}" for name in names]
+    return joined([f"the {name}" for name in names])
+
+
+def joined(parts: Sequence[str]) -> str:
+    """One part or more as a list in a sentence ("one, two and three")."""
+    *most, last = parts
     return f"{', '.join(most)} and {last}" if most else last

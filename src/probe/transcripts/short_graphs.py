@@ -102,6 +102,4 @@ def _entry(seen: Seen, graph: Graph, ids: Mapping[int, str]) -> ListEntry:
         for above, kind, below in graph.relations
         if above == seen.number and kind in _CONTACTS
     )
-    left, top, right, bottom = seen.box
-    size = (right - left + 1, bottom - top + 1)
-    return ListEntry(seen.name or seen.description, seen.point, size, lying)
+    return ListEntry(seen.name or seen.description, seen.point, seen.size, lying)

@@ -36,7 +36,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         both = yield from uncover_both(asked.question, search, bold=bold)
         letter = _fitting(form, wanted, both) if bold or all(both) else None
     if letter and all(both):
-        yield from answer(letter, words=_reason(form, letter, both, say))
+        yield from answer(letter, words=_reason(form, letter, wanted, both, say))
     elif letter:
         yield from answer(letter, words=say("guess", {"letter": letter}))
     elif bold:
@@ -83,6 +83,10 @@ def _words(text: str) -> list[str]:
     return plain or found
 
 
+def _colour_told(seen: Seen) -> str:
+    return next(iter(_colours(seen)), "of no colour that I can name")
+
+
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     """By colour one of the two that can be named is enough: just one has the colour."""
     both = marked_at_sight(asked)
@@ -94,15 +98,17 @@ def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     if not wanted and asked.form != "darker":
         return None
     letter = _fitting(asked.form, wanted, both)
-    return (
-        None if letter is None else FirstLookAnswer(letter, _reason(asked.form, letter, both, say))
-    )
+    if letter is None:
+        return None
+    return FirstLookAnswer(letter, _reason(asked.form, letter, wanted, both, say))
 
 
-def _reason(form: str, letter: str, both: Both, say: Say) -> str:
-    names = [seen.name or "" for seen in both if seen is not None]
+def _reason(form: str, letter: str, wanted: Sequence[str], both: Both, say: Say) -> str:
+    named = [seen for seen in both if seen is not None]
+    names = [seen.name or "" for seen in named]
     if len(names) == 2:
-        slots = {"one": names[0], "two": names[1], "letter": letter}
+        slots = {"one": names[0], "two": names[1], "letter": letter, "colour": " ".join(wanted)}
+        slots |= zip(("colour_one", "colour_two"), map(_colour_told, named), strict=True)
         return say("compare darker" if form == "darker" else "compare colour", slots)
     chosen = both["AB".index(letter)] is not None
     slots = {"thing": names[0], "letter": letter}

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 
 from probe.agents.clearing import Search
@@ -11,6 +14,26 @@ from probe.agents.reading import Seen, same
 from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
 from probe.agents.uncovering import FoundAnswer, conclude
 from probe.episodes.turns import Question
+from probe.tasks.english import joined
+
+
+@dataclass(frozen=True)
+class _Tally:
+    """Those that show at one time, and how many had left the table by then."""
+
+    shown: Sequence[Seen] = ()
+    gone: int = 0
+
+    @property
+    def number(self) -> int:
+        """How many these are."""
+        return len(self.shown) + self.gone
+
+    @property
+    def each(self) -> list[str]:
+        """What to call each of them."""
+        shown = [seen.object_id or seen.place for seen in self.shown]
+        return [*shown, f"{self.gone} in the basket"] if self.gone else shown
 
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
@@ -22,29 +45,30 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
 
     search = Search(counts, asked.first, asked.rng, say=asked.say, scale=asked.question.scale)
     yield from search.begin()
-    most, now, gone = 0, len(search.graph.called(name)), 0
-    while True:
-        most = max(most, now + gone)
-        before = now
-        if search.complete or not (yield from search.clear_one()):
-            break
-        now = len(search.graph.called(name))
+    now = most = _Tally(search.graph.called(name))
+    while not search.complete and (yield from search.clear_one()):
+        shown, gone = search.graph.called(name), now.gone
         if search.removed_last:
             # What lay on the thing or in it went along.
-            gone += max(0, before - now)
+            gone += max(0, len(now.shown) - len(shown))
+        now = _Tally(shown, gone)
+        most = max(most, now, key=lambda it: it.number)
     if search.complete or asked.bold:
-        found = _counted(asked.question, most, sure=search.complete)
+        found = _counted(asked.question, most.number, most.each, sure=search.complete)
         yield from conclude(asked, found, search)
 
 
-def _counted(question: Question, most: int, *, sure: bool) -> FoundAnswer | None:
+def _counted(
+    question: Question, number: int, each: Sequence[str], *, sure: bool
+) -> FoundAnswer | None:
     """The letter of a number, or else that of none of them."""
-    letters = [letter for letter, text in question.options if text.strip() == str(most)]
+    letters = [letter for letter, text in question.options if text.strip() == str(number)]
     letter = letters[0] if letters else none_of_them(question)
     if letter is None:
         return None
     occasion = "guess" if not sure else "count" if letters else "count none"
-    return FoundAnswer(letter, occasion, {"number": str(most)})
+    slots = {"number": str(number), "each": joined(each) if each else "none"}
+    return FoundAnswer(letter, occasion, slots)
 
 
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
@@ -56,7 +80,9 @@ def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     search = Search(counts, "grasp", np.random.default_rng(0), graph=asked.graph)
     if not search.complete:
         return None
-    found = _counted(asked.question, len(asked.graph.called(asked.subject)), sure=True)
+    # Who answers at sight was given no object_ids.
+    each = [seen.place for seen in asked.graph.called(asked.subject)]
+    found = _counted(asked.question, len(each), each, sure=True)
     if found is None:
         return None
     words = say(found.occasion, {**found.slots, "letter": found.letter})

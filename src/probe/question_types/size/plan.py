@@ -20,8 +20,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     one, other = yield from uncover_both(asked.question, search, bold=asked.bold)
     if one is not None and other is not None:
         letter = _larger(form, one, other)
-        slots = {"one": one.name or "", "two": other.name or "", "letter": letter}
-        yield from answer(letter, words=say(f"size {form}", slots))
+        yield from answer(letter, words=_reason(form, letter, (one, other), say))
     elif asked.bold:
         yield from guess_mark(asked.rng, say)
 
@@ -38,14 +37,25 @@ def _length(seen: Seen) -> float:
     return math.hypot(right - left, bottom - top)
 
 
+def _reason(form: str, letter: str, both: tuple[Seen, Seen], say: Say) -> str:
+    one, two = both
+    slots = {
+        "one": one.name or "",
+        "two": two.name or "",
+        "size_one": str(list(one.size)),
+        "size_two": str(list(two.size)),
+        "letter": letter,
+    }
+    return say(f"size {form}", slots)
+
+
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     """Only if nothing lies on either."""
     one, two = marked_at_sight(asked)
     if one is None or two is None or asked.graph.over(one) or asked.graph.over(two):
         return None
     letter = _larger(asked.form, one, two)
-    slots = {"one": one.name or "", "two": two.name or "", "letter": letter}
-    return FirstLookAnswer(letter, say(f"size {asked.form}", slots))
+    return FirstLookAnswer(letter, _reason(asked.form, letter, (one, two), say))
 
 
 PLAN = TypePlan(_begin, _at_sight)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from probe.agents.phrases import PhraseBook
+from probe.agents.phrases import PhraseBook, Say
 from probe.agents.reading import read_graph
 from probe.agents.scripted import Scripted
 from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, plan_for
@@ -34,7 +34,10 @@ TEACHER = "scripted-teacher"
 
 @dataclass(frozen=True)
 class RoundedPlaces:
-    """An agent whose places are whole numbers in the way in which a model will read them."""
+    """An agent whose places are whole numbers in the way in which a model will read them.
+
+    Those in its words are told so, too; calls are recorded in pixels.
+    """
 
     agent: Agent
     points: Points
@@ -42,7 +45,10 @@ class RoundedPlaces:
     def act(self, question: Question, history: Sequence[Turn]) -> Call | None:
         """The agent's next call."""
         call = self.agent.act(question, history)
-        return None if call is None else as_whole(call, self.points)
+        if call is None:
+            return None
+        whole = as_whole(call, self.points)
+        return replace(whole, words=told(whole.words, self.points))
 
 
 def speaker(task: Task, run: int) -> PhraseBook:
@@ -50,10 +56,18 @@ def speaker(task: Task, run: int) -> PhraseBook:
     return PhraseBook(generator(task.seed, "words", run))
 
 
-def teacher(task: Task, run: int) -> Agent:
-    """The teacher with tools, fresh for one episode; it stops where it isn't sure."""
-    rng = generator(task.seed, "teach", run)
-    return Scripted(task.question_type, task.subject, rng, form=task.form, say=speaker(task, run))
+def teacher(task: Task, run: int, points: Points = "pixels", say: Say | None = None) -> Agent:
+    """The teacher with tools, fresh for one episode; it stops where it isn't sure.
+
+    Args:
+        task: What it is asked.
+        run: Number of the run.
+        points: How a model will count places.
+        say: Chooses its words; by default its usual speaker().
+    """
+    rng, say = generator(task.seed, "teach", run), say or speaker(task, run)
+    made = Scripted(task.question_type, task.subject, rng, form=task.form, say=say)
+    return RoundedPlaces(made, points)
 
 
 def teacher_for(points: Points) -> _Made:
@@ -72,7 +86,7 @@ class _Made:
     def __call__(
         self, name: str, task: Task, run: int, library: Library, renderer: Renderer
     ) -> Agent:
-        return RoundedPlaces(teacher(task, run), self.points)
+        return teacher(task, run, self.points)
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,7 @@ class TrainingExample:
         letter: The right answer.
         messages: From the rules to the last reply; nothing follows that.
         tools: What may be called, as servers get it; JSON, empty without tools.
-        augmented: How the episode is told otherwise than it went ("mirrored", "wordings"); empty if
+        augmented: How the episode is told otherwise than it went ("mirrored", ...); empty if
             it is told as it went.
     """
 

@@ -71,6 +71,7 @@ def augmented_told(manifest: Manifest) -> str:
 _WAYS = {
     "mirrored": "episodes of these, mirrored left to right",
     "wordings": "episodes of these, asked in other words",
+    "phrases": "episodes of these, with other phrases of the teacher",
 }
 
 

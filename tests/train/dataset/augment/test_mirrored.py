@@ -106,6 +106,22 @@ def test_it_is_what_the_tools_say_at_the_mirrored_table():
     assert found.steps[4].text.startswith('object_id: object_4\nname: "green teapot"')
 
 
+def counted(*each):
+    said = "Everything that could hide one has been searched. I count "
+    words = f"{said}{' and '.join(each)}. That is {len(each)}, so A."
+    return Call.of("answer_question", {"choice": "A"}, words)
+
+
+def test_object_ids_in_words_are_those_of_the_mirrored_table():
+    """The teapots change places in the list, and with it their object_ids."""
+    one = played(BLOCKS, [LOOK, counted("object_3")])
+    assert "I count object_4." in mirrored(FIND, one).steps[-1].call.words
+    # Which of them it would name first, nobody can tell.
+    level = played(BLOCKS, [LOOK, counted("object_3", "object_4")])
+    with pytest.raises(NotCertain, match="names equally high things in an order"):
+        mirrored(FIND, level)
+
+
 def test_mirrored_twice_it_is_the_same_again():
     here = played(BLOCKS, [LOOK, find(159, 159), grasp("object_1"), LOOK])
     assert mirrored(FIND, here) != here

@@ -12,7 +12,8 @@ from probe.train.dataset.augment.teacher_words import are_the_teachers, mirrored
 
 SLOTS = {
     "thing": "tall red mug", "other": "box of tea", "letter": "B", "number": "3", "one": "lime",
-    "two": "lemon", "direction": "left",
+    "two": "lemon", "direction": "left", "each": "object_1", "size_one": "[20, 30]",
+    "size_two": "[40, 10]", "colour": "green", "colour_one": "green", "colour_two": "yellow",
 }  # fmt: skip
 
 

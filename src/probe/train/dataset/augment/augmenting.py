@@ -7,15 +7,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from probe.agents.phrases import PhraseBook
 from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.mirrored import mirrored
+from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.rewording import reworded
 
-AugmentationWay = Literal["mirrored", "wordings"]
-"""How an episode may be told again: mirrored left to right, or asked in other words."""
+AugmentationWay = Literal["mirrored", "wordings", "phrases"]
+"""How an episode may be told again: mirrored left to right, asked in other words, or with other
+phrases of its teacher."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +44,7 @@ def augmented(
     Args:
         episodes: In the setting "text-only", with their tasks.
         ways: How.
-        seed: Chooses among other wordings.
+        seed: Chooses among other wordings and phrases.
     """
     told = list[tuple[AugmentationWay, Task, EpisodeRecord]]()
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
@@ -57,4 +60,7 @@ def augmented(
 def _told(way: AugmentationWay, task: Task, record: EpisodeRecord, seed: int) -> EpisodeRecord:
     if way == "mirrored":
         return mirrored(task, record)
+    if way == "phrases":
+        rng = generator(seed, "phrases", task.id, record.run)
+        return rephrased(task, record, PhraseBook(rng))
     return reworded(task, record, generator(seed, "wording", task.id, record.run))

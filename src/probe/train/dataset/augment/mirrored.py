@@ -139,6 +139,9 @@ class _Telling:
         words = mirrored_words(call.words, direction)
         if words is None:
             raise NotCertain(self.task, "its teacher spoke freely")
+        if len(_ID.findall(words)) > 1 and level(self.listed):
+            raise NotCertain(self.task, "its teacher names equally high things in an order")
+        words = self._with_new_ids(words)
         if call.name == "find_object" or "point" in said:
             return self._pointing(call, words)
         if "object_id" in said:

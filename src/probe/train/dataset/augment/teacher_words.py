@@ -14,6 +14,8 @@ MIRRORED_DIRECTION = {"left": "right", "right": "left", "up": "up", "down": "dow
 """Directions of pushes in a mirrored picture."""
 
 _DIRECTION = "direction"
+_AS_THEY_ARE = (_DIRECTION, "size_one", "size_two")
+"""Slots that need no look: a direction is mirrored, sizes are the same in a mirror."""
 
 
 def mirrored_words(words: str, direction: str | None = None) -> str | None:
@@ -68,8 +70,9 @@ def _is_neutral(text: str) -> bool:
 
 
 def _slots(found: re.Match[str]) -> str:
-    """All that fills a phrase's slots but the direction."""
-    return "\n".join(text for slot, text in found.groupdict().items() if slot != _DIRECTION)
+    """All that fills a phrase's slots and may speak of a side."""
+    slots = found.groupdict().items()
+    return "\n".join(text for slot, text in slots if slot not in _AS_THEY_ARE)
 
 
 @lru_cache(1)
