@@ -14,6 +14,8 @@ import pytest
 from lessons import BY_KIND, FIRST_SEED
 from model_server import Reply, serving
 from probe.assets.library import open_library
+from probe.cli.collect import CollectionSize
+from probe.cli.collect import collect as begin
 from probe.cli.teaching import TeachingSetup
 from probe.errors import BadData
 from probe.generation.build_folder import BuildFolder, TaskSlot
@@ -77,6 +79,27 @@ def test_a_collection_has_one_renderer(tmp_path):
     claim(tmp_path, usual)
     with pytest.raises(BadData, match="was begun with renderer own, not blender"):
         claim(tmp_path, blender.settings("0/1", FIRST_EPISODE))
+
+
+@pytest.mark.parametrize(
+    ("asked", "reason"),
+    [
+        ({"extent": CollectionSize(settings="text-only")}, r"is for models \(--model\)"),
+        ({"site": TeachingSetup(graphs="short")}, "does nothing without --settings text-only"),
+    ],
+)
+def test_options_without_sight_go_together(tmp_path, asked, reason):
+    with pytest.raises(BadData, match=reason):
+        begin(tmp_path / "out", {"count": 1}, **asked)
+    assert not (tmp_path / "out").exists()
+
+
+def test_how_lists_are_told_stays(tmp_path):
+    usual = TeachingSetup().settings("0/1", FIRST_EPISODE)
+    assert "graphs" not in usual.model_dump_json()
+    claim(tmp_path, usual)
+    with pytest.raises(BadData, match="was begun with graphs full, not short"):
+        claim(tmp_path, TeachingSetup(graphs="short").settings("0/1", FIRST_EPISODE))
 
 
 def test_a_budget_in_dollars_needs_a_price(tmp_path):

@@ -108,3 +108,13 @@ def test_a_conversation_must_leave_room_for_a_reply(tmp_path, model, room, said)
             served.reply(body)
     else:
         assert served.reply(body).tokens_out <= said
+
+
+def test_replies_are_drawn_where_the_server_is_warm(model):
+    """With the same seed the same; a request that says a temperature has that one."""
+    body = {"messages": [{"role": "user", "content": "Say something."}], "max_tokens": 20}
+    warm = [ServedModel(str(model), temperature=1.5, seed=n).reply(body) for n in (1, 1, 2)]
+    greedy = ServedModel(str(model)).reply(body)
+    assert warm[0] == warm[1] != warm[2] and greedy not in warm
+    cold = ServedModel(str(model), temperature=1.5, seed=1).reply(body | {"temperature": 0})
+    assert cold == greedy

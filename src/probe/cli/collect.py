@@ -35,7 +35,7 @@ class CollectionSize:
 
     Attributes:
         settings: First without tools, then with tools what that didn't answer ("both"), or one
-            alone.
+            alone; text-only for a model that sees no pictures.
         always_tools: With tools all tasks, even if the first picture was enough.
         direct_runs: Episodes of each task without tools; all must be right to count as known.
         most_episodes: Stop after this many episodes.
@@ -113,6 +113,7 @@ def collect(
     """
     check_numbers({"--total": total, "--workers": site.workers})
     aim = extent.aim(counts if total is None else in_proportion(counts, total))
+    _check_setting(aim.mode, site)
     if extent.most_cost is not None and site.model is not None:
         _check_price(site.prices, site.model)
     claim(out, site.settings(extent.shard, extent.first))
@@ -120,6 +121,15 @@ def collect(
     say(f"Episodes go to {out}; Ctrl-C stops, the same command goes on.")
     so_far = _watched(out, aim, hands_of(site, out, where))
     _tell(out, aim, so_far)
+
+
+def _check_setting(mode: Mode, site: TeachingSetup) -> None:
+    if mode == "text-only" and site.model is None:
+        remedy = "Collect with --settings agentic, then say `probe dataset --setting text-only`"
+        raise BadData("--settings text-only", "is for models (--model)", remedy)
+    if mode != "text-only" and site.graphs is not None:
+        reason = "does nothing without --settings text-only"
+        raise BadData("--graphs", reason, "Say --settings text-only, or leave it out")
 
 
 def _check_price(prices: Path | None, model: str) -> None:

@@ -9,8 +9,12 @@ import tyro
 
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say
+from probe.errors import BadData
 from probe.train.serve.serving import reserved, serve
 from probe.train.serve.speaking import MOST_TOKENS, ServedModel
+
+HOTTEST = 2.0
+"""The highest temperature that OpenAI's protocol knows."""
 
 
 def serve_model(
@@ -20,10 +24,12 @@ def serve_model(
     cpu_bfloat16: bool = False,
     most_tokens: int = MOST_TOKENS,
     constrained: bool = False,
+    temperature: float = 0.0,
+    seed: int = 0,
 ) -> None:
     """Serve a model over OpenAI's protocol on this machine, one reply at a time, with transformers.
 
-    Without a temperature in the request, it decodes greedily. vLLM does the same many times
+    Without a temperature, it decodes greedily. vLLM does the same many times
     faster where it runs, but samples unless a request says otherwise; see docs/how-to/train.md.
 
     Args:
@@ -35,12 +41,21 @@ def serve_model(
         most_tokens: Of a reply, where a request doesn't say; longer ones are cut off.
         constrained: Rule out all tokens but those that make a call of one of the request's tools,
             with a few words before it.
+        temperature: At which replies are drawn where a request doesn't say; at 0 none are.
+        seed: Of what is drawn. Replies also depend on the order of the requests.
     """
     check_numbers({"--port": port, "--most-tokens": most_tokens})
+    if not 0 <= temperature <= HOTTEST:
+        raise BadData("--temperature", f"is {temperature}", f"Say 0 to {HOTTEST:g}")
     called = name or f"{Path(model).name}{'-constrained' if constrained else ''}"
     with reserved(port) as held:
         speaker = ServedModel(
-            model, cpu_bfloat16=cpu_bfloat16, most_tokens=most_tokens, constrained=constrained
+            model,
+            cpu_bfloat16=cpu_bfloat16,
+            most_tokens=most_tokens,
+            constrained=constrained,
+            temperature=temperature,
+            seed=seed,
         )
         say(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.")
         serve(speaker, called, held)

@@ -74,6 +74,7 @@ def _seated(site: TeachingSetup, model: str) -> Play:
         setting="agentic",
         epochs=1,
         points=site.counting,
+        graphs=site.graphs or "full",
         pointer="oracle",
         endpoint=site.endpoint,
         prices=site.prices,

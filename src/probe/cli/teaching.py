@@ -16,6 +16,7 @@ from probe.toolshed.version import TOOLS_VERSION
 from probe.train.collect.settings import CollectionSettings
 from probe.train.collect.teacher import TEACHER
 from probe.train.collect.training import Training
+from probe.transcripts.prompts import Graphs
 
 WORKERS = 2
 """Processes of this machine, if nobody says otherwise."""
@@ -31,6 +32,8 @@ class TeachingSetup:
         endpoint: Address of a server that speaks OpenAI's protocol.
         prices: A file that says what tokens cost.
         points: How coordinates are written; by default as suits the model, or in pixels.
+        graphs: How perceive_scene's lists are told to a model that teaches in the setting text-only:
+            "full" (the default) or "short".
         pool: Which objects appear, by default those for training; records and data sets say so if
             others do.
         split: Take the training part of this split alone (`probe assets split`).
@@ -45,6 +48,7 @@ class TeachingSetup:
     endpoint: str | None = None
     prices: Path | None = None
     points: Points | None = None
+    graphs: Graphs | None = None
     pool: Pool = TRAINING_POOL
     split: Path | None = None
     noise: NoiseName = "none"
@@ -88,6 +92,7 @@ class TeachingSetup:
             pool=self.pool,
             split=mark,
             points=self.counting,
+            graphs=self.graphs or "full",
             noise=self.noise,
             # As it was called before a task could stand in another light than an even one.
             lighting="ambient" if self.lighting == "own" else self.lighting,

@@ -16,11 +16,17 @@ from probe.errors import Unsatisfiable
 from probe.generation.build_folder import BuildFolder
 from probe.report.scene_renderer import SceneRenderer
 from probe.tasks.suite_file import write_suite
+from probe.train.choose.gathering import candidates_of
 from probe.train.collect.aim import Aim
 from probe.train.collect.batches import TASKS, batches
 from probe.train.collect.collecting import TeacherWorkers, collect
+from probe.train.collect.settings import CollectionSettings, claim
 
 FIRST = 2_000_000
+SETTINGS = CollectionSettings(
+    agent="mine", pool="procedural", split=None, points="0-1000", graphs="short", noise="none",
+    lighting="ambient", shard="0/1", first=FIRST,
+)  # fmt: skip
 
 
 @dataclass
@@ -69,7 +75,7 @@ class World:
             if (task.id, setting) == self.lost:
                 continue
             number = (task.seed - FIRST_SEED) // 1000
-            right = number % 2 == 0 if setting == "agentic" else number % 4 == 0
+            right = number % (4 if setting == "direct" else 2) == 0
             append_record(path, lesson(task, setting=setting, right=right).record)
             yield task.id
 
@@ -111,6 +117,17 @@ def test_tools_are_used_only_where_the_picture_was_not_enough(tmp_path, things):
     run(always, Aim({"count": 2}, FIRST, batch=4, always=True))
     assert {setting for _, setting in always.played} == {"direct", "agentic"}
     assert len({task for task, _ in always.played}) * 2 == len(always.played)
+
+
+def test_a_model_without_sight_plays_with_tools_alone(tmp_path, things):
+    world = World(tmp_path, things)
+    aim = Aim({"count": 2}, FIRST, batch=4, mode="text-only")
+    so_far = run(world, aim)
+    assert {setting for _, setting in world.played} == {"text-only"}
+    assert so_far.played == {"text-only": len(world.made)} and aim.reached(so_far) == 2
+    claim(tmp_path, SETTINGS)
+    found, _ = candidates_of([tmp_path], {})
+    assert {it.record.setting for it in found} == {"text-only"} and len(found) == len(world.made)
 
 
 @pytest.mark.parametrize("stop", [0, 3, 5, 8])

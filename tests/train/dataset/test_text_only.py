@@ -88,6 +88,16 @@ def test_what_has_no_tools_or_no_ids_is_refused(tmp_path, setting):
         as_text_only(replace(chosen, episodes=((task, odd), *others)), "full")
 
 
+def test_who_saw_nothing_is_told_again_as_it_was_told(tmp_path):
+    """A model's own episodes in this setting, as rejection sampling has them."""
+    mine = lesson(training_task(1), setting=SHORT)
+    chosen = chosen_of(tmp_path, [mine])
+    ((_, record),) = as_text_only(chosen, "short").episodes
+    assert record == mine.record
+    with pytest.raises(BadData, match="Say --graphs short, as its model was told lists"):
+        as_text_only(chosen, "full")
+
+
 class _Specs(dict):
     """Of any object the same licence and source."""
 

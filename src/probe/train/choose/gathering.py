@@ -16,7 +16,7 @@ from probe.train.collect.batches import Batch, EpisodeGrade, batches
 from probe.train.collect.settings import read_settings
 from probe.transcripts.prompts import Setting
 
-SETTINGS: tuple[Setting, ...] = "direct", "agentic"
+SETTINGS: tuple[Setting, ...] = "direct", "agentic", "text-only"
 
 
 @dataclass(frozen=True)

@@ -52,7 +52,7 @@ def in_proportion(counts: Mapping[QuestionType, int], total: int) -> dict[Questi
     return made
 
 
-Mode = Literal["both", "direct", "agentic"]
+Mode = Literal["both", "direct", "agentic", "text-only"]
 _MARGIN = 1.1
 
 
@@ -64,7 +64,7 @@ class Aim:
         counts: Tasks that were answered rightly, by type, all shards together.
         first: Number of the first episode.
         shard: Which part of it.
-        mode: Which settings.
+        mode: Which settings; "both" is direct, then agentic.
         always: With both settings, use tools even where the first picture was enough.
         direct_runs: Episodes of a task without tools.
         batch: Tasks of a batch at most.
@@ -94,7 +94,7 @@ class Aim:
     @property
     def episodes_a_task(self) -> int:
         """At most."""
-        return {"both": self.direct_runs + 1, "direct": self.direct_runs, "agentic": 1}[self.mode]
+        return {"both": self.direct_runs + 1, "direct": self.direct_runs}.get(self.mode, 1)
 
     def reached(self, so_far: CollectedBatches) -> int:
         """Successes that count; more of a type than wanted don't."""

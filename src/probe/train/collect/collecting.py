@@ -122,14 +122,15 @@ def _played(batch: Batch, suite: Suite, aim: Aim, hands: TeacherWorkers) -> Gene
     grades = list[EpisodeGrade]()
     with hands.scene_renderer(suite) as scene_renderer:
         rest = suite
-        if aim.mode != "agentic":
+        if aim.mode in ("both", "direct"):
             yield from hands.play(suite, "direct", aim.direct_runs, batch.setting("direct"))
             grades += graded(batch, "direct", aim.direct_runs, scene_renderer)
             rest = suite if aim.always else _without(suite, grades)
         if aim.mode != "direct" and rest.tasks:
-            write_suite(batch.setting("agentic") / SUITE, rest)
-            yield from hands.play(rest, "agentic", 1, batch.setting("agentic"))
-            grades += graded(batch, "agentic", 1, scene_renderer)
+            setting: Setting = "text-only" if aim.mode == "text-only" else "agentic"
+            write_suite(batch.setting(setting) / SUITE, rest)
+            yield from hands.play(rest, setting, 1, batch.setting(setting))
+            grades += graded(batch, setting, 1, scene_renderer)
     batch.keep(grades)
 
 

@@ -20,6 +20,7 @@ class CollectionSettings(pydantic.BaseModel, extra="forbid", frozen=True):
         pool: Which objects appear.
         split: Of which split the training part is taken, by the hash of its file; None for all.
         points: How places are counted in pictures.
+        graphs: How lists are told to a model that sees no pictures.
         noise: How far the hand errs, by name.
         lighting: Of the pictures.
         renderer: What draws them.
@@ -33,6 +34,7 @@ class CollectionSettings(pydantic.BaseModel, extra="forbid", frozen=True):
     pool: str
     split: str | None
     points: str
+    graphs: str = pydantic.Field(default="full", exclude_if=lambda it: it == "full")
     noise: str
     lighting: str
     # Left out where it is the usual one, as files of before there was a choice do.

@@ -10,7 +10,7 @@ from probe.errors import BadData
 from probe.train.choose.chosen import LoadedSelection
 from probe.train.dataset.showing import EpisodePictures
 from probe.transcripts.messages import PLAIN
-from probe.transcripts.prompts import Graphs, told_with
+from probe.transcripts.prompts import Graphs, graphs_of, setting_named, told_with
 
 _OPTION = "--setting text-only"
 
@@ -23,7 +23,8 @@ def as_text_only(chosen: LoadedSelection, graphs: Graphs) -> LoadedSelection:
         graphs: How a student is told lists.
 
     Raises:
-        BadData: An episode has no tools, or a model pointed in it, so that lists have no ids.
+        BadData: An episode has no tools, a model pointed in it, so that lists have no ids, or lists
+            were told to its model in another way.
     """
     setting = told_with("text-only", graphs)
     counts = {
@@ -43,9 +44,11 @@ def no_pictures(record: EpisodeRecord) -> EpisodePictures:
 
 
 def _unseen(record: EpisodeRecord, setting: str) -> EpisodeRecord:
-    if record.setting not in ("", "agentic"):
+    if record.setting not in ("", "agentic", setting):
         reason = f"{record.task} was played in the setting {record.setting}"
         remedy = "Select episodes with tools alone, without --pointer: --direct-share 0"
+        if setting_named(record.setting) == "text-only":
+            remedy = f"Say --graphs {graphs_of(record.setting)}, as its model was told lists"
         raise BadData(_OPTION, reason, remedy)
     seat = record.participation or replace(
         PLAIN, replies=tuple(ModelReply(1) for _ in record.steps)

@@ -59,6 +59,8 @@ class ServedModel:
         most_tokens: Of a reply, if a request doesn't say.
         constrained: A reply to a request with tools is a call that fits the schema of one, whatever
             the model would rather say.
+        temperature: Where a request says none; at 0 the likeliest words.
+        seed: Of what is drawn at a temperature; the order of requests matters, too.
 
     Raises:
         MissingExtra: A library isn't installed.
@@ -72,8 +74,12 @@ class ServedModel:
         cpu_bfloat16: bool = False,
         most_tokens: int = MOST_TOKENS,
         constrained: bool = False,
+        temperature: float = 0.0,
+        seed: int = 0,
     ) -> None:
         torch = libraries.torch()
+        torch.manual_seed(seed)
+        self._temperature = temperature
         loaded, self._processor = load(model, cpu_bfloat16=cpu_bfloat16)
         self._model = loaded.to("cuda" if torch.cuda.is_available() else "cpu").eval()
         fresh = libraries.transformers().DynamicCache
@@ -92,7 +98,7 @@ class ServedModel:
         return encoded(self._processor, of_request(body["messages"]), tools, asking=True)
 
     def reply(self, body: Mapping[str, Any]) -> GeneratedReply:
-        """Reply to a request; without a temperature the likeliest words.
+        """Reply to a request.
 
         Raises:
             NotUnderstood: It isn't in OpenAI's form.
@@ -102,7 +108,7 @@ class ServedModel:
         start = asked["input_ids"].shape[1]
         most = int(body.get("max_completion_tokens") or body.get("max_tokens") or 0)
         most = self._room(start, most or self._most_tokens)
-        warmth = float(body.get("temperature") or 0.0)
+        warmth = float(body.get("temperature", self._temperature) or 0.0)
         how: dict[str, Any] = {"do_sample": warmth > 0}
         if warmth > 0:
             how["temperature"] = warmth
