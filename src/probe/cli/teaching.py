@@ -32,8 +32,8 @@ class TeachingSetup:
         endpoint: Address of a server that speaks OpenAI's protocol.
         prices: A file that says what tokens cost.
         points: How coordinates are written; by default as suits the model, or in pixels.
-        graphs: How perceive_scene's lists are told to a model that teaches in the setting text-only:
-            "full" (the default) or "short".
+        graphs: How perceive_scene's lists are told to a model that teaches without pictures: "full"
+            (the default) or "short".
         pool: Which objects appear, by default those for training; records and data sets say so if
             others do.
         split: Take the training part of this split alone (`probe assets split`).
