@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from probe.episodes.turns import Agent, Call, Question, Turn
     from probe.errors import ProbeError
     from probe.interfaces.training.environment import ProbeEnv
+    from probe.interfaces.training.thousandths import ProbeEnvThousandths
     from probe.interfaces.training.tables import TrainingTables
     from probe.perception.choice import Perceiver, Perception, enrolled, pointing, segmented
     from probe.perception.dials import Dials
@@ -77,6 +78,7 @@ _HOMES = {
     "episodes.turns": ("Agent", "Call", "Question", "Turn"),
     "errors": ("ProbeError",),
     "interfaces.training.environment": ("ProbeEnv",),
+    "interfaces.training.thousandths": ("ProbeEnvThousandths",),
     "interfaces.training.tables": ("TrainingTables",),
     "perception.choice": ("Perceiver", "Perception", "enrolled", "pointing", "segmented"),
     "perception.dials": ("Dials",),
@@ -112,6 +114,7 @@ __all__ = [
     "Perception",
     "Pose",
     "ProbeEnv",
+    "ProbeEnvThousandths",
     "ProbeError",
     "Question",
     "Renderer",

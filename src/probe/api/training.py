@@ -7,6 +7,7 @@ from pathlib import Path
 from probe.api.resources import cache_folder, everything
 from probe.episodes.conditions import AS_FROZEN
 from probe.episodes.noise import Noise
+from probe.episodes.participation import Points
 from probe.episodes.tool_errors import NoiseChoice, tool_errors
 from probe.interfaces.training.tables import MOST, TrainingTables
 from probe.runs.episode_worker import EpisodeWorkerSetup
@@ -19,6 +20,7 @@ def training_tables(
     suite: Suite,
     *,
     name: str = "learner",
+    points: Points = "pixels",
     graphs: Graphs = "short",
     noise: Noise | NoiseChoice = "own",
     tables: int = MOST,
@@ -30,6 +32,7 @@ def training_tables(
     Args:
         suite: Tasks for training; see load_suite().
         name: Of the model, for the records.
+        points: How the model counts places; "0-1000" needs ProbeEnvThousandths.
         graphs: "short" or "full": how lists of objects are told.
         noise: How far the hand misses where it is sent; see run().
         tables: Episodes that may be under way at once; each has a process.
@@ -43,7 +46,7 @@ def training_tables(
     check_objects(suite, everything())
     setting = told_with("text-only", graphs)
     hand, conditions = tool_errors(suite.headline, noise, AS_FROZEN, setting=setting)
-    order = RunOrder(name, noise=hand, conditions=conditions, setting=setting)
+    order = RunOrder(name, noise=hand, conditions=conditions, setting=setting, points=points)
     setup = EpisodeWorkerSetup(order, everything, cache_folder())
     return TrainingTables(
         suite,

@@ -11,6 +11,7 @@ from bench.painted import PaintedPlace
 from lessons import training_task
 from probe.assets.library import open_library
 from probe.assets.pools.division import divided
+from probe.episodes.participation import Points
 from probe.interfaces.training.tables import TrainingTables
 from probe.runs.plan import RunOrder
 from probe.tasks.suite import Suite
@@ -37,7 +38,10 @@ THINGS = {it.object_id: (1.0, 2.0) for task in TASKS for it in task.scene.object
 PRACTICE = Suite("practice", TASKS, THINGS)
 
 
-def painted_tables(folder: Path, suite: Suite = PRACTICE, **more: Any) -> TrainingTables:
+def painted_tables(
+    folder: Path, suite: Suite = PRACTICE, points: Points = "pixels", **more: Any
+) -> TrainingTables:
     """Tables at which a grasp kills the process as often as the file "deaths" says."""
     library = partial(open_library, "procedural", None, folder)
-    return TrainingTables(suite, PaintedPlace(ORDER, library, folder / "deaths"), **more)
+    order = replace(ORDER, points=points)
+    return TrainingTables(suite, PaintedPlace(order, library, folder / "deaths"), **more)

@@ -8,9 +8,10 @@ import re
 import pytest
 
 from interfaces.training.painted_tables import TASKS, painted_tables
-from probe.errors import UnknownName
+from probe.errors import BadData, UnknownName
 from probe.interfaces.training.environment import NoEpisode, ProbeEnv
 from probe.interfaces.training.permission import NotForTraining
+from probe.interfaces.training.thousandths import ProbeEnvThousandths
 from probe.transcripts.tools import tools_for
 from run_folders import DEMO
 
@@ -30,9 +31,14 @@ def test_its_public_methods_are_the_tools_and_what_trainers_call():
     assert public == tools | {"reset", "get_reward"}
 
 
-@pytest.mark.parametrize("tool", tools_for("pixels", setting="text-only"), ids=lambda it: it.name)
-def test_its_docstrings_are_what_an_evaluation_says_of_the_tools(tool):
-    method = getattr(ProbeEnv, tool.name)
+@pytest.mark.parametrize(
+    ("env", "tool"),
+    [(ProbeEnv, tool) for tool in tools_for("pixels", setting="text-only")]
+    + [(ProbeEnvThousandths, tool) for tool in tools_for("0-1000", setting="text-only")],
+    ids=lambda it: it.__name__ if isinstance(it, type) else it.name,
+)
+def test_its_docstrings_are_what_an_evaluation_says_of_the_tools(env, tool):
+    method = getattr(env, tool.name)
     words, arguments = described(inspect.getdoc(method) or "")
     parts = tool.parameters.get("properties", {})
     assert words == tool.description
@@ -49,6 +55,12 @@ def test_rows_hold_the_first_messages_of_an_evaluation(tmp_path):
     assert row["task"] == TASKS[0].id
     assert system["role"] == "system" and "You see no picture" in system["content"]
     assert user["role"] == "user" and user["content"].startswith(TASKS[0].question)
+
+
+@pytest.mark.parametrize(("env", "points"), [(ProbeEnv, "0-1000"), (ProbeEnvThousandths, "pixels")])
+def test_places_are_counted_as_the_tables_do(tmp_path, env, points):
+    with pytest.raises(BadData, match=f'count places in {points}, .*is for points="pixels"'):
+        env(painted_tables(tmp_path, points=points))
 
 
 def test_without_an_episode_nothing_is_done(tmp_path):

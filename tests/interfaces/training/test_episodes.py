@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -13,11 +14,13 @@ from pathlib import Path
 import pytest
 
 from interfaces.training.painted_tables import TASKS, painted_tables
+from probe.agents.reading import read_graph
 from probe.bench.process_pool import EpisodeProcessLost
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
 from probe.interfaces.training.environment import ProbeEnv
 from probe.interfaces.training.tables import TooFewTables
+from probe.interfaces.training.thousandths import ProbeEnvThousandths
 
 pytestmark = pytest.mark.slow
 
@@ -53,6 +56,24 @@ def test_an_episode_from_its_reset_to_its_reward(tmp_path):
         env.reset(task=TASKS[1].id)
         assert env.get_reward() == 0.0
         assert env.record is not None and env.record.end == "stopped"
+
+
+def test_places_in_thousandths_are_those_of_the_list(tmp_path):
+    """A model reads thousandths and says thousandths; the tools and the record have pixels."""
+    with painted_tables(tmp_path, points="0-1000") as tables:
+        env = ProbeEnvThousandths(tables)
+        env.reset(task=TASKS[0].id)
+        listed = env.perceive_scene()
+        u, v = map(int, re.search(r"^- object_1 .*? \[(\d+), (\d+)\]", listed, re.M).groups())
+        found = env.find_object(f"the thing at ({u}, {v})")
+        assert found.startswith("- object_1 ") and f"[{u}, {v}]" in found
+        env.answer_question(TASKS[0].answer, [u, v])
+        assert env.get_reward() == 1.0
+        look, find, _ = env.record.steps
+        pixel = next(it for it in read_graph(look.text).objects if it.object_id == "object_1").point
+        assert find.point_px == pixel and round(pixel[0] * 1000 / 1024) == u != pixel[0]
+        assert env.record.answer.point_px == pytest.approx((1.024 * u, 1.024 * v))
+        assert env.record.participation.points == "0-1000"
 
 
 def test_many_side_by_side_lose_nothing(tmp_path):

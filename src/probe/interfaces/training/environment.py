@@ -10,10 +10,10 @@ from typing import Concatenate, ParamSpec
 
 from probe.bench.process_pool import EpisodeProcessLost
 from probe.episodes.files import line_of, record_of
-from probe.episodes.participation import ModelReply, Participation
+from probe.episodes.participation import ModelReply, Participation, Points
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Call
-from probe.errors import ProbeError
+from probe.errors import BadData, ProbeError
 from probe.interfaces.training.seat import Seat
 from probe.interfaces.training.tables import TrainingTables
 from probe.runs.work import failed
@@ -21,6 +21,7 @@ from probe.runs.worker_messages import EpisodeFinished, FinishEpisode
 from probe.tasks.task import Letter
 from probe.toolshed.refusals import EpisodeOver
 from probe.toolshed.skills import Direction
+from probe.transcripts.coordinates import meant
 from probe.transcripts.result_texts import ResultTexts
 
 Said = ParamSpec("Said")
@@ -33,7 +34,7 @@ class NoEpisode(ProbeError):
         super().__init__("No episode has begun. Call reset(task=...) first.")
 
 
-def _tool(described: Callable[Concatenate[ProbeEnv, Said], str]) -> Callable[..., str]:
+def as_tool(described: Callable[Concatenate[ProbeEnv, Said], str]) -> Callable[..., str]:
     """A method that sends what it is called with to the tool of its name, whether or not it fits.
 
     Malformed calls then cost a turn and are told off in the tool's words, as in an evaluation.
@@ -65,16 +66,26 @@ class ProbeEnv:
     """One place at a table, for episode after episode, in the form that TRL's trainers take.
 
     Pass `functools.partial(ProbeEnv, tables)` as `environment_factory`. Its tools are its only
-    public methods besides `reset` and `get_reward`. They reply as in the setting "text-only".
+    public methods besides `reset` and `get_reward`. They reply as in the setting "text-only", with
+    places in pixels; ProbeEnvThousandths has them in thousandths.
 
     Args:
         tables: See probe.training_tables.
+
+    Raises:
+        BadData: The tables count places otherwise.
     """
 
+    _points: Points = "pixels"
+
     def __init__(self, tables: TrainingTables) -> None:
+        if tables.order.points != self._points:
+            reason = f"count places in {tables.order.points}, and {type(self).__name__} doesn't"
+            remedy = 'ProbeEnv is for points="pixels", ProbeEnvThousandths for points="0-1000"'
+            raise BadData("tables", reason, remedy)
         self._tables = tables
         self._seat: Seat | None = None
-        self._texts = ResultTexts("pixels")
+        self._texts = ResultTexts(self._points)
         self._calls, self._ended = 0, False
         self._lost: EpisodeProcessLost | None = None
         self._left: EpisodeFinished | None = None
@@ -97,10 +108,10 @@ class ProbeEnv:
         """
         self._give_back()
         self._left, self._lost, self._calls, self._ended = None, None, 0, False
-        self._texts = ResultTexts(self._tables.order.points, self._tables.graphs)
+        self._texts = ResultTexts(self._points, self._tables.graphs)
         self._seat = self._tables.seat(str(row.get("task")))
 
-    @_tool
+    @as_tool
     def perceive_scene(self) -> str:
         """List the objects that the camera sees now, each with its object_id and a point on it.
 
@@ -108,7 +119,7 @@ class ProbeEnv:
         """
         ...
 
-    @_tool
+    @as_tool
     def find_object(self, description: str) -> str:
         """Get object_id, description and box of one object that shows.
 
@@ -117,7 +128,7 @@ class ProbeEnv:
         """
         ...
 
-    @_tool
+    @as_tool
     def grasp_and_remove(self, object_id: str) -> str:
         """Drop an object into the basket, for good. It can fail, and neighbours may move.
 
@@ -126,7 +137,7 @@ class ProbeEnv:
         """
         ...
 
-    @_tool
+    @as_tool
     def push(self, object_id: str, direction: Direction, distance_cm: float) -> str:
         """Push an object over the table, with what stands ahead of it.
 
@@ -137,7 +148,7 @@ class ProbeEnv:
         """
         ...
 
-    @_tool
+    @as_tool
     def answer_question(self, choice: Letter, point: list[float] | None = None) -> str:
         """Give the final answer, once.
 
@@ -180,7 +191,7 @@ class ProbeEnv:
         if self._ended:
             return Told(str(EpisodeOver()), ended=True)
         try:
-            came = self._seat.call(Call.of(tool, arguments))
+            came = self._seat.call(meant(Call.of(tool, arguments), self._points))
         except EpisodeProcessLost as error:
             self._lost = error
             raise
