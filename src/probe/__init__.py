@@ -45,8 +45,8 @@ if TYPE_CHECKING:
     from probe.episodes.turns import Agent, Call, Question, Turn
     from probe.errors import ProbeError
     from probe.interfaces.training.environment import ProbeEnv
-    from probe.interfaces.training.thousandths import ProbeEnvThousandths
     from probe.interfaces.training.tables import TrainingTables
+    from probe.interfaces.training.thousandths import ProbeEnvThousandths
     from probe.perception.choice import Perceiver, Perception, enrolled, pointing, segmented
     from probe.perception.dials import Dials
     from probe.perception.things import Thing, Words
