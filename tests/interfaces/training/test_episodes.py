@@ -64,16 +64,19 @@ def test_places_in_thousandths_are_those_of_the_list(tmp_path):
         env = ProbeEnvThousandths(tables)
         env.reset(task=TASKS[0].id)
         listed = env.perceive_scene()
-        u, v = map(int, re.search(r"^- object_1 .*? \[(\d+), (\d+)\]", listed, re.M).groups())
+        ((u, v),) = re.findall(r"^- object_1 .*? \[(\d+), (\d+)\]", listed, re.MULTILINE)
+        u, v = int(u), int(v)
         found = env.find_object(f"the thing at ({u}, {v})")
         assert found.startswith("- object_1 ") and f"[{u}, {v}]" in found
         env.answer_question(TASKS[0].answer, [u, v])
         assert env.get_reward() == 1.0
-        look, find, _ = env.record.steps
+        record = env.record
+        assert record is not None and record.answer is not None and record.participation is not None
+        look, find, _ = record.steps
         pixel = next(it for it in read_graph(look.text).objects if it.object_id == "object_1").point
         assert find.point_px == pixel and round(pixel[0] * 1000 / 1024) == u != pixel[0]
-        assert env.record.answer.point_px == pytest.approx((1.024 * u, 1.024 * v))
-        assert env.record.participation.points == "0-1000"
+        assert record.answer.point_px == pytest.approx((1.024 * u, 1.024 * v))
+        assert record.participation.points == "0-1000"
 
 
 def test_many_side_by_side_lose_nothing(tmp_path):

@@ -6,7 +6,7 @@ import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import wraps
-from typing import Concatenate, ParamSpec
+from typing import Concatenate, ParamSpec, TypeVar
 
 from probe.bench.process_pool import EpisodeProcessLost
 from probe.episodes.files import line_of, record_of
@@ -25,6 +25,7 @@ from probe.transcripts.coordinates import meant
 from probe.transcripts.result_texts import ResultTexts
 
 Said = ParamSpec("Said")
+Env = TypeVar("Env", bound="ProbeEnv")
 
 
 class NoEpisode(ProbeError):
@@ -34,7 +35,7 @@ class NoEpisode(ProbeError):
         super().__init__("No episode has begun. Call reset(task=...) first.")
 
 
-def as_tool(described: Callable[Concatenate[ProbeEnv, Said], str]) -> Callable[..., str]:
+def as_tool(described: Callable[Concatenate[Env, Said], str]) -> Callable[..., str]:
     """A method that sends what it is called with to the tool of its name, whether or not it fits.
 
     Malformed calls then cost a turn and are told off in the tool's words, as in an evaluation.
@@ -42,7 +43,7 @@ def as_tool(described: Callable[Concatenate[ProbeEnv, Said], str]) -> Callable[.
     names = list(inspect.signature(described).parameters)[1:]
 
     @wraps(described)
-    def called(env: ProbeEnv, /, *values: object, **named: object) -> str:
+    def called(env: Env, /, *values: object, **named: object) -> str:
         given = dict(zip(names, values, strict=False)) | named
         return env(described.__name__, given).text
 
