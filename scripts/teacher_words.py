@@ -1,4 +1,4 @@
-"""Write the words of today's phrases into the scripted teacher's episodes of a collection.
+"""Write the words of today's phrases into the scripted teacher's episodes with tools.
 
 Phrases change more often than what the teacher does. An episode whose calls would be others today
 is an error: collect it again. For runs/data/teacher.tar.xz, which a test compares with the phrases:
@@ -24,6 +24,8 @@ def say_again(batch: Batch) -> bool:
     """Whether a batch's episodes had other words; they have today's now."""
     tasks = {task.id: task for task in read_suite(batch.folder / SUITE).tasks}
     path = batch.setting("agentic") / RECORDS
+    if not path.exists():
+        return False
     before = read_records(path)
     now = [rephrased(tasks[record.task], record) for record in before]
     if now == before:

@@ -102,11 +102,20 @@ def test_it_says_what_its_answer_rests_on(play):
     die = next(it for it in read_graph(count.steps[-2].text).objects if it.name == "red die")
     assert f" {die.object_id}" in count.steps[-1].call.words
     assert "[150, 100]" in last_words(play, "size") and "[100, 80]" in last_words(play, "size")
-    assert "yellow" in last_words(play, "compare")
-    assert re.search(r"\bis red\b", last_words(play, "compare"))
+    said = last_words(play, "compare")
+    assert re.search(r"\bis red\b", said) and re.search(r"\bis yellow\b", said)
 
 
-def test_what_went_into_the_basket_is_counted_apart(play):
+def test_of_two_that_look_as_large_it_guesses(play):
+    subject, form, options, _, text = CASES["size"]
+    blocks = [Block(2, (280, 200, 379, 299)), Block(3, (660, 660, 759, 759))]
+    agent = Scripted("size", subject, rng(), form=form, say=PhraseBook(rng()))
+    record = play(agent, options, SPECS, blocks, Obedient(), text)
+    letter = record.answer.choice
+    assert record.steps[-1].call.words in [it.format(letter=letter) for it in phrases()["guess"]]
+
+
+def test_what_went_along_is_counted_apart(play):
     """A die on the bowl goes along with it."""
     subject, form, options, blocks, text = CASES["count"]
     on_top = [*blocks, Block(2, (440, 440, 489, 489), 0.1)]
@@ -118,7 +127,7 @@ def test_what_went_into_the_basket_is_counted_apart(play):
             return super().grasp_and_remove(station, frame, mask, drop_at)
 
     record = play(agent, options, SPECS, on_top, Taking(), text)
-    assert "and 1 in the basket" in record.steps[-1].call.words
+    assert "and 1 that went along with what I lifted" in record.steps[-1].call.words
     assert record.answer.choice == "B"
 
 
@@ -188,6 +197,8 @@ def test_what_shows_is_answered_at_once():
     one = glance("count", "red die", "plain", ["1", "2"], [Block(2, (500, 500, 559, 559))])
     # Who answers at sight was told no object_ids.
     assert one and "the thing at (529, 529)" in one.words and "object_" not in one.words
+    zero = glance("count", "red die", "plain", ["0", "2"], [Block(3, (1, 1, 60, 60))])
+    assert zero and zero.letter == "A" and "none" in zero.words
     none = glance(
         "count", "red die", "plain", ["1", "2", "3", "4", NONE], [Block(3, (1, 1, 60, 60))]
     )

@@ -13,8 +13,8 @@ from probe.errors import BadData
 from probe.train.serve.serving import reserved, serve
 from probe.train.serve.speaking import MOST_TOKENS, ServedModel
 
-HOTTEST = 2.0
-"""The highest temperature that OpenAI's protocol knows."""
+HIGHEST_TEMPERATURE = 2.0
+"""What OpenAI's protocol allows."""
 
 
 def serve_model(
@@ -44,9 +44,9 @@ def serve_model(
         temperature: At which replies are drawn where a request doesn't say; at 0 none are.
         seed: Of what is drawn. Replies also depend on the order of the requests.
     """
-    check_numbers({"--port": port, "--most-tokens": most_tokens})
-    if not 0 <= temperature <= HOTTEST:
-        raise BadData("--temperature", f"is {temperature}", f"Say 0 to {HOTTEST:g}")
+    check_numbers({"--port": port, "--most-tokens": most_tokens, "--seed": seed})
+    if not 0 <= temperature <= HIGHEST_TEMPERATURE:
+        raise BadData("--temperature", f"is {temperature}", f"Say 0 to {HIGHEST_TEMPERATURE:g}")
     called = name or f"{Path(model).name}{'-constrained' if constrained else ''}"
     with reserved(port) as held:
         speaker = ServedModel(

@@ -36,7 +36,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         both = yield from uncover_both(asked.question, search, bold=bold)
         letter = _fitting(form, wanted, both) if bold or all(both) else None
     if letter and all(both):
-        yield from answer(letter, words=_reason(form, letter, wanted, both, say))
+        yield from answer(letter, words=_reason(asked, letter, wanted, both, say))
     elif letter:
         yield from answer(letter, words=say("guess", {"letter": letter}))
     elif bold:
@@ -83,10 +83,6 @@ def _words(text: str) -> list[str]:
     return plain or found
 
 
-def _colour_told(seen: Seen) -> str:
-    return next(iter(_colours(seen)), "of no colour that I can name")
-
-
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     """By colour one of the two that can be named is enough: just one has the colour."""
     both = marked_at_sight(asked)
@@ -100,19 +96,31 @@ def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     letter = _fitting(asked.form, wanted, both)
     if letter is None:
         return None
-    return FirstLookAnswer(letter, _reason(asked.form, letter, wanted, both, say))
+    return FirstLookAnswer(letter, _reason(asked, letter, wanted, both, say))
 
 
-def _reason(form: str, letter: str, wanted: Sequence[str], both: Both, say: Say) -> str:
-    named = [seen for seen in both if seen is not None]
-    names = [seen.name or "" for seen in named]
-    if len(names) == 2:
-        slots = {"one": names[0], "two": names[1], "letter": letter, "colour": " ".join(wanted)}
-        slots |= zip(("colour_one", "colour_two"), map(_colour_told, named), strict=True)
-        return say("compare darker" if form == "darker" else "compare colour", slots)
-    chosen = both["AB".index(letter)] is not None
-    slots = {"thing": names[0], "letter": letter}
-    return say("sight colour one" if chosen else "sight colour other", slots)
+def _reason(
+    asked: ScriptedQuestion | FirstLookQuestion,
+    letter: str,
+    wanted: Sequence[str],
+    both: Both,
+    say: Say,
+) -> str:
+    """Why it is that letter: by both colours where these decide it, else by one alone."""
+    one, two = both
+    first = [_colours(seen)[:1] if seen else [] for seen in both]
+    chosen = "AB".index(letter)
+    if one and two and all(first) and (asked.form == "darker" or first[chosen] == wanted):
+        slots = {"one": one.name or "", "two": two.name or "", "letter": letter}
+        slots |= {"colour_one": first[0][0], "colour_two": first[1][0]}
+        slots |= {"colour": " ".join(wanted), "thing": asked.subject}
+        return say(f"compare {asked.form}", slots)
+    if asked.form == "darker":
+        return say("guess", {"letter": letter})
+    fits = first[chosen] == wanted
+    told = both[chosen if fits else 1 - chosen]
+    slots = {"thing": (told and told.name) or "", "letter": letter}
+    return say("sight colour one" if fits else "sight colour other", slots)
 
 
 PLAN = TypePlan(_begin, _at_sight)

@@ -33,7 +33,7 @@ class _Tally:
     def each(self) -> list[str]:
         """What to call each of them."""
         shown = [seen.object_id or seen.place for seen in self.shown]
-        return [*shown, f"{self.gone} in the basket"] if self.gone else shown
+        return [*shown, f"{self.gone} that went along with what I lifted"] if self.gone else shown
 
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
@@ -52,7 +52,8 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
             # What lay on the thing or in it went along.
             gone += max(0, len(now.shown) - len(shown))
         now = _Tally(shown, gone)
-        most = max(most, now, key=lambda it: it.number)
+        # Of equal ones the last: things that were moved have other object_ids since.
+        most = now if now.number >= most.number else most
     if search.complete or asked.bold:
         found = _counted(asked.question, most.number, most.each, sure=search.complete)
         yield from conclude(asked, found, search)
@@ -66,9 +67,9 @@ def _counted(
     letter = letters[0] if letters else none_of_them(question)
     if letter is None:
         return None
-    occasion = "guess" if not sure else "count" if letters else "count none"
-    slots = {"number": str(number), "each": joined(each) if each else "none"}
-    return FoundAnswer(letter, occasion, slots)
+    occasion = " ".join(["count", *([] if each else ["zero"]), *([] if letters else ["none"])])
+    slots = {"number": str(number), "each": joined(each) if each else ""}
+    return FoundAnswer(letter, occasion if sure else "guess", slots)
 
 
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:

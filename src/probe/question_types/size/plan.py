@@ -39,6 +39,8 @@ def _length(seen: Seen) -> float:
 
 def _reason(form: str, letter: str, both: tuple[Seen, Seen], say: Say) -> str:
     one, two = both
+    if one.size == two.size:
+        return say("guess", {"letter": letter})
     slots = {
         "one": one.name or "",
         "two": two.name or "",

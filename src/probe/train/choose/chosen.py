@@ -25,6 +25,7 @@ from probe.tasks.task import Task
 from probe.train.choose.candidates import EpisodeCandidate
 from probe.train.choose.evaluation import Leak
 from probe.train.choose.selection import Recipe, Selection
+from probe.transcripts.prompts import setting_named
 
 SELECTION = "selection.json"
 _REMEDY = "Select again: probe select FOLDER... --out OUT"
@@ -119,7 +120,8 @@ def counts_of(chosen: Sequence[EpisodeCandidate]) -> dict[str, dict[str, int]]:
     counts: dict[str, dict[str, int]] = {}
     for it in chosen:
         settings = counts.setdefault(it.task.question_type, {"direct": 0, "agentic": 0})
-        settings["direct" if it.direct else "agentic"] += 1
+        setting = setting_named(it.record.setting or "agentic")
+        settings[setting] = settings.get(setting, 0) + 1
     return counts
 
 

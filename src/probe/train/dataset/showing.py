@@ -9,7 +9,7 @@ from PIL import Image
 
 from probe.episodes.conditions import NO_DIALS
 from probe.episodes.record import EpisodeRecord, Step
-from probe.errors import ProbeError
+from probe.errors import BadData, ProbeError
 from probe.perception.things import Thing, Words
 from probe.report.scene_renderer import SceneRenderer
 from probe.scene.scene import Scene
@@ -69,6 +69,7 @@ def shown(
         side_px: Width and height; by default as models are sent them.
 
     Raises:
+        BadData: The episode was played without pictures.
         OtherPerception: Perception wasn't the oracle's, or the setting is another.
     """
     _check(record)
@@ -83,6 +84,9 @@ def shown(
 
 
 def _check(record: EpisodeRecord) -> None:
+    if record.setting and setting_named(record.setting) == "text-only":
+        reason = f"{record.task} was played without pictures"
+        raise BadData("--setting", reason, "Say --setting text-only")
     if record.setting and setting_named(record.setting) not in ("agentic", "direct"):
         raise OtherPerception(record, f"its setting is {record.setting}")
     if "," in record.setting:

@@ -108,7 +108,8 @@ class ServedModel:
         start = asked["input_ids"].shape[1]
         most = int(body.get("max_completion_tokens") or body.get("max_tokens") or 0)
         most = self._room(start, most or self._most_tokens)
-        warmth = float(body.get("temperature", self._temperature) or 0.0)
+        said = body.get("temperature")
+        warmth = self._temperature if said is None else float(said)
         how: dict[str, Any] = {"do_sample": warmth > 0}
         if warmth > 0:
             how["temperature"] = warmth

@@ -120,6 +120,13 @@ def test_object_ids_in_words_are_those_of_the_mirrored_table():
     level = played(BLOCKS, [LOOK, counted("object_3", "object_4")])
     with pytest.raises(NotCertain, match="names equally high things in an order"):
         mirrored(FIND, level)
+    other = played(BLOCKS, [LOOK, counted("object_1", "object_3")])
+    assert "object_1 and object_4" in mirrored(FIND, other).steps[-1].call.words
+    # They were, in an earlier list.
+    moved = played(BLOCKS, [LOOK, find(315, 415), grasp("object_3"), LOOK])
+    later = replace(moved.steps[-1], call=counted("object_3", "object_4"))
+    with pytest.raises(NotCertain, match="names equally high things in an order"):
+        mirrored(FIND, replace(moved, steps=(*moved.steps[:-1], moved.steps[-1], later)))
 
 
 def test_mirrored_twice_it_is_the_same_again():

@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+import numpy as np
+
 from probe.agents.phrases import PhraseBook
 from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
@@ -58,9 +60,16 @@ def augmented(
 
 
 def _told(way: AugmentationWay, task: Task, record: EpisodeRecord, seed: int) -> EpisodeRecord:
-    if way == "mirrored":
-        return mirrored(task, record)
-    if way == "phrases":
-        rng = generator(seed, "phrases", task.id, record.run)
-        return rephrased(task, record, PhraseBook(rng))
-    return reworded(task, record, generator(seed, "wording", task.id, record.run))
+    def rng(name: str) -> np.random.Generator:
+        return generator(seed, name, task.id, record.run)
+
+    match way:
+        case "mirrored":
+            return mirrored(task, record)
+        case "wordings":
+            return reworded(task, record, rng("wording"))
+        case "phrases":
+            told = rephrased(task, record, PhraseBook(rng("phrases")))
+            if told == record:
+                raise NotCertain(record.task, "its teacher's phrases came out the same")
+            return told

@@ -75,6 +75,7 @@ class _Telling:
         listed: What the last list had.
         listed_now: Whether nothing has been moved since.
         moved: Whether anything has been moved at all.
+        level: Object_ids of two that were equally high in a list.
     """
 
     task: str
@@ -85,6 +86,7 @@ class _Telling:
     listed: tuple[ListedThing, ...] = ()
     listed_now: bool = False
     moved: bool = False
+    level: set[frozenset[str]] = field(default_factory=set[frozenset[str]])
 
     def step(self, step: Step) -> Step:
         """The next step, mirrored.
@@ -118,6 +120,7 @@ class _Telling:
             anew = [it.object_id for it in told.things if it.object_id in new]
             self.renamed |= dict(zip(anew, new, strict=True))
         self.listed, self.listed_now = listing.things, True
+        self.level |= {frozenset((a.object_id, b.object_id)) for a, b in level(self.listed)}
         return told.text
 
     def _reply(self, text: str, tool: str) -> str:
@@ -139,7 +142,7 @@ class _Telling:
         words = mirrored_words(call.words, direction)
         if words is None:
             raise NotCertain(self.task, "its teacher spoke freely")
-        if len(_ID.findall(words)) > 1 and level(self.listed):
+        if any(pair <= {*_ID.findall(words)} for pair in self.level):
             raise NotCertain(self.task, "its teacher names equally high things in an order")
         words = self._with_new_ids(words)
         if call.name == "find_object" or "point" in said:
