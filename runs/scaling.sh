@@ -50,8 +50,6 @@ if [ -z "$BASE" ]; then
     BASE=$OUT/base
     [ -d "$BASE" ] || $probe unpack-model "$BASE"
 fi
-runs/serve_and_run.sh base "$BASE"
-$probe run "$SUITE" --agent scripted --out "$OUT/runs/scripted" --workers "$WORKERS"
 
 for size in $SIZES; do
     chosen=$OUT/$size/selected
@@ -74,6 +72,10 @@ for size in $SIZES; do
         runs/serve_and_run.sh "$name" "$here/trained/model"
     done
 done
+
+step "what they are compared with: the model as it was, and the teacher"
+runs/serve_and_run.sh base "$BASE"
+$probe run "$SUITE" --agent scripted --out "$OUT/runs/scripted" --workers "$WORKERS"
 
 step "at which step of using the tools each fails, and what is right"
 $probe ladder "$OUT"/runs/* --out "$OUT/ladder.md"
