@@ -17,8 +17,10 @@ from probe.assets.library import open_library
 from probe.cli.collect import CollectionSize
 from probe.cli.collect import collect as begin
 from probe.cli.teaching import TeachingSetup
+from probe.episodes.folder import SUITE
 from probe.errors import BadData
 from probe.generation.build_folder import BuildFolder, TaskSlot
+from probe.tasks.suite_file import read_suite
 from probe.train.collect.batches import TASKS, batches
 from probe.train.collect.settings import claim
 from probe.train.collect.training import FIRST_EPISODE
@@ -68,6 +70,34 @@ def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, mis
     (grade,) = batches(tmp_path)[0].grades()
     assert grade.correct is (None if missing else True)
     assert len(refused) == (3 if missing else 1)
+
+
+@pytest.mark.slow
+def test_a_model_without_sight_plays_and_is_graded(tmp_path, cache):
+    BuildFolder(tmp_path / TASKS).keep(
+        TaskSlot("count", 2_000_000), TASK, open_library("procedural", None, cache)
+    )
+    read = list[str]()
+
+    def script(number: int, body: dict[str, Any]) -> Reply:
+        if "Say hello." in str(body["messages"]):
+            return Reply("Hello.")
+        read.append(str(body["messages"][-1]["content"]))
+        if len(read) == 1:
+            return Reply(calls=(("perceive_scene", "{}"),))
+        return Reply(calls=(("answer_question", f'{{"choice": "{TASK.answer}"}}'),))
+
+    with serving(script) as server:
+        ended = collect(
+            *(tmp_path, "--endpoint", server.url, "--settings", "text-only", "--graphs", "short"),
+            *("--workers", "1", "--most-episodes", "1", "--pool", "procedural"),
+        )
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert read[1].startswith("# All that shows, from top to bottom")
+    assert TASK.question in read[0] and "data:image" not in str(read)
+    (batch,) = batches(tmp_path)
+    (record,) = batch.records("text-only", read_suite(batch.folder / SUITE)).values()
+    assert record.setting == "text-only, short graphs" and batch.grades()[0].correct
 
 
 def test_a_collection_has_one_renderer(tmp_path):

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from lessons import lesson, training_task
+from painted_teacher import SIZE, taught
 from probe.assets.spec import ObjectSpec
 from probe.cli.dataset import dataset
 from probe.errors import BadData
@@ -100,6 +101,18 @@ def test_the_seed_decides_and_nothing_else(chosen):
     # An episode's wording doesn't hang on those beside it.
     alone = augmented(chosen.episodes[1:2], ["wordings"], 1)
     assert [record.question.text for _, _, record in alone.episodes] == questions(1)[1:]
+
+
+def test_phrases_are_the_teachers_and_never_the_same(tmp_path, chosen):
+    """A teacher who says it the same way is left out, and one that isn't the scripted one."""
+    assert augmented(chosen.episodes, ["phrases"], 0).left_out == {
+        "phrases": {"its teacher isn't the scripted one": 3}
+    }
+    told = [augmented([(SIZE, taught())], ["phrases"], seed) for seed in range(5)]
+    assert all(it.episodes[0][0] == "phrases" for it in told if it.episodes)
+    assert len({it.episodes[0][2].steps[0].call.words for it in told if it.episodes}) > 1
+    saying = told[0].episodes[0][2]
+    assert [step.text for step in saying.steps] == [step.text for step in taught().steps]
 
 
 def test_fewer_than_were_told_is_an_error(tmp_path, chosen):
