@@ -3,7 +3,7 @@
 # for each number of examples two trainings, each evaluated on tasks for validation. One reads the
 # examples alone, four times; the other each of them once in four ways (as it went, mirrored, asked in
 # other words, with other phrases of the teacher), so that both make about as many updates. The tasks
-# have objects of the pool for training, as examples have, and seeds of their own, so nothing is chosen
+# have objects of the pool for training, as examples have, and seeds of their own, in the same light, so nothing is chosen
 # here by a suite. Each step goes on where it was stopped: run it again, with the same settings. SIZES
 # and WAYS may grow.
 #
@@ -19,7 +19,7 @@ STUDENT=${STUDENT:-outputs/student}     # has collected/
 OUT=${OUT:-outputs/scaling}
 SIZES=${SIZES:-75 150}
 WAYS=${WAYS:-plain augmented}
-VALIDATION=${VALIDATION:---counts.count 16 --counts.find 16 --counts.size 12 --counts.compare 10 --counts.reduce 6}
+VALIDATION=${VALIDATION:---lighting ambient --counts.count 16 --counts.find 16 --counts.size 12 --counts.compare 10 --counts.reduce 6}
 CHOOSE=${CHOOSE:---slack 3}             # more options of probe select
 TUNE=${TUNE:---learning-rate 2e-4 --global-batch 1 --warmup 0.1 --save-every 100 --no-save-memory}
 SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
