@@ -3,9 +3,9 @@
 # for each number of examples two trainings, each evaluated on tasks for validation. One reads the
 # examples alone, four times; the other each of them once in four ways (as it went, mirrored, asked in
 # other words, with other phrases of the teacher), so that both make about as many updates. The tasks
-# have objects of the pool for training, as examples have, and seeds of their own, in the same light, so nothing is chosen
-# here by a suite. Each step goes on where it was stopped: run it again, with the same settings. SIZES
-# and WAYS may grow.
+# have objects of the pool for training, as examples have, and seeds of their own, in the same light, so
+# nothing is chosen here by a suite. Each step goes on where it was stopped: run it again, with the same
+# settings. SIZES and WAYS may grow.
 #
 #   COUNTS="--total 250" runs/student.sh && runs/scaling.sh     # 75 and 150 examples, into outputs/scaling
 #   SIZES="75 150 300" STUDENT=elsewhere OUT=there runs/scaling.sh
