@@ -48,6 +48,7 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         raise BadData(dataset, reason, "Write it with --setting text-only")
     collator = collator_for(processor)
     take_up(out, asked)
+    libraries.score_learnt_tokens_alone()
     trainer = libraries.trl().SFTTrainer(
         model=loaded,
         args=settings,
