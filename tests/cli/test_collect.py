@@ -41,12 +41,16 @@ def collect(out: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
     )  # fmt: skip
 
 
+def make_ready(out: Path, cache: Path) -> None:
+    """The task that would be made first."""
+    things = open_library("procedural", None, cache)
+    BuildFolder(out / TASKS).keep(TaskSlot("count", 2_000_000), TASK, things)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("failures", "missing"), [(1, 0), (99, 1)])
 def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, missing):
-    BuildFolder(tmp_path / TASKS).keep(
-        TaskSlot("count", 2_000_000), TASK, open_library("procedural", None, cache)
-    )
+    make_ready(tmp_path, cache)
     refused = list[int]()
 
     def script(number: int, body: dict[str, Any]) -> Reply:
@@ -74,9 +78,7 @@ def test_what_a_server_refuses_is_asked_for_again(tmp_path, cache, failures, mis
 
 @pytest.mark.slow
 def test_a_model_without_sight_plays_and_is_graded(tmp_path, cache):
-    BuildFolder(tmp_path / TASKS).keep(
-        TaskSlot("count", 2_000_000), TASK, open_library("procedural", None, cache)
-    )
+    make_ready(tmp_path, cache)
     read = list[str]()
 
     def script(number: int, body: dict[str, Any]) -> Reply:

@@ -44,6 +44,7 @@ _RANGES: Mapping[str, tuple[float, float]] = {
     "--sigma": (0, 0.5),
     "--slack": (0, 1000),
     "--slow-motions": (0, _MANY),
+    "--temperature": (0, 2),
     "--timeout": (1, 86_400),
     "--total": (1, _MANY),
     "--vision-layers": (1, 1024),

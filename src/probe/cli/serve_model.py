@@ -9,12 +9,8 @@ import tyro
 
 from probe.cli.numbers import check_numbers
 from probe.cli.screen import say
-from probe.errors import BadData
 from probe.train.serve.serving import reserved, serve
 from probe.train.serve.speaking import MOST_TOKENS, ServedModel
-
-HIGHEST_TEMPERATURE = 2.0
-"""What OpenAI's protocol allows."""
 
 
 def serve_model(
@@ -44,9 +40,14 @@ def serve_model(
         temperature: At which replies are drawn where a request doesn't say; at 0 none are.
         seed: Of what is drawn. Replies also depend on the order of the requests.
     """
-    check_numbers({"--port": port, "--most-tokens": most_tokens, "--seed": seed})
-    if not 0 <= temperature <= HIGHEST_TEMPERATURE:
-        raise BadData("--temperature", f"is {temperature}", f"Say 0 to {HIGHEST_TEMPERATURE:g}")
+    check_numbers(
+        {
+            "--port": port,
+            "--most-tokens": most_tokens,
+            "--temperature": temperature,
+            "--seed": seed,
+        }
+    )
     called = name or f"{Path(model).name}{'-constrained' if constrained else ''}"
     with reserved(port) as held:
         speaker = ServedModel(
