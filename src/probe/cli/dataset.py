@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import chain
 from typing import Literal
 
@@ -28,6 +29,11 @@ from probe.train.dataset.augment.augmenting import (
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
 from probe.train.dataset.folder import Form, write_dataset
+from probe.train.dataset.listed_ids import (
+    SayWithoutFinding,
+    said_without_finding,
+    without_finding,
+)
 from probe.train.dataset.manifest import augmented_told
 from probe.train.dataset.text_only import as_text_only, no_pictures
 from probe.transcripts.prompts import Graphs
@@ -44,6 +50,7 @@ def dataset(
     others: bool = True,
     setting: Literal["text-only"] | None = None,
     graphs: Graphs | None = None,
+    find: bool = True,
     augment: list[AugmentationWay] | None = None,
     seed: int = 0,
     pool: Pool = "procedural-2",
@@ -64,6 +71,9 @@ def dataset(
         setting: Tell the episodes as a student sees them in this setting; by default as the
             teacher did. In text-only there are no pictures.
         graphs: How lists are told in the setting text-only; by default in full.
+        find: Tell what the scripted teacher looked for by find_object. If not, grasps and pushes
+            take their object_ids from the last list, about a quarter of all calls is left out, and
+            the teacher's words are others. Can be left out in the setting text-only alone.
         augment: Tell each episode once more in each of these ways, where that is certain: mirrored
             left to right, with its question in another wording, or with other phrases of the
             scripted teacher. Such examples are marked and counted apart. In the setting text-only
@@ -74,11 +84,8 @@ def dataset(
     """
     check_new(out)
     check_numbers({"--workers": workers})
-    _check(side, setting, graphs, augment)
-    chosen = read_selection(selected)
-    if setting is not None:
-        chosen = as_text_only(chosen, graphs or "full")
-    again = augmented(chosen.episodes, augment or [], seed)
+    _check(side, setting, graphs, augment, find=find)
+    chosen, again = _told(read_selection(selected), setting, graphs, augment or [], seed, find=find)
     opened = opener(pool)
     things = opened()
     kept = out.with_name(f"{out.name}.pictures")
@@ -92,7 +99,7 @@ def dataset(
             pass
     counting = points or _points_of(chosen)
     specs = {spec.id: spec for spec in things.specs}
-    form = Form(name, counting, side, others)
+    form = Form(name, counting, side, others, find)
     examples = _examples(chosen, worker if setting is None else None, counting)
     told_again = _told_again(again, counting)
     manifest = write_dataset(out, chain(examples, told_again), chosen, form, specs, again)
@@ -105,11 +112,34 @@ def dataset(
         say(augmented_told(manifest))
 
 
+def _told(
+    chosen: LoadedSelection,
+    setting: str | None,
+    graphs: Graphs | None,
+    augment: list[AugmentationWay],
+    seed: int,
+    *,
+    find: bool,
+) -> tuple[LoadedSelection, Augmentation]:
+    """The episodes in a student's setting, and those that are told again."""
+    if setting is not None:
+        chosen = as_text_only(chosen, graphs or "full")
+    if find:
+        return chosen, augmented(chosen.episodes, augment, seed)
+    chosen = said_without_finding(chosen)
+    again = augmented(chosen.episodes, augment, seed, SayWithoutFinding)
+    episodes = tuple((task, without_finding(record)) for task, record in chosen.episodes)
+    told = tuple((way, task, without_finding(record)) for way, task, record in again.episodes)
+    return replace(chosen, episodes=episodes), replace(again, episodes=told)
+
+
 def _check(
     side: int,
     setting: str | None,
     graphs: Graphs | None,
     augment: list[AugmentationWay] | None,
+    *,
+    find: bool,
 ) -> None:
     """See that each option is in range and does something."""
     whole = UR5_TABLE.picture_px
@@ -119,6 +149,9 @@ def _check(
         raise BadData("--side", f"does nothing with --setting {setting}", "Leave it out")
     if setting is None and graphs is not None:
         raise BadData("--graphs", "does nothing without --setting", "Say --setting text-only, too")
+    if setting is None and not find:
+        reason = "pictures that were drawn show what was found"
+        raise BadData("--no-find", reason, "Say --setting text-only, too, or leave it out")
     if setting is None and augment:
         reason = "pictures can't be told again, only texts"
         raise BadData("--augment", reason, "Say --setting text-only, too, or leave it out")

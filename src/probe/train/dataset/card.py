@@ -9,7 +9,12 @@ from importlib.resources import files
 from probe.assets.spec import ObjectSpec
 from probe.scene.setup import UR5_TABLE
 from probe.train.choose.chosen import LoadedSelection
-from probe.train.dataset.manifest import Manifest, augmented_told, objects_told
+from probe.train.dataset.manifest import (
+    WITHOUT_FINDING,
+    Manifest,
+    augmented_told,
+    objects_told,
+)
 
 _PLACES = {"pixels": "in pixels of a picture 1024 wide and high", "0-1000": "in thousandths"}
 
@@ -31,6 +36,8 @@ def card(
             words = _without(words, f"| `{folder}`")
     if not manifest.augmented:
         words = _without(words, "- **Augmented**")
+    if manifest.find:
+        words = _without(words, "- **Retold**")
     document = chosen.document
     return words.format(
         name=name,
@@ -47,6 +54,7 @@ def card(
         ),
         objects=objects_told(manifest.objects),
         augmented=augmented_told(manifest),
+        without_finding=WITHOUT_FINDING,
         licences=_licences(shown_in(chosen), specs),
     )
 

@@ -59,12 +59,14 @@ class Form:
         points: How places are counted.
         side_px: Width and height of pictures.
         others: Whether LLaMA-Factory's and VILA's forms are written too.
+        find: Whether what the teacher looked for by find_object is told.
     """
 
     name: str
     points: str
     side_px: int
     others: bool = True
+    find: bool = True
 
 
 @dataclass
@@ -130,6 +132,7 @@ def write_dataset(
             },
             augmented={way: dict(sorted(written.augmented[way].items())) for way in again.left_out},
             not_augmented={way: dict(some) for way, some in again.left_out.items()},
+            find=form.find,
             files={path.relative_to(folder).as_posix(): mark_of(path) for path in files},
         )
         write_text(folder / CARD, card(form.name, manifest, chosen, specs))

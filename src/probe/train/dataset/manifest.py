@@ -36,6 +36,7 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
             "evaluation", or "neither" (scans, a user's own); empty in older data sets.
         augmented: How many are told otherwise than they went, by way and type; none in most.
         not_augmented: How many couldn't be told so for sure, by way and reason.
+        find: Whether what the teacher looked for by find_object is told.
         files: All others, by their path.
     """
 
@@ -47,6 +48,7 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
     objects: dict[str, int] = {}
     augmented: dict[str, dict[str, int]] = {}
     not_augmented: dict[str, dict[str, int]] = {}
+    find: bool = True
     files: dict[str, FileMark]
 
     @property
@@ -73,6 +75,11 @@ _WAYS = {
     "wordings": "episodes of these, asked in other words",
     "phrases": "episodes of these, with other phrases of the teacher",
 }
+
+
+WITHOUT_FINDING = (
+    "find_object is left out: grasps and pushes take their object_ids from the last list."
+)
 
 
 def objects_told(objects: Mapping[str, int]) -> str:

@@ -23,6 +23,7 @@ from probe.train.dataset.manifest import check_dataset
 from probe.train.dataset.text_only import as_text_only, no_pictures
 
 SHORT = "text-only, short graphs"
+FORM = Form("x", "pixels", 1024)
 REASON = "its teacher spoke freely, and may have quoted the question"
 
 
@@ -49,7 +50,7 @@ def examples_of(chosen, again):
         yield example_of(task, record, no_pictures(record), None, way)
 
 
-def write(out, chosen, again):
+def write(out, chosen, again, form=FORM):
     ids = {it.object_id for task in chosen.suite.tasks for it in task.scene.objects}
     specs = {
         id: ObjectSpec(
@@ -58,7 +59,6 @@ def write(out, chosen, again):
         )
         for id in ids
     }  # fmt: skip
-    form = Form("x", "pixels", 1024)
     return write_dataset(out, examples_of(chosen, again), chosen, form, specs, again)
 
 
@@ -118,12 +118,26 @@ def test_phrases_are_the_teachers_and_never_the_same(tmp_path, chosen):
 def test_fewer_than_were_told_is_an_error(tmp_path, chosen):
     again = augmented(chosen.episodes, ["wordings"], 0)
     fewer = replace(again, episodes=again.episodes[:1])
-    form = Form("x", "pixels", 1024)
     with pytest.raises(BadData, match="augmented examples are"):
-        write_dataset(tmp_path / "data", examples_of(chosen, fewer), chosen, form, {}, again)
+        write_dataset(tmp_path / "data", examples_of(chosen, fewer), chosen, FORM, {}, again)
     assert not (tmp_path / "data").exists()
 
 
 def test_episodes_with_pictures_are_not_told_again(tmp_path):
     with pytest.raises(BadData, match=r"--augment: .*Say --setting text-only, too"):
         dataset(Path("selected"), tmp_path / "out", augment=["mirrored"])
+
+
+def test_with_pictures_find_object_is_told(tmp_path):
+    with pytest.raises(BadData, match=r"--no-find: .*Say --setting text-only, too"):
+        dataset(Path("selected"), tmp_path / "out", find=False)
+
+
+def test_a_data_set_without_find_object_says_so(tmp_path, chosen):
+    form = Form("x", "pixels", 1024, find=False)
+    manifest = write(tmp_path / "data", chosen, Augmentation(), form)
+    assert not manifest.find
+    card = (tmp_path / "data/README.md").read_text()
+    assert "find_object is left out" in card
+    write(tmp_path / "whole", chosen, Augmentation())
+    assert "find_object is left out" not in (tmp_path / "whole/README.md").read_text()

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 
-from probe.agents.phrases import PhraseBook
+from probe.agents.phrases import PhraseBook, Say
 from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
@@ -21,6 +21,10 @@ from probe.train.dataset.augment.rewording import reworded
 AugmentationWay = Literal["mirrored", "wordings", "phrases"]
 """How an episode may be told again: mirrored left to right, asked in other words, or with other
 phrases of its teacher."""
+
+
+def _as_ever(say: Say) -> Say:
+    return say
 
 
 @dataclass(frozen=True)
@@ -39,7 +43,10 @@ class Augmentation:
 
 
 def augmented(
-    episodes: Sequence[tuple[Task, EpisodeRecord]], ways: Sequence[AugmentationWay], seed: int
+    episodes: Sequence[tuple[Task, EpisodeRecord]],
+    ways: Sequence[AugmentationWay],
+    seed: int,
+    saying: Callable[[Say], Say] = _as_ever,
 ) -> Augmentation:
     """Tell each episode once more in each of some ways, where that is certain.
 
@@ -47,19 +54,26 @@ def augmented(
         episodes: In the setting "text-only", with their tasks.
         ways: How.
         seed: Chooses among other wordings and phrases.
+        saying: What the teacher says, given what chooses among its phrases.
     """
     told = list[tuple[AugmentationWay, Task, EpisodeRecord]]()
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
     for way in left_out:
         for task, record in episodes:
             try:
-                told.append((way, task, _told(way, task, record, seed)))
+                told.append((way, task, _told(way, task, record, seed, saying)))
             except NotCertain as doubt:
                 left_out[way][doubt.reason] += 1
     return Augmentation(tuple(told), {way: dict(some) for way, some in left_out.items()})
 
 
-def _told(way: AugmentationWay, task: Task, record: EpisodeRecord, seed: int) -> EpisodeRecord:
+def _told(
+    way: AugmentationWay,
+    task: Task,
+    record: EpisodeRecord,
+    seed: int,
+    saying: Callable[[Say], Say],
+) -> EpisodeRecord:
     def rng(name: str) -> np.random.Generator:
         return generator(seed, name, task.id, record.run)
 
@@ -69,7 +83,7 @@ def _told(way: AugmentationWay, task: Task, record: EpisodeRecord, seed: int) ->
         case "wordings":
             return reworded(task, record, rng("wording"))
         case "phrases":
-            told = rephrased(task, record, PhraseBook(rng("phrases")))
+            told = rephrased(task, record, saying(PhraseBook(rng("phrases"))))
             if told == record:
                 raise NotCertain(record.task, "its teacher's phrases came out the same")
             return told

@@ -1,0 +1,103 @@
+"""The teacher's episodes without find_object: grasps and pushes take object_ids from lists.
+
+The teacher finds each thing by its place before it touches it, which is a call and four numbers to
+copy more than a reader of lists needs. What the other tools reply doesn't depend on it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from probe.agents.phrases import Say
+from probe.episodes.record import EpisodeRecord, Step
+from probe.toolshed.result import MOVING
+from probe.train.choose.chosen import LoadedSelection
+from probe.train.collect.teacher import speaker
+from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.rephrasing import rephrased
+from probe.transcripts.messages import PLAIN
+
+_LISTED = re.compile(r"^  object_id: (object_\d+)$", re.MULTILINE)
+_OCCASIONS = {"grasp": "listed grasp", "push": "listed push"}
+_SILENT = ("do grasp", "do push")
+
+
+@dataclass(frozen=True)
+class SayWithoutFinding:
+    """Words that speak of no search; a Say.
+
+    Attributes:
+        say: Chooses among phrases.
+    """
+
+    say: Say
+
+    def __call__(self, occasion: str, slots: Mapping[str, str]) -> str:
+        """Words for an occasion; what is said before a search covers the manipulation after it."""
+        if occasion in _SILENT:
+            return ""
+        return self.say(_OCCASIONS.get(occasion, occasion), slots)
+
+
+def said_without_finding(chosen: LoadedSelection) -> LoadedSelection:
+    """A selection in whose words nobody looks for anything; its calls are as they were.
+
+    Args:
+        chosen: The scripted teacher's episodes.
+
+    Raises:
+        NotCertain: Somebody else taught, or the teacher would do something else today.
+    """
+    episodes = (
+        (task, rephrased(task, record, SayWithoutFinding(speaker(task, record.run))))
+        for task, record in chosen.episodes
+    )
+    return replace(chosen, episodes=tuple(episodes))
+
+
+def without_finding(record: EpisodeRecord) -> EpisodeRecord:
+    """An episode whose manipulations take their object_ids from the last list.
+
+    Args:
+        record: What happened, in words of SayWithoutFinding.
+
+    Raises:
+        NotCertain: A search says something that its list doesn't, or nothing is done with it.
+    """
+    seat = record.participation or PLAIN
+    steps, replies = list[Step](), list(seat.replies[: len(record.steps)])
+    listed = set[str]()
+    for index, step in enumerate(record.steps):
+        name = step.call.name
+        if name == "find_object":
+            replies.pop(len(steps))
+            _check(record, index, listed)
+            continue
+        if name == "perceive_scene":
+            listed = set(_LISTED.findall(step.text))
+        if name in MOVING:
+            step = _with_words(step, record.steps[index - 1])
+            listed = set()
+        steps.append(step)
+    rest = seat.replies[len(record.steps) :]
+    told = replace(seat, replies=(*replies, *rest))
+    return replace(record, steps=tuple(steps), participation=told)
+
+
+def _check(record: EpisodeRecord, index: int, listed: set[str]) -> None:
+    """See that a search is followed by a manipulation of something that the last list has."""
+    following = record.steps[index + 1] if index + 1 < len(record.steps) else None
+    if following is None or following.call.name not in MOVING:
+        raise NotCertain(record.task, "nothing is done with what find_object found")
+    if following.call.values.get("object_id") not in listed:
+        raise NotCertain(record.task, "find_object gave an object_id that no list has")
+
+
+def _with_words(step: Step, before: Step) -> Step:
+    """A manipulation with what was said before the search for its object."""
+    if before.call.name != "find_object":
+        return step
+    words = f"{before.call.words} {step.call.words}".strip()
+    return replace(step, call=replace(step.call, words=words))
