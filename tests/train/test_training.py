@@ -70,6 +70,10 @@ def test_a_killed_training_goes_on_with_the_same_loss(tmp_path, dataset, model):
     assert sorted(whole) == [1, 2, 3, 4, 5, 6]
     assert losses(cut) == pytest.approx(whole, abs=NOISE)
     assert whole[6] < whole[1]
+    read, after = (
+        {it.step: it.tokens for it in read_log(tmp_path / name)} for name in ("whole", "cut")
+    )
+    assert after[6] == read[6] - read[2]  # since it went on
     run = Run.model_validate_json((cut / "run.json").read_text())
     assert run.steps == 6 and run.versions["trl"] and run.begun.tuning["epochs"] == 2.0
     assert f"| 6-6 | {losses(cut)[6]:.4f} |" in (cut / "README.md").read_text()

@@ -18,8 +18,10 @@ from probe.train.tune.training_log import (
 
 
 def note(log, step: int, tokens: int = 0) -> None:
-    state = SimpleNamespace(is_world_process_zero=True, global_step=step)
-    logs = {"loss": 1.0 / step, "learning_rate": 0.1, "num_tokens": tokens}
+    state = SimpleNamespace(
+        is_world_process_zero=True, global_step=step, num_input_tokens_seen=tokens
+    )
+    logs = {"loss": 1.0 / step, "learning_rate": 0.1}
     log.on_log(None, state, None, logs=logs)
 
 
@@ -47,8 +49,9 @@ def test_a_line_that_was_cut_off_spoils_neither_the_next_nor_the_end(tmp_path):
     text = (tmp_path / DIARY).read_text()
     (tmp_path / DIARY).write_text(text[:-20])
     again = diary_callback(tmp_path)
-    note(again, 2, tokens=40)
-    note(again, 3, tokens=90)
+    again.on_train_begin(None, SimpleNamespace(num_input_tokens_seen=50), None)
+    note(again, 2, tokens=90)
+    note(again, 3, tokens=140)
     assert [(it.step, it.loss) for it in read_log(tmp_path)] == [(1, 1.0), (2, 0.5), (3, 1 / 3)]
     # The step whose entry was cut off was made twice, but only what was written down counts.
     assert effort_of(tmp_path)[1] == 50 + 90

@@ -9,6 +9,8 @@ from typing import Any
 from probe.errors import BadData
 from probe.train.dataset.manifest import Manifest, check_dataset
 from probe.train.tune import libraries
+from probe.train.tune.by_blocks import attend_by_blocks
+from probe.train.tune.learnt_tokens import trainer_on_cpu
 from probe.train.tune.loading import collator_for, load
 from probe.train.tune.processors import sees
 from probe.train.tune.run_card import write_card
@@ -48,8 +50,7 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         raise BadData(dataset, reason, "Write it with --setting text-only")
     collator = collator_for(processor)
     take_up(out, asked)
-    libraries.score_learnt_tokens_alone()
-    trainer = libraries.trl().SFTTrainer(
+    trainer = _trainer_for(loaded)(
         model=loaded,
         args=settings,
         train_dataset=_rows(dataset, out, manifest, pictures=sees(processor)),
@@ -67,6 +68,14 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         shutil.rmtree(out / ROWS, ignore_errors=True)
         growing.rename(out / MODEL)  # at the very end: where it is, nothing is left to do
     return out / MODEL
+
+
+def _trainer_for(loaded: Any) -> Any:
+    """TRL's trainer; on a processor, one that doesn't waste its time."""
+    if libraries.torch().cuda.is_available():
+        return libraries.trl().SFTTrainer
+    attend_by_blocks(loaded)
+    return trainer_on_cpu()
 
 
 def _lora(tuning: Tuning) -> Any:

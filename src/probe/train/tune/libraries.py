@@ -78,20 +78,6 @@ def attend_to_any_length() -> None:
     torch().backends.cuda.enable_cudnn_sdp(False)
 
 
-def score_learnt_tokens_alone() -> None:
-    """Have TRL compare with the vocabulary only where a loss is taken, on a CPU, too.
-
-    TRL 1.16 does so where Triton is; elsewhere it projects all tokens, so that accelerators which
-    compile for each shape needn't compile again. A loss is taken on a quarter of a conversation's
-    tokens, and on two cores the rest took 45 % of a step (docs/results/log.md, 2026-11-29).
-    """
-    part("trl.trainer.utils")._use_triton = _always
-
-
-def _always(device: object) -> bool:
-    return True
-
-
 def part(name: str) -> Any:
     """Another one, or a part of one, by its full name.
 

@@ -13,7 +13,12 @@ from typing import Literal
 import pydantic
 
 from probe.files import write_text
-from probe.train.dataset.manifest import Manifest, augmented_told, objects_told
+from probe.train.dataset.manifest import (
+    WITHOUT_FINDING,
+    Manifest,
+    augmented_told,
+    objects_told,
+)
 from probe.train.tune import libraries
 from probe.train.tune.started import TrainingStart
 from probe.train.tune.training_log import (
@@ -129,7 +134,7 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         dataset=run.begun.dataset,
         mark=run.begun.dataset_sha256,
         total=manifest.total,
-        objects=" ".join(filter(None, [objects_told(manifest.objects), augmented_told(manifest)])),
+        objects=" ".join(filter(None, _told(manifest))),
         counts="\n".join(
             f"| {question_type} | {sum(settings.values()) - settings.get('direct', 0)} "
             f"| {settings.get('direct', 0)} |"
@@ -146,6 +151,12 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
         minutes=f"{run.seconds / 60:.1f}",
         loss="\n".join(curve),
     )
+
+
+def _told(manifest: Manifest) -> list[str]:
+    """What there is to know about the data set; a sentence that doesn't apply is empty."""
+    found = "" if manifest.find else WITHOUT_FINDING
+    return [objects_told(manifest.objects), augmented_told(manifest), found]
 
 
 def _mean(log: Sequence[LoggedStep]) -> float:

@@ -51,6 +51,7 @@ def settings_for(out: Path, tuning: Tuning) -> Any:
         dataloader_pin_memory=gpu,
         dataloader_num_workers=tuning.loaders,
         logging_steps=1,
+        include_num_input_tokens_seen="non_padding",
         save_strategy="steps",
         save_steps=tuning.save_every,
         save_total_limit=_KEPT,

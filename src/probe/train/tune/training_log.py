@@ -61,7 +61,16 @@ def diary_callback(out: Path) -> Any:
     base: Any = transformers().TrainerCallback
 
     class Diary(base):
-        """A TrainerCallback."""
+        """A TrainerCallback.
+
+        Attributes:
+            before: Tokens that earlier sessions had read.
+        """
+
+        before = 0
+
+        def on_train_begin(self, args: Any, state: Any, control: Any, **told: Any) -> None:
+            self.before = int(state.num_input_tokens_seen)
 
         def on_log(self, args: Any, state: Any, control: Any, **told: Any) -> None:
             logs: dict[str, Any] = told.get("logs") or {}
@@ -72,7 +81,7 @@ def diary_callback(out: Path) -> Any:
                     learning_rate=float(logs.get("learning_rate", 0.0)),
                     session=session,
                     seconds=time() - session,
-                    tokens=int(logs.get("num_tokens", 0)),
+                    tokens=int(state.num_input_tokens_seen) - self.before,
                 )
                 append_line(out / DIARY, entry.model_dump_json().encode() + b"\n")
 
