@@ -21,6 +21,7 @@ SIZES=${SIZES:-75 150}
 WAYS=${WAYS:-plain augmented}
 VALIDATION=${VALIDATION:---lighting ambient --looks 1 --counts.count 16 --counts.find 16 --counts.size 12 --counts.compare 7 --counts.reduce 6}
 CHOOSE=${CHOOSE:---slack 3}             # more options of probe select
+DATASET=${DATASET:---no-find}           # and of probe dataset
 TUNE=${TUNE:---learning-rate 2e-4 --global-batch 1 --warmup 0.1 --save-every 100 --no-save-memory}
 SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
@@ -38,7 +39,7 @@ check_port "$PORT"
 # With more to choose from, a small choice wouldn't be a part of a large one.
 collected=$(cat "$STUDENT"/collected/batches/*/grades.json | sha256sum | cut -c 1-16)
 same_settings "$OUT" "STUDENT=$STUDENT" "COLLECTED=$collected" "VALIDATION=$VALIDATION" \
-    "CHOOSE=$CHOOSE" "TUNE=$TUNE" "SERVE=$SERVE" "BASE=$BASE"
+    "CHOOSE=$CHOOSE" "DATASET=$DATASET" "TUNE=$TUNE" "SERVE=$SERVE" "BASE=$BASE"
 
 export SUITE=$OUT/validation.json WORKERS PORT OUT SERVE PROBE="$probe" ARMS=text-only RUN="--graphs short"
 step "validation: tasks that no example is of"
@@ -66,8 +67,8 @@ for size in $SIZES; do
         esac
         step "$name: data set, training, evaluation"
         [ -e "$here/data/manifest.json" ] ||
-            $probe dataset "$chosen" "$here/data" --setting text-only --graphs short --no-others $augment
-        $probe train "$here/data" --model "$BASE" --out "$here/trained" --cpu-bfloat16 \
+            $probe dataset "$chosen" "$here/data" --setting text-only --graphs short --no-others $DATASET $augment
+        keep_memory $probe train "$here/data" --model "$BASE" --out "$here/trained" --cpu-bfloat16 \
             $TUNE --epochs "$epochs"
         runs/serve_and_run.sh "$name" "$here/trained/model"
     done

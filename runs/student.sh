@@ -20,6 +20,7 @@ PORT=${PORT:-8001}
 TEACHER=${TEACHER-runs/data/teacher.tar.xz}
 COUNTS=${COUNTS:---counts.count 6 --counts.find 6 --counts.size 4 --counts.reduce 2 --counts.compare 4}
 SELECT=${SELECT:---slack 3 --no-near --counts count 6 find 6 size 4 reduce 2 compare 4}
+DATASET=${DATASET:---no-find}           # more options of probe dataset
 TRAIN=${TRAIN:---learning-rate 3e-4 --global-batch 2 --epochs 1 --warmup 0.1 --no-save-memory}
 SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
@@ -30,7 +31,7 @@ probe=${PROBE:-.venv/bin/probe}
 . runs/common.sh
 check_port "$PORT"
 same_settings "$OUT" "SUITE=$SUITE" "TEACHER=$TEACHER" "COUNTS=$COUNTS" "SELECT=$SELECT" \
-    "TRAIN=$TRAIN" "SERVE=$SERVE" "BASE=$BASE"
+    "DATASET=$DATASET" "TRAIN=$TRAIN" "SERVE=$SERVE" "BASE=$BASE"
 
 step "collect: the scripted teacher answers training tasks, with tools alone"
 if [ -n "$TEACHER" ] && [ ! -d "$OUT/collected" ]; then
@@ -48,14 +49,14 @@ step "select: what was right and efficient, and of no evaluation"
 
 step "dataset: conversations without pictures, lists in short"
 [ -e "$OUT/data/manifest.json" ] ||
-    $probe dataset "$OUT/selected" "$OUT/data" --setting text-only --graphs short --no-others
+    $probe dataset "$OUT/selected" "$OUT/data" --setting text-only --graphs short --no-others $DATASET
 
 step "train: a pretrained language model"
 if [ -z "$BASE" ]; then
     BASE=$OUT/base
     [ -d "$BASE" ] || $probe unpack-model "$BASE"
 fi
-$probe train "$OUT/data" --model "$BASE" --out "$OUT/trained" --cpu-bfloat16 $TRAIN
+keep_memory $probe train "$OUT/data" --model "$BASE" --out "$OUT/trained" --cpu-bfloat16 $TRAIN
 
 step "question-only learns from the same tasks"
 [ -e "$OUT/question_only.json" ] ||

@@ -26,14 +26,11 @@ from probe.train.dataset.augment.augmenting import (
     AugmentationWay,
     augmented,
 )
+from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listed_ids import said_without_finding, without_finding
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
 from probe.train.dataset.folder import Form, write_dataset
-from probe.train.dataset.listed_ids import (
-    SayWithoutFinding,
-    said_without_finding,
-    without_finding,
-)
 from probe.train.dataset.manifest import augmented_told
 from probe.train.dataset.text_only import as_text_only, no_pictures
 from probe.transcripts.prompts import Graphs
@@ -72,7 +69,7 @@ def dataset(
             teacher did. In text-only there are no pictures.
         graphs: How lists are told in the setting text-only; by default in full.
         find: Tell what the scripted teacher looked for by find_object. If not, grasps and pushes
-            take their object_ids from the last list, about a quarter of all calls is left out, and
+            take their object_ids from the lists, about a quarter of all calls is left out, and
             the teacher's words are others. Can be left out in the setting text-only alone.
         augment: Tell each episode once more in each of these ways, where that is certain: mirrored
             left to right, with its question in another wording, or with other phrases of the
@@ -126,11 +123,13 @@ def _told(
         chosen = as_text_only(chosen, graphs or "full")
     if find:
         return chosen, augmented(chosen.episodes, augment, seed)
-    chosen = said_without_finding(chosen)
-    again = augmented(chosen.episodes, augment, seed, SayWithoutFinding)
-    episodes = tuple((task, without_finding(record)) for task, record in chosen.episodes)
-    told = tuple((way, task, without_finding(record)) for way, task, record in again.episodes)
-    return replace(chosen, episodes=episodes), replace(again, episodes=told)
+    try:
+        said = said_without_finding(chosen)
+        told = tuple((task, without_finding(record)) for task, record in said.episodes)
+    except NotCertain as doubt:
+        remedy = "Leave out --no-find, or select without this episode"
+        raise BadData("--no-find", f"{doubt.task}: {doubt.reason}", remedy) from doubt
+    return replace(said, episodes=told), augmented(said.episodes, augment, seed, find=False)
 
 
 def _check(

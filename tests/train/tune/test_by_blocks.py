@@ -13,6 +13,8 @@ from probe.train.tune.by_blocks import attend_by_blocks
 pytestmark = pytest.mark.slow  # PyTorch
 
 TOLERANCE = {"float64": 1e-9, "bfloat16": 0.02}
+SHARP = 2.0
+"""Times queries and keys: scores of a standard deviation of about 4, as trained models have."""
 
 
 def defined(query, key, value):
@@ -40,9 +42,39 @@ def with_gradients(attend, inputs, kind):
     return [made, *(it.grad for it in leaves)]
 
 
+def small(attention: str):
+    transformers = libraries.transformers()
+    sizes = {"hidden_size": 48, "intermediate_size": 96, "num_hidden_layers": 1, "vocab_size": 9}
+    config = transformers.LlamaConfig(**sizes, num_attention_heads=3, num_key_value_heads=1)
+    return transformers.AutoModelForCausalLM.from_config(config, attn_implementation=attention)
+
+
 @pytest.fixture(scope="module", autouse=True)
 def registered():
-    attend_by_blocks(SimpleNamespace(set_attn_implementation=lambda name: None))
+    attend_by_blocks(small("sdpa"))
+
+
+def test_a_model_that_attends_otherwise_keeps_that():
+    """Some can't attend by the kernel, since theirs has a cap or sinks."""
+    other, usual = small("eager"), small("sdpa")
+    attend_by_blocks(other)
+    attend_by_blocks(usual)
+    assert other.config._attn_implementation == "eager"
+    assert usual.config._attn_implementation == "by_blocks"
+
+
+@pytest.mark.parametrize("causal", [False, True])
+def test_what_sees_all_tokens_still_does(causal):
+    """The parts of a model that look at pictures."""
+    torch = libraries.torch()
+    torch.manual_seed(0)
+    query, key, value = (torch.randn(1, 3, 40, 16) for _ in range(3))
+    attention = libraries.part("transformers").AttentionInterface()["by_blocks"]
+    module = SimpleNamespace(is_causal=causal, num_key_value_groups=1)
+    found = attention(module, query, key, value, None, is_causal=None)[0]
+    value[:, :, -1] += 1
+    changed = attention(module, query, key, value, None, is_causal=None)[0]
+    assert torch.equal(found[:, :-1], changed[:, :-1]) is causal
 
 
 @pytest.mark.parametrize("kind", ["float64", "bfloat16"])
@@ -59,6 +91,17 @@ def test_values_and_gradients(kind, batch, heads, of_keys, tokens):
     for mine, other in zip(found, wanted, strict=True):
         assert mine.shape == other.shape
         assert (mine.double() - other).norm() < TOLERANCE[kind] * other.norm()
+
+
+def test_sharp_attention_over_many_tokens():
+    torch = libraries.torch()
+    torch.manual_seed(3)
+    query, key, value = (torch.randn(1, n, 2048, 64) for n in (2, 1, 1))
+    inputs = [query * SHARP, key * SHARP, value]
+    found = with_gradients(by_blocks, inputs, torch.bfloat16)
+    wanted = with_gradients(defined, inputs, torch.float64)
+    for mine, other in zip(found, wanted, strict=True):
+        assert (mine.double() - other).norm() < 0.02 * other.norm()
 
 
 def test_what_is_padded_is_left_to_the_kernel():

@@ -30,7 +30,7 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
     Attributes:
         points: How places are counted in its texts.
         side_px: Width and height of its pictures.
-        examples: How many are told as they went, by type and setting.
+        examples: How many are told as they went (but see `find`), by type and setting.
         pictures: How many are shown in all, each as often as it is.
         objects: How many different ones are on its tables, by what they are for: "train",
             "evaluation", or "neither" (scans, a user's own); empty in older data sets.
@@ -78,7 +78,8 @@ _WAYS = {
 
 
 WITHOUT_FINDING = (
-    "find_object is left out: grasps and pushes take their object_ids from the last list."
+    "Calls of find_object are left out, and the teacher's words with them are others: grasps and "
+    "pushes take their object_ids from the lists. The tools' replies are as they were."
 )
 
 

@@ -1,7 +1,7 @@
-"""Causal attention for training on processors: block by block, by products of matrices.
+"""Causal attention for training in bfloat16 on processors: block by block, by matrix products.
 
-PyTorch's own kernel computes bfloat16 no faster than float32 there, on two cores at a quarter of
-the speed of its matrix products (docs/results/log.md, 2026-11-29).
+PyTorch's own kernel computes bfloat16 no faster than float32 there (docs/results/log.md,
+2026-11-29).
 """
 
 from __future__ import annotations
@@ -17,13 +17,20 @@ BY_BLOCKS = "by_blocks"
 _ROWS = 256
 """Queries of a block: few enough that its weights stay in a processor's cache."""
 
+_OTHERWISE = ("softcap", "s_aux", "position_bias", "cache")
+"""What some models ask for, and only other implementations do."""
+
 
 def attend_by_blocks(model: Any) -> None:
     """Have a model attend so wherever all tokens see those before them and nothing is padded.
 
-    Elsewhere, as in a batch of several, it attends by PyTorch's own kernel.
+    Elsewhere, as in a batch of several, it attends by PyTorch's own kernel. A model that doesn't
+    attend by that kernel in all its parts stays as it is.
     """
     transformers = libraries.transformers()
+    parts = (it for it in model.modules() if isinstance(it, transformers.PreTrainedModel))
+    if {it.config._attn_implementation for it in parts} != {"sdpa"}:
+        return
     masks = libraries.part("transformers.masking_utils")
     transformers.AttentionInterface.register(BY_BLOCKS, _attend)
     transformers.AttentionMaskInterface.register(BY_BLOCKS, masks.sdpa_mask)
@@ -40,57 +47,70 @@ def _attend(
     **more: Any,
 ) -> tuple[Any, None]:
     """As Transformers asks: of (batch, heads, tokens, width), (batch, tokens, heads, width)."""
-    plain = attention_mask is None and not more.get("dropout") and query.shape[2] == key.shape[2]
-    if not plain or not more.get("is_causal", getattr(module, "is_causal", False)):
+    causal = more.get("is_causal")
+    causal = getattr(module, "is_causal", False) if causal is None else causal
+    alike = query.shape[2] == key.shape[2] and query.shape[3] == value.shape[3]
+    plain = not more.get("dropout") and all(more.get(name) is None for name in _OTHERWISE)
+    if attention_mask is not None or not (causal and alike and plain):
         sdpa = libraries.part("transformers.integrations.sdpa_attention").sdpa_attention_forward
         return sdpa(module, query, key, value, attention_mask, scaling=scaling, **more)
     kind = value.dtype
     scale = query.shape[-1] ** -0.5 if scaling is None else scaling
-    told = _blocks().apply((query * scale).to(kind), key.to(kind), value)
+    told = _function().apply((query * scale).to(kind), key.to(kind), value)
     return told.transpose(1, 2).contiguous(), None
 
 
 @lru_cache(1)
-def _blocks() -> Any:
-    """The function with its gradient: weights are computed anew, since memory is slower."""
-    torch = libraries.torch()
-    base: Any = torch.autograd.Function
+def _function() -> Any:
+    """softmax(q k^T) v for PyTorch's autograd."""
+    base: Any = libraries.torch().autograd.Function
 
     class Blocks(base):
-        """softmax(q k^T) v and its gradient (Dao et al. 2022, arXiv:2205.14135, algorithm 4)."""
+        """Weights are computed anew for the gradient, since memory is slower."""
 
         @staticmethod
         def forward(context: Any, query: Any, key: Any, value: Any) -> Any:
             context.save_for_backward(query, key, value)
-            q, k, v = _by_key(query, key, value)
-            out = torch.empty_like(q)
-            for start in range(0, q.shape[2], _ROWS):
-                rows, end = _rows(q, start)
-                weights = _weights(torch, rows, k, start, end)
-                out[:, :, start:end] = (weights @ v[:, :end]).view_as(out[:, :, start:end])
-            return out.view_as(query)
+            return _values(*_by_key(query, key, value)).view_as(query)
 
         @staticmethod
-        def backward(context: Any, gradient: Any) -> tuple[Any, Any, Any]:
-            query, key, value = context.saved_tensors
-            q, k, v = _by_key(query, key, value)
-            g = gradient.to(q.dtype).reshape(q.shape)
-            dq, dk, dv = torch.empty_like(q), torch.zeros_like(k), torch.zeros_like(v)
-            for start in range(0, q.shape[2], _ROWS):
-                rows, end = _rows(q, start)
-                given, _ = _rows(g, start)
-                weights = _weights(torch, rows, k, start, end)
-                dv[:, :end] += weights.transpose(1, 2) @ given
-                to_weights = given @ v[:, :end].transpose(1, 2)
-                # Of the softmax: weights * (given - sum of weights * given along a row).
-                to_scores = torch.ops.aten._softmax_backward_data(
-                    to_weights, weights, -1, weights.dtype
-                )
-                dq[:, :, start:end] = (to_scores @ k[:, :end]).view_as(dq[:, :, start:end])
-                dk[:, :end] += to_scores.transpose(1, 2) @ rows
-            return dq.view_as(query), dk.view_as(key), dv.view_as(value)
+        def backward(context: Any, gradient: Any) -> tuple[Any, ...]:
+            inputs = context.saved_tensors
+            given = gradient.to(inputs[0].dtype)
+            found = _gradients(*_by_key(*inputs), given)
+            return tuple(it.view_as(of).to(of.dtype) for it, of in zip(found, inputs, strict=True))
 
     return Blocks
+
+
+def _values(q: Any, k: Any, v: Any) -> Any:
+    """softmax(q k^T) v, as _by_key() has them."""
+    out = libraries.torch().empty_like(q)
+    for start in range(0, q.shape[2], _ROWS):
+        rows, end = _rows(q, start)
+        weights = _weights(rows, k, start, end)
+        out[:, :, start:end] = (weights @ v[:, :end]).view_as(out[:, :, start:end])
+    return out
+
+
+def _gradients(q: Any, k: Any, v: Any, given: Any) -> tuple[Any, Any, Any]:
+    """Of q, k and v, given that of the values (Dao et al. 2022, arXiv:2205.14135, algorithm 4)."""
+    torch = libraries.torch()
+    given = given.reshape(q.shape)
+    dq = torch.empty_like(q)
+    kind = torch.promote_types(k.dtype, torch.float32)  # many blocks are summed
+    dk, dv = torch.zeros_like(k, dtype=kind), torch.zeros_like(v, dtype=kind)
+    for start in range(0, q.shape[2], _ROWS):
+        rows, end = _rows(q, start)
+        out, _ = _rows(given, start)
+        weights = _weights(rows, k, start, end)
+        dv[:, :end] += weights.transpose(1, 2) @ out
+        to_weights = out @ v[:, :end].transpose(1, 2)
+        # weights * (to_weights - the sum of weights * to_weights along a row)
+        to_scores = torch.ops.aten._softmax_backward_data(to_weights, weights, -1, weights.dtype)
+        dq[:, :, start:end] = (to_scores @ k[:, :end]).view_as(dq[:, :, start:end])
+        dk[:, :end] += to_scores.transpose(1, 2) @ rows
+    return dq, dk, dv
 
 
 def _by_key(query: Any, key: Any, value: Any) -> tuple[Any, Any, Any]:
@@ -107,8 +127,9 @@ def _rows(of: Any, start: int) -> tuple[Any, int]:
     return of[:, :, start:end].reshape(of.shape[0], -1, of.shape[3]), end
 
 
-def _weights(torch: Any, rows: Any, k: Any, start: int, end: int) -> Any:
+def _weights(rows: Any, k: Any, start: int, end: int) -> Any:
     """How much each token of a block attends to each up to its end."""
+    torch = libraries.torch()
     scores = rows @ k[:, :end].transpose(1, 2)
     later = torch.full((end - start, end - start), float("-inf"), dtype=scores.dtype).triu(1)
     scores.view(k.shape[0], -1, end - start, end)[..., start:] += later

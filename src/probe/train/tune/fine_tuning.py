@@ -50,7 +50,7 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         raise BadData(dataset, reason, "Write it with --setting text-only")
     collator = collator_for(processor)
     take_up(out, asked)
-    trainer = _trainer_for(loaded)(
+    trainer = _trainer_for(loaded, bfloat16=bool(settings.bf16))(
         model=loaded,
         args=settings,
         train_dataset=_rows(dataset, out, manifest, pictures=sees(processor)),
@@ -70,11 +70,12 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
     return out / MODEL
 
 
-def _trainer_for(loaded: Any) -> Any:
+def _trainer_for(loaded: Any, *, bfloat16: bool) -> Any:
     """TRL's trainer; on a processor, one that doesn't waste its time."""
     if libraries.torch().cuda.is_available():
         return libraries.trl().SFTTrainer
-    attend_by_blocks(loaded)
+    if bfloat16:
+        attend_by_blocks(loaded)
     return trainer_on_cpu()
 
 

@@ -1,4 +1,4 @@
-"""A trainer for processors that compares no token with the vocabulary but those that are learnt."""
+"""A trainer for processors that leaves out what is compared with the vocabulary for nothing."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def trainer_on_cpu() -> Any:
     base: Any = libraries.trl().SFTTrainer
 
     class LearntTokensTrainer(base):
-        """An SFTTrainer."""
+        """An SFTTrainer that trains; it can't evaluate."""
 
         def compute_loss(
             self,
@@ -27,17 +27,25 @@ def trainer_on_cpu() -> Any:
             return_outputs: bool = False,
             num_items_in_batch: Any = None,
         ) -> Any:
-            """Mean cross entropy over the tokens that are learnt, of all of a step's batches."""
-            loss, outputs = learnt_loss(model, inputs, num_items_in_batch)
+            """Mean cross entropy over the tokens that are learnt, of all of a step's batches.
+
+            That of mixtures of experts has another term, and is TRL's.
+            """
+            if self.aux_loss_enabled or return_outputs:
+                return super().compute_loss(model, inputs, return_outputs, num_items_in_batch)
+            loss = learnt_loss(model, inputs, num_items_in_batch)
             if self.args.average_tokens_across_devices and num_items_in_batch is not None:
                 loss = loss * self.accelerator.num_processes
-            return (loss, outputs) if return_outputs else loss
+            return loss
 
     return LearntTokensTrainer
 
 
-def learnt_loss(model: Any, inputs: dict[str, Any], count: Any = None) -> tuple[Any, Any]:
-    """The loss of a batch, and what the model gave for the tokens before those that are learnt.
+def learnt_loss(model: Any, inputs: dict[str, Any], count: Any = None) -> Any:
+    """The loss of a batch.
+
+    What the model says is computed at places where some row learns; in float32 that takes 4 bytes
+    for each of these places, row and word of the vocabulary.
 
     Args:
         model: A model of Transformers.
@@ -48,9 +56,10 @@ def learnt_loss(model: Any, inputs: dict[str, Any], count: Any = None) -> tuple[
     labels = inputs["labels"][:, 1:]
     kept = (labels != IGNORED).any(dim=0).nonzero().squeeze(1)
     told = {name: value for name, value in inputs.items() if name != "labels"}
-    outputs = model(**told, use_cache=False, logits_to_keep=kept)
+    said = model(**told, use_cache=False, logits_to_keep=kept).logits
     wanted = labels[:, kept].flatten()
     loss = torch.nn.functional.cross_entropy(
-        outputs.logits.flatten(0, 1).float(), wanted, ignore_index=IGNORED, reduction="sum"
+        said.flatten(0, 1).float(), wanted, ignore_index=IGNORED, reduction="sum"
     )
-    return loss / ((wanted != IGNORED).sum() if count is None else count), outputs
+    count = (wanted != IGNORED).sum() if count is None else torch.as_tensor(count)
+    return loss / count.clamp(min=1)

@@ -16,7 +16,10 @@ from probe.errors import BadData
 from probe.train.choose.chosen import LoadedSelection, read_selection, write_selection
 from probe.train.choose.evaluation import evaluation_of
 from probe.train.choose.selection import Recipe, select
+from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.augmenting import Augmentation, augmented
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding
+from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.folder import Form, write_dataset
 from probe.train.dataset.manifest import check_dataset
@@ -138,6 +141,16 @@ def test_a_data_set_without_find_object_says_so(tmp_path, chosen):
     manifest = write(tmp_path / "data", chosen, Augmentation(), form)
     assert not manifest.find
     card = (tmp_path / "data/README.md").read_text()
-    assert "find_object is left out" in card
+    assert "Calls of find_object are left out" in card
     write(tmp_path / "whole", chosen, Augmentation())
-    assert "find_object is left out" not in (tmp_path / "whole/README.md").read_text()
+    assert "Calls of find_object" not in (tmp_path / "whole/README.md").read_text()
+
+
+def test_without_find_object_no_way_has_it():
+    said = rephrased(SIZE, taught(), SayWithoutFinding(speaker(SIZE, 0)))
+    again = augmented([(SIZE, said)], ["mirrored", "wordings", "phrases"], 1, find=False)
+    assert [way for way, _, _ in again.episodes] == ["mirrored", "wordings", "phrases"]
+    for _, _, told in again.episodes:
+        calls = [step.call for step in told.steps]
+        assert "grasp_and_remove" in [call.name for call in calls]
+        assert not [call for call in calls if call.name == "find_object" or "ind" in call.words]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -14,6 +14,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
 from probe.train.dataset.augment.mirrored import mirrored
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.rewording import reworded
@@ -21,10 +22,6 @@ from probe.train.dataset.augment.rewording import reworded
 AugmentationWay = Literal["mirrored", "wordings", "phrases"]
 """How an episode may be told again: mirrored left to right, asked in other words, or with other
 phrases of its teacher."""
-
-
-def _as_ever(say: Say) -> Say:
-    return say
 
 
 @dataclass(frozen=True)
@@ -46,7 +43,8 @@ def augmented(
     episodes: Sequence[tuple[Task, EpisodeRecord]],
     ways: Sequence[AugmentationWay],
     seed: int,
-    saying: Callable[[Say], Say] = _as_ever,
+    *,
+    find: bool = True,
 ) -> Augmentation:
     """Tell each episode once more in each of some ways, where that is certain.
 
@@ -54,14 +52,15 @@ def augmented(
         episodes: In the setting "text-only", with their tasks.
         ways: How.
         seed: Chooses among other wordings and phrases.
-        saying: What the teacher says, given what chooses among its phrases.
+        find: Whether what the teacher looks for by find_object is told; if not, in words of
+            said_without_finding().
     """
     told = list[tuple[AugmentationWay, Task, EpisodeRecord]]()
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
     for way in left_out:
         for task, record in episodes:
             try:
-                told.append((way, task, _told(way, task, record, seed, saying)))
+                told.append((way, task, _told(way, task, record, seed, find=find)))
             except NotCertain as doubt:
                 left_out[way][doubt.reason] += 1
     return Augmentation(tuple(told), {way: dict(some) for way, some in left_out.items()})
@@ -72,18 +71,20 @@ def _told(
     task: Task,
     record: EpisodeRecord,
     seed: int,
-    saying: Callable[[Say], Say],
+    *,
+    find: bool,
 ) -> EpisodeRecord:
     def rng(name: str) -> np.random.Generator:
         return generator(seed, name, task.id, record.run)
 
     match way:
         case "mirrored":
-            return mirrored(task, record)
+            return mirrored(task, record if find else without_finding(record))
         case "wordings":
-            return reworded(task, record, rng("wording"))
+            return reworded(task, record if find else without_finding(record), rng("wording"))
         case "phrases":
-            told = rephrased(task, record, saying(PhraseBook(rng("phrases"))))
+            say: Say = PhraseBook(rng("phrases"))
+            told = rephrased(task, record, say if find else SayWithoutFinding(say))
             if told == record:
                 raise NotCertain(record.task, "its teacher's phrases came out the same")
-            return told
+            return told if find else without_finding(told)

@@ -14,11 +14,13 @@ class NotCertain(ProbeError):
     """An episode that can't be told otherwise without guessing.
 
     Attributes:
+        task: Which one's.
         reason: Why, in a few words that many episodes share.
     """
 
     def __init__(self, task: str, reason: str) -> None:
         super().__init__(f"{task} is told in one way alone: {reason}.")
+        self.task = task
         self.reason = reason
 
 

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from probe.agents.phrases import Say
+from probe.episodes.participation import ModelReply
 from probe.episodes.record import EpisodeRecord, Step
 from probe.toolshed.result import MOVING
 from probe.train.choose.chosen import LoadedSelection
@@ -58,32 +59,35 @@ def said_without_finding(chosen: LoadedSelection) -> LoadedSelection:
 
 
 def without_finding(record: EpisodeRecord) -> EpisodeRecord:
-    """An episode whose manipulations take their object_ids from the last list.
+    """An episode whose manipulations take their object_ids from what was listed.
 
     Args:
-        record: What happened, in words of SayWithoutFinding.
+        record: What happened in the setting "text-only", in words of SayWithoutFinding.
 
     Raises:
-        NotCertain: A search says something that its list doesn't, or nothing is done with it.
+        NotCertain: A search says something that its list doesn't, nothing is done with it, or its
+            agent made several calls at once.
     """
     seat = record.participation or PLAIN
-    steps, replies = list[Step](), list(seat.replies[: len(record.steps)])
-    listed = set[str]()
-    for index, step in enumerate(record.steps):
-        name = step.call.name
-        if name == "find_object":
-            replies.pop(len(steps))
+    if any(reply.calls != 1 for reply in seat.replies) or len(seat.replies) != len(record.steps):
+        raise NotCertain(record.task, "its agent made several calls at once, or none")
+    steps, replies = list[Step](), list[ModelReply]()
+    listed, words = set[str](), ""
+    for index, (step, reply) in enumerate(zip(record.steps, seat.replies, strict=True)):
+        if step.call.name == "find_object":
             _check(record, index, listed)
+            words = f"{step.call.words} "
             continue
-        if name == "perceive_scene":
+        if step.call.name == "perceive_scene":
             listed = set(_LISTED.findall(step.text))
-        if name in MOVING:
-            step = _with_words(step, record.steps[index - 1])
+        if step.call.name in MOVING:
             listed = set()
-        steps.append(step)
-    rest = seat.replies[len(record.steps) :]
-    told = replace(seat, replies=(*replies, *rest))
-    return replace(record, steps=tuple(steps), participation=told)
+        call = replace(step.call, words=f"{words}{step.call.words}".strip())
+        steps.append(replace(step, call=call))
+        replies.append(reply)
+        words = ""
+    seat = replace(seat, replies=tuple(replies))
+    return replace(record, steps=tuple(steps), participation=seat)
 
 
 def _check(record: EpisodeRecord, index: int, listed: set[str]) -> None:
@@ -93,11 +97,3 @@ def _check(record: EpisodeRecord, index: int, listed: set[str]) -> None:
         raise NotCertain(record.task, "nothing is done with what find_object found")
     if following.call.values.get("object_id") not in listed:
         raise NotCertain(record.task, "find_object gave an object_id that no list has")
-
-
-def _with_words(step: Step, before: Step) -> Step:
-    """A manipulation with what was said before the search for its object."""
-    if before.call.name != "find_object":
-        return step
-    words = f"{before.call.words} {step.call.words}".strip()
-    return replace(step, call=replace(step.call, words=words))

@@ -19,11 +19,11 @@ from probe.tasks.suite_file import read_suite
 from probe.train.collect.batches import batches
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
 from probe.train.dataset.augment.mirrored import mirrored
 from probe.train.dataset.augment.rephrasing import rephrased
-from probe.train.dataset.listed_ids import SayWithoutFinding, without_finding
 
-PACKED = Path(__file__).parents[3] / "runs/data/teacher.tar.xz"
+PACKED = Path(__file__).parents[4] / "runs/data/teacher.tar.xz"
 
 
 def told(task, record):
@@ -63,8 +63,12 @@ def test_nothing_is_guessed():
     record = taught()
     search = next(i for i, step in enumerate(record.steps) if step.call.name == "find_object")
     grasp = record.steps[search + 1]
+    replies = record.participation.replies[: search + 1]
+    seat = replace(record.participation, replies=replies)
     with pytest.raises(NotCertain, match="nothing is done with what find_object found"):
-        without_finding(replace(record, steps=record.steps[: search + 1]))
+        without_finding(replace(record, steps=record.steps[: search + 1], participation=seat))
+    with pytest.raises(NotCertain, match="several calls at once, or none"):
+        without_finding(replace(record, participation=seat))
     other = replace(grasp, call=replace(grasp.call, arguments='{"object_id": "object_77"}'))
     steps = (*record.steps[: search + 1], other, *record.steps[search + 2 :])
     with pytest.raises(NotCertain, match="gave an object_id that no list has"):
