@@ -2,13 +2,6 @@
 
 step() { echo; echo "== $*"; }
 
-# keep_memory COMMAND...: has glibc keep what the command frees, instead of handing it back to the
-# system and getting it again at each step of a training, which took a fifth of its time.
-keep_memory() {
-    env MALLOC_MMAP_THRESHOLD_=8589934592 MALLOC_TRIM_THRESHOLD_=8589934592 \
-        MALLOC_TOP_PAD_=268435456 "$@"
-}
-
 # check_port PORT: says so and ends if somebody listens there.
 check_port() {
     if (: < "/dev/tcp/127.0.0.1/$1") 2>/dev/null; then

@@ -68,7 +68,7 @@ for size in $SIZES; do
         step "$name: data set, training, evaluation"
         [ -e "$here/data/manifest.json" ] ||
             $probe dataset "$chosen" "$here/data" --setting text-only --graphs short --no-others $DATASET $augment
-        keep_memory $probe train "$here/data" --model "$BASE" --out "$here/trained" --cpu-bfloat16 \
+        $probe train "$here/data" --model "$BASE" --out "$here/trained" --cpu-bfloat16 \
             $TUNE --epochs "$epochs"
         runs/serve_and_run.sh "$name" "$here/trained/model"
     done

@@ -56,7 +56,7 @@ if [ -z "$BASE" ]; then
     BASE=$OUT/base
     [ -d "$BASE" ] || $probe unpack-model "$BASE"
 fi
-keep_memory $probe train "$OUT/data" --model "$BASE" --out "$OUT/trained" --cpu-bfloat16 $TRAIN
+$probe train "$OUT/data" --model "$BASE" --out "$OUT/trained" --cpu-bfloat16 $TRAIN
 
 step "question-only learns from the same tasks"
 [ -e "$OUT/question_only.json" ] ||
