@@ -85,7 +85,7 @@ class Search:
             seen, why = obstacle, Reason("obstacle", seen.name or "")
         name, way = seen.name or "", self._way(seen.name or "")
         self.spent += 1
-        words = self._reasons(name, way, why)
+        words = self._reasons(seen, way, why)
         outcome = yield from move_away(seen, self.graph, way, self.rng, self.say, words, self.scale)
         self._tried[name].append((way, outcome))
         before = _names(self.graph)
@@ -136,11 +136,12 @@ class Search:
         movable = [s for s in movable if self.may_clear(s)]
         return min(movable, key=lambda each: len(self.graph.over(each)), default=None)
 
-    def _reasons(self, name: str, way: Way, why: Reason) -> str:
+    def _reasons(self, seen: Seen, way: Way, why: Reason) -> str:
         """Why a thing is moved, and why in this way."""
+        name = seen.name or ""
         tried = self._tried[name]
         how = f"{way} {tried[-1][1]}" if tried else way
-        slots = {"thing": name, **why.slots}
+        slots = {"thing": name, "id": seen.object_id or "", **why.slots}
         return f"{self.say(why.reason, slots)} {self.say(how, slots)}".strip()
 
     def _attraction(self, seen: Seen) -> str:

@@ -117,8 +117,8 @@ class _Marked:
     def _why(self, seen: Seen, graph: Graph) -> Reason:
         if self.here is None:
             return Reason("mark place", letter=self.letter)
-        lying = seen.number in graph.over(self.here)
-        return Reason("mark on" if lying else "mark touching", letter=self.letter)
+        occasion = "mark on" if seen.number in graph.over(self.here) else "mark touching"
+        return Reason(occasion, letter=self.letter, marked=self.here.object_id or "")
 
     def _over(self, search: Search) -> list[Seen]:
         """What lies on it, or else what touches it or is where its mark was."""

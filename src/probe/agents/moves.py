@@ -77,6 +77,23 @@ def answer(letter: str, point: tuple[int, int] | None = None, words: str = "") -
     yield Call.of("answer_question", arguments, words)
 
 
+def option_by_option(question: Question, letter: str, say: Say) -> str:
+    """The options in words, up to the one that is right: for each whether it is.
+
+    Args:
+        question: Has the options.
+        letter: Of the right one.
+        say: Gives the words.
+    """
+    letters = [known for known, _ in question.options]
+    told = question.options[: letters.index(letter) + 1]
+    said = (
+        say("option yes" if known == letter else "option no", {"letter": known, "text": text})
+        for known, text in told
+    )
+    return " ".join(said).strip()
+
+
 def none_of_them(question: Question) -> str | None:
     """Letter of "None of the above", if it is an option."""
     letters = [letter for letter, text in question.options if is_none(text)]

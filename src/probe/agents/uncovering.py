@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from probe.agents.clearing import Search
-from probe.agents.moves import Plan, answer, none_of_them
-from probe.agents.phrases import Reason
+from probe.agents.moves import Plan, answer, none_of_them, option_by_option
+from probe.agents.phrases import Reason, Say
 from probe.agents.reading import Box, Graph, Seen, same
 from probe.agents.type_plan import ScriptedQuestion
 from probe.episodes.turns import Question
@@ -24,6 +24,13 @@ class FoundAnswer:
     occasion: str
     slots: Mapping[str, str]
 
+    def told(self, question: Question, say: Say) -> str:
+        """How it came, and which option that makes right; a guess alone is no reason."""
+        why = say(self.occasion, {"letter": self.letter, **self.slots})
+        if self.occasion == "guess":
+            return why
+        return f"{why} {option_by_option(question, self.letter, say)}".strip()
+
 
 def conclude(asked: ScriptedQuestion, found: FoundAnswer | None, search: Search) -> Plan[None]:
     """Answer; without evidence by chance if bold, else not at all."""
@@ -31,8 +38,7 @@ def conclude(asked: ScriptedQuestion, found: FoundAnswer | None, search: Search)
         options = asked.question.options
         found = FoundAnswer(options[int(search.rng.integers(len(options)))][0], "guess", {})
     if found is not None:
-        words = search.say(found.occasion, {"letter": found.letter, **found.slots})
-        yield from answer(found.letter, words=words)
+        yield from answer(found.letter, words=found.told(asked.question, search.say))
 
 
 def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[None]:

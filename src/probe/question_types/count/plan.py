@@ -86,8 +86,7 @@ def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     found = _counted(asked.question, len(each), each, sure=True)
     if found is None:
         return None
-    words = say(found.occasion, {**found.slots, "letter": found.letter})
-    return FirstLookAnswer(found.letter, words)
+    return FirstLookAnswer(found.letter, found.told(asked.question, say))
 
 
 PLAN = TypePlan(_begin, _at_sight)

@@ -7,6 +7,7 @@ from probe.agents.moves import Plan, answer, none_of_them
 from probe.agents.phrases import Say
 from probe.agents.reading import Graph, Seen, same
 from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
+from probe.agents.uncovering import FoundAnswer
 from probe.episodes.turns import Question
 
 
@@ -25,11 +26,10 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
             break
     if shown:
         letter, seen = shown[0]
-        words = say("find", {"thing": seen.name or "", "letter": letter})
-        yield from answer(letter, seen.point, words)
+        yield from answer(letter, seen.point, _found(letter, seen).told(question, say))
     elif (search.complete or asked.bold) and (none := none_of_them(question)):
-        words = say("find none" if search.complete else "guess", {"letter": none})
-        yield from answer(none, words=words)
+        lacking = FoundAnswer(none, "find none" if search.complete else "guess", {})
+        yield from answer(none, words=lacking.told(question, say))
 
 
 def _shown_options(question: Question, graph: Graph) -> list[tuple[str, Seen]]:
@@ -38,9 +38,13 @@ def _shown_options(question: Question, graph: Graph) -> list[tuple[str, Seen]]:
 
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:
     for letter, seen in _shown_options(asked.question, asked.graph):
-        slots = {"thing": seen.name or "", "letter": letter}
-        return FirstLookAnswer(letter, say("find", slots), seen.point)
+        words = _found(letter, seen).told(asked.question, say)
+        return FirstLookAnswer(letter, words, seen.point)
     return None
+
+
+def _found(letter: str, seen: Seen) -> FoundAnswer:
+    return FoundAnswer(letter, "find", {"thing": seen.name or ""})
 
 
 PLAN = TypePlan(_begin, _at_sight)

@@ -11,7 +11,8 @@ from probe.agents.phrases import PhraseBook, phrases
 from probe.train.dataset.augment.teacher_words import are_the_teachers, mirrored_words
 
 SLOTS = {
-    "thing": "tall red mug", "other": "box of tea", "letter": "B", "number": "3", "one": "lime",
+    "thing": "tall red mug", "id": "object_4", "marked": "object_7", "text": "mug",
+    "other": "box of tea", "letter": "B", "number": "3", "one": "lime",
     "two": "lemon", "direction": "left", "each": "object_1", "size_one": "[20, 30]",
     "size_two": "[40, 10]", "colour": "green", "colour_one": "green", "colour_two": "yellow",
 }  # fmt: skip

@@ -21,6 +21,7 @@ from probe.train.dataset.augment.rephrasing import rephrased
 from probe.transcripts.messages import PLAIN
 
 _LISTED = re.compile(r"^  object_id: (object_\d+)$", re.MULTILINE)
+_ID = re.compile(r"\bobject_\d+\b")
 _OCCASIONS = {"grasp": "listed grasp", "push": "listed push"}
 _SILENT = ("do grasp", "do push")
 
@@ -39,7 +40,12 @@ class SayWithoutFinding:
         """Words for an occasion; what is said before a search covers the manipulation after it."""
         if occasion in _SILENT:
             return ""
-        return self.say(_OCCASIONS.get(occasion, occasion), slots)
+        said = self.say(_OCCASIONS.get(occasion, occasion), slots)
+        if "id" not in slots or occasion.split()[0] in _OCCASIONS:
+            return said
+        # A reason: which object_ids it is about comes first.
+        before = [self.say("listed mark", slots)] if slots["marked"] else []
+        return " ".join([*before, self.say("listed thing", slots), said])
 
 
 def said_without_finding(chosen: LoadedSelection) -> LoadedSelection:
@@ -95,5 +101,7 @@ def _check(record: EpisodeRecord, index: int, listed: set[str]) -> None:
     following = record.steps[index + 1] if index + 1 < len(record.steps) else None
     if following is None or following.call.name not in MOVING:
         raise NotCertain(record.task, "nothing is done with what find_object found")
-    if following.call.values.get("object_id") not in listed:
+    object_id = following.call.values.get("object_id")
+    said = _ID.findall(record.steps[index].call.words)
+    if object_id not in listed or (said and said[-1] != object_id):
         raise NotCertain(record.task, "find_object gave an object_id that no list has")

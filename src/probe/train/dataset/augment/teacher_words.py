@@ -45,16 +45,27 @@ def are_the_teachers(words: str) -> bool:
 
 
 def _are_neutral(words: str) -> bool:
-    """Whether words are one or two phrases that speak of no side."""
+    """Whether words are phrases that speak of no side."""
     return _parts(words, _is_neutral)
 
 
 def _parts(words: str, fits: Callable[[str], bool]) -> bool:
-    """Whether words fit, or the parts before and after the end of one of their sentences do."""
-    if fits(words):
-        return True
-    ends = [found.start() for found in re.finditer(r"(?<=[.!?]) ", words)]
-    return any(fits(words[:end]) and fits(words[end + 1 :]) for end in ends)
+    """Whether words are parts, each of one or more sentences, that fit one after another."""
+    sentences = re.split(r"(?<=[.!?]) ", words)
+    most = _most_sentences()
+    begins = {0}  # before which sentences all parts so far end
+    for end in range(1, len(sentences) + 1):
+        some = (begin for begin in range(max(0, end - most), end) if begin in begins)
+        if any(fits(" ".join(sentences[begin:end])) for begin in some):
+            begins.add(end)
+    return len(sentences) in begins
+
+
+@lru_cache(1)
+def _most_sentences() -> int:
+    """Of any phrase; a name in it may end like a sentence, which makes two more."""
+    longest = max(len(re.findall(r"[.!?]", text)) for some in phrases().values() for text in some)
+    return longest + 2
 
 
 def _is_phrase(text: str) -> bool:
