@@ -20,6 +20,8 @@ Both = tuple[Seen | None, Seen | None]
 """A and B as they showed most of themselves; None for one that never had a name."""
 
 _NEAR_PX = 60
+_AT_PX = 8
+"""A mark lies so near the point that lists tell of a thing; more, and it has moved."""
 _MOST = 5
 """Manipulations for one of the two: with both, some of the ten are left."""
 
@@ -118,7 +120,9 @@ class _Marked:
         if self.here is None:
             return Reason("mark place", letter=self.letter)
         occasion = "mark on" if seen.number in graph.over(self.here) else "mark touching"
-        return Reason(occasion, letter=self.letter, marked=self.here.object_id or "")
+        # It may follow something in front of the mark, or much like it: then it says nothing.
+        sure = math.dist(self.here.point, self.mark) <= _AT_PX
+        return Reason(occasion, letter=self.letter, marked=(sure and self.here.object_id) or "")
 
     def _over(self, search: Search) -> list[Seen]:
         """What lies on it, or else what touches it or is where its mark was."""

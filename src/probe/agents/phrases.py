@@ -28,7 +28,7 @@ class Reason:
         reason: Name of the occasion in the phrases.
         other: Name of another thing that has to do with it.
         letter: The mark that has to do with it.
-        marked: The object_id of what is marked so, if it shows.
+        marked: The object_id of what is marked so, if that is sure.
     """
 
     reason: str
