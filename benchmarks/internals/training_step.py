@@ -41,15 +41,17 @@ def batch(tokens: int, words: int) -> dict[str, Any]:
 def seconds(model: Any, inputs: dict[str, Any], steps: int, *, learnt: bool) -> tuple[float, float]:
     """The best of some steps, and their loss."""
     torch = libraries.torch()
-    best, loss = float("inf"), None
+    best, told = float("inf"), float("nan")
     for _ in range(steps):
         model.zero_grad()
         start = perf_counter()
         with torch.autocast("cpu", torch.bfloat16):
-            loss = learnt_loss(model, inputs) if learnt else model(**inputs, use_cache=False).loss
+            loss: Any = (
+                learnt_loss(model, inputs) if learnt else model(**inputs, use_cache=False).loss
+            )
         loss.backward()
-        best = min(best, perf_counter() - start)
-    return best, float(loss)
+        best, told = min(best, perf_counter() - start), float(loss)
+    return best, told
 
 
 def main(model: tyro.conf.Positional[Path], tokens: int = 2600, steps: int = 3) -> None:

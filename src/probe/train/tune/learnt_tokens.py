@@ -32,7 +32,8 @@ def trainer_on_cpu() -> Any:
             That of mixtures of experts has another term, and is TRL's.
             """
             if self.aux_loss_enabled or return_outputs:
-                return super().compute_loss(model, inputs, return_outputs, num_items_in_batch)
+                whole: Any = super()
+                return whole.compute_loss(model, inputs, return_outputs, num_items_in_batch)
             loss = learnt_loss(model, inputs, num_items_in_batch)
             if self.args.average_tokens_across_devices and num_items_in_batch is not None:
                 loss = loss * self.accelerator.num_processes

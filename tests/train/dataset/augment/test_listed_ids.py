@@ -39,7 +39,7 @@ def test_a_manipulation_takes_its_object_id_from_the_list():
     after = told(SIZE, before)
     assert "find_object" in names(before)
     assert names(after) == [name for name in names(before) if name != "find_object"]
-    assert len(after.participation.replies) == len(after.steps)
+    assert after.participation and len(after.participation.replies) == len(after.steps)
     grasp = next(step for step in after.steps if step.call.name == "grasp_and_remove")
     assert grasp.call.values["object_id"] in after.steps[0].text
     assert [step.text for step in after.steps] == [
@@ -63,6 +63,7 @@ def test_nothing_is_guessed():
     record = taught()
     search = next(i for i, step in enumerate(record.steps) if step.call.name == "find_object")
     grasp = record.steps[search + 1]
+    assert record.participation
     replies = record.participation.replies[: search + 1]
     seat = replace(record.participation, replies=replies)
     with pytest.raises(NotCertain, match="nothing is done with what find_object found"):

@@ -87,7 +87,7 @@ def without_finding(record: EpisodeRecord) -> EpisodeRecord:
         if step.call.name == "perceive_scene":
             listed = set(_LISTED.findall(step.text))
         if step.call.name in MOVING:
-            listed = set()
+            listed = set[str]()
         call = replace(step.call, words=f"{words}{step.call.words}".strip())
         steps.append(replace(step, call=call))
         replies.append(reply)
