@@ -37,6 +37,7 @@ def select(
     total: int | None = None,
     direct_share: float = 0.5,
     slack: int = SLACK,
+    least: int = 0,
     seed: int = 0,
     against: tuple[str, ...] = (),
     split: Path | None = None,
@@ -54,6 +55,8 @@ def select(
             selection has all of a smaller.
         direct_share: Part of a type's examples that may be without tools.
         slack: Manipulations over the median of a type's successes that are accepted.
+        least: Manipulations that an episode with tools must have, so that a student doesn't learn
+            to answer at the first look.
         seed: Chooses among equals.
         against: More suites to keep out: files that `probe suite build` wrote.
         split: Objects for evaluation (`probe assets split`), to be kept out with their
@@ -69,7 +72,13 @@ def select(
     counted = {
         f"--counts.{question_type}": count for question_type, count in (counts or {}).items()
     }
-    numbers = {"--total": total, "--slack": slack, "--seed": seed, "--workers": workers}
+    numbers = {
+        "--total": total,
+        "--slack": slack,
+        "--least": least,
+        "--seed": seed,
+        "--workers": workers,
+    }
     check_numbers({**counted, **numbers})
     check_new(out)
     objects: dict[str, Fingerprint] = {}
@@ -79,7 +88,7 @@ def select(
     suites = [*packaged, *others]
     parts = read_split(split) if split else None
     groups = _alike(objects, packaged, others, workers) if near else []
-    recipe = Recipe(dict(counts or {}), direct_share, slack, seed, total)
+    recipe = Recipe(dict(counts or {}), direct_share, slack, seed, total, least)
     found = selected(candidates, evaluation_of(suites, parts, groups), recipe)
     if not found.chosen:
         raise _nothing_chosen(collected[0], found.dropped)

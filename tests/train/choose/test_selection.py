@@ -33,6 +33,19 @@ def test_only_what_was_right_is_learnt():
     assert found.dropped == {"wrong or unanswered": 1, "missing": 1}
 
 
+def test_what_ended_at_the_first_look_can_be_left_out():
+    looked = lesson(training_task(1), statuses=())
+    lifted = lesson(training_task(2), statuses=(("mug", "done"),))
+    direct, wrong = (
+        lesson(training_task(3), setting="direct"),
+        lesson(training_task(4), right=False),
+    )
+    found = chosen([looked, lifted, direct, wrong], least=1, direct_share=1.0)
+    assert ids(found) == [(lifted.task.id, "agentic"), (direct.task.id, "direct")]
+    assert found.dropped == {"fewer manipulations than --least": 1, "wrong or unanswered": 1}
+    assert len(chosen([looked, lifted]).chosen) == 2
+
+
 def test_where_no_tools_were_needed_the_answer_at_once_is_learnt():
     task = training_task(1)
     found = chosen([lesson(task), lesson(task, setting="direct")], direct_share=1.0)

@@ -49,7 +49,7 @@ class SelectionDocument(pydantic.BaseModel, extra="forbid", frozen=True):
         examples: How many, by type and setting.
         letters: How many by right answer.
         limits: The most manipulations that were let pass, by type.
-        direct_share, slack, seed: The recipe's.
+        direct_share, slack, seed, least: The recipe's.
         dropped: Episodes that were left out, by reason.
         refused: Tasks that belong to evaluation.
     """
@@ -63,6 +63,7 @@ class SelectionDocument(pydantic.BaseModel, extra="forbid", frozen=True):
     limits: dict[str, int]
     direct_share: float
     slack: int
+    least: int = 0
     seed: int
     dropped: dict[str, int]
     refused: tuple[Refused, ...]
@@ -107,6 +108,7 @@ def write_selection(
             limits=dict(selection.limits),
             direct_share=recipe.direct_share,
             slack=recipe.slack,
+            least=recipe.least,
             seed=recipe.seed,
             dropped=dict(selection.dropped),
             refused=tuple(Refused(**vars(it)) for it in selection.refused),

@@ -27,6 +27,8 @@ class Recipe:
         counts: Examples of each type at most; a type that isn't named gives all it has.
         direct_share: Part of a type's examples that may be without tools.
         slack: Manipulations over the type's median that are let pass.
+        least: Manipulations that an episode with tools must have. Where most examples of a type
+            end at the first look, a small student ends there as well.
         seed: Chooses among equals. A type's examples are among those of a larger count.
         total: Examples of all types, in the proportions of what can be had of each; None for as
             many as there are.
@@ -37,6 +39,7 @@ class Recipe:
     slack: int = SLACK
     seed: int = 0
     total: int | None = None
+    least: int = 0
 
 
 @dataclass(frozen=True)
@@ -70,7 +73,9 @@ def select(
     dropped["of evaluation"] = len(candidates) - len(allowed)
     agentic = [it for it in allowed if it.correct and not it.direct]
     most = limits([(it.task.question_type, it.record) for it in agentic], recipe.slack)
-    tasks = usable_by_task(allowed, most, dropped)
+    enough = [it for it in allowed if not it.correct or _has_enough(it, recipe)]
+    dropped["fewer manipulations than --least"] = len(allowed) - len(enough)
+    tasks = usable_by_task(enough, most, dropped)
     by_type: defaultdict[QuestionType, list[Ways]] = defaultdict(list)
     for ways in tasks:
         by_type[ways[0].task.question_type].append(ways)
@@ -89,6 +94,10 @@ def select(
     rest = sum(map(len, tasks)) - len(chosen) - dropped[BEYOND_SHARE]
     dropped["another of its task, or more than wanted"] += rest
     return Selection(tuple(chosen), tuple(refused), +dropped, most)
+
+
+def _has_enough(it: EpisodeCandidate, recipe: Recipe) -> bool:
+    return it.direct or it.record.manipulations >= recipe.least
 
 
 def _counts(
