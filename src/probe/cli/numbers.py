@@ -43,6 +43,7 @@ _RANGES: Mapping[str, tuple[float, float]] = {
     "--side-px": (32, 8192),
     "--sigma": (0, 0.5),
     "--slack": (0, 1000),
+    "--least": (0, 1000),
     "--slow-motions": (0, _MANY),
     "--temperature": (0, 2),
     "--timeout": (1, 86_400),
