@@ -46,7 +46,9 @@ def test_it_is_the_same_loss_with_the_same_gradient(model, rows):
     model.set_attn_implementation("eager")
     whole = model(**inputs).loss
     wanted = gradients(model, whole)
+    model.set_attn_implementation("sdpa")
     attend_by_blocks(model)
+    assert model.config._attn_implementation == "by_blocks"
     loss = learnt_loss(model, inputs)
     assert loss.item() == pytest.approx(whole.item(), rel=1e-5)
     for mine, other in zip(gradients(model, loss), wanted, strict=True):

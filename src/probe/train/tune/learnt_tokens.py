@@ -18,7 +18,7 @@ def trainer_on_cpu() -> Any:
     base: Any = libraries.trl().SFTTrainer
 
     class LearntTokensTrainer(base):
-        """An SFTTrainer that trains; it can't evaluate."""
+        """An SFTTrainer; where outputs are asked for, as in an evaluation, it is TRL's."""
 
         def compute_loss(
             self,
