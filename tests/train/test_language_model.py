@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import shutil
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -92,6 +93,23 @@ def test_what_was_read_before_changes_no_reply(model):
             assert reply == ServedModel(str(model)).reply(body)
             words = reply.reply.words or json.dumps(reply.reply.calls)
             said += [{"role": "assistant", "content": words}, {"role": "user", "content": "And?"}]
+
+
+def test_replies_written_side_by_side_are_those_written_alone(model):
+    bodies = [
+        {"messages": [{"role": "user", "content": f"{name} lies there."}], "max_tokens": 12}
+        for name in ("A mug", "B", "The long red pen", "C", "D")
+    ]
+    served = ServedModel(str(model), at_once=3)
+    with ThreadPoolExecutor(len(bodies)) as pool:
+        found = list(pool.map(served.reply, bodies))
+    assert found == [ServedModel(str(model)).reply(body) for body in bodies]
+
+
+def test_models_that_see_write_one_reply_at_a_time(tmp_path):
+    seeing = small_model(tmp_path / "model", small_dataset(tmp_path / "data"))
+    with pytest.raises(BadData, match="--at-once: .* one reply at a time, since it sees"):
+        ServedModel(str(seeing), at_once=2)
 
 
 @pytest.mark.parametrize(("room", "said"), [(3, 3), (0, None)])

@@ -22,8 +22,9 @@ def serve_model(
     constrained: bool = False,
     temperature: float = 0.0,
     seed: int = 0,
+    at_once: int = 1,
 ) -> None:
-    """Serve a model over OpenAI's protocol on this machine, one reply at a time, with transformers.
+    """Serve a model over OpenAI's protocol on this machine, with transformers.
 
     Without a temperature, it decodes greedily. vLLM does the same many times
     faster where it runs, but samples unless a request says otherwise; see docs/how-to/train.md.
@@ -39,6 +40,8 @@ def serve_model(
             with a few words before it.
         temperature: At which replies are drawn where a request doesn't say; at 0 none are.
         seed: Of what is drawn. Replies also depend on the order of the requests.
+        at_once: Replies that a language model writes side by side, which takes little longer than
+            one alone. In bfloat16 a reply then also depends on those beside it.
     """
     check_numbers(
         {
@@ -46,6 +49,7 @@ def serve_model(
             "--most-tokens": most_tokens,
             "--temperature": temperature,
             "--seed": seed,
+            "--at-once": at_once,
         }
     )
     called = name or f"{Path(model).name}{'-constrained' if constrained else ''}"
@@ -57,6 +61,7 @@ def serve_model(
             constrained=constrained,
             temperature=temperature,
             seed=seed,
+            at_once=at_once,
         )
         say(f"{called} is at http://127.0.0.1:{port}/v1; Ctrl-C stops.")
         serve(speaker, called, held)

@@ -18,12 +18,16 @@ SHARP = 2.0
 
 
 def defined(query, key, value):
-    """softmax(q k^T / sqrt(width)) v over no later token; a key's head has several of queries."""
+    """softmax(q k^T / sqrt(width)) v over no later token; a key's head has several of queries.
+
+    Of fewer queries than keys, these are the last ones.
+    """
     torch = libraries.torch()
     key, value = (it.repeat_interleave(query.shape[1] // it.shape[1], 1) for it in (key, value))
     scores = torch.einsum("bhqd,bhkd->bhqk", query, key) / math.sqrt(query.shape[-1])
-    tokens = torch.arange(query.shape[2])
-    scores = scores.masked_fill(tokens[None, :] > tokens[:, None], float("-inf"))
+    tokens = torch.arange(key.shape[2])
+    asking = tokens[key.shape[2] - query.shape[2] :]
+    scores = scores.masked_fill(tokens[None, :] > asking[:, None], float("-inf"))
     return torch.einsum("bhqk,bhkd->bqhd", scores.exp() / scores.exp().sum(-1, keepdim=True), value)
 
 
@@ -91,6 +95,22 @@ def test_values_and_gradients(kind, batch, heads, of_keys, tokens):
     for mine, other in zip(found, wanted, strict=True):
         assert mine.shape == other.shape
         assert (mine.double() - other).norm() < TOLERANCE[kind] * other.norm()
+
+
+@pytest.mark.parametrize("biased", [False, True])
+@pytest.mark.parametrize(("tokens", "before"), [(1, 40), (5, 1), (300, 500), (256, 256)])
+def test_a_text_that_goes_on(tokens, before, biased):
+    """By blocks, and by the kernel where something else is asked that blocks don't do."""
+    torch = libraries.torch()
+    torch.manual_seed(tokens)
+    query = torch.randn(1, 6, tokens, 16)
+    key, value = (torch.randn(1, 2, before + tokens, 16) for _ in range(2))
+    more = {"position_bias": torch.zeros(1, 1, tokens, before + tokens)} if biased else {}
+    attention = libraries.part("transformers").AttentionInterface()["by_blocks"]
+    module = SimpleNamespace(is_causal=True, num_key_value_groups=3)
+    found = attention(module, query, key, value, None, **more)[0]
+    wanted = defined(query, key, value)
+    assert (found - wanted).norm() < 1e-5 * wanted.norm()
 
 
 def test_sharp_attention_over_many_tokens():

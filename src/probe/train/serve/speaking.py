@@ -7,11 +7,14 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import Any
 
-from probe.errors import ProbeError
+from probe.errors import BadData, ProbeError
+from probe.train.serve.choosing import Chooser
 from probe.train.serve.constraining import CallForms
-from probe.train.serve.read_before import ReadBefore
+from probe.train.serve.next_token import attend_to_next
 from probe.train.serve.replying import ServedReply, read_reply
+from probe.train.serve.writing import Writer
 from probe.train.tune import libraries
+from probe.train.tune.by_blocks import attend_by_blocks
 from probe.train.tune.collating import encoded
 from probe.train.tune.conversations import of_request
 from probe.train.tune.loading import load
@@ -48,10 +51,10 @@ class GeneratedReply:
 
 
 class ServedModel:
-    """A model in memory; one reply at a time.
+    """A model in memory.
 
-    A language model doesn't read again what it has read before. One that sees does: its tokens
-    don't say which pictures they stand for.
+    A language model doesn't read again what it has read before, and may write several replies at
+    once. One that sees does neither: its tokens don't say which pictures they stand for.
 
     Args:
         model: Its folder, or a name at Hugging Face.
@@ -61,8 +64,10 @@ class ServedModel:
             the model would rather say.
         temperature: Where a request says none; at 0 the likeliest words.
         seed: Of what is drawn at a temperature; the order of requests matters, too.
+        at_once: Replies that are written side by side, at most.
 
     Raises:
+        BadData: This model can't write several at once.
         MissingExtra: A library isn't installed.
         NoModel: It can't be loaded.
     """
@@ -76,14 +81,16 @@ class ServedModel:
         constrained: bool = False,
         temperature: float = 0.0,
         seed: int = 0,
+        at_once: int = 1,
     ) -> None:
         torch = libraries.torch()
         torch.manual_seed(seed)
         self._temperature = temperature
         loaded, self._processor = load(model, cpu_bfloat16=cpu_bfloat16)
         self._model = loaded.to("cuda" if torch.cuda.is_available() else "cpu").eval()
-        fresh = libraries.transformers().DynamicCache
-        self._before = None if sees(self._processor) else ReadBefore(fresh)
+        self._writer = None if sees(self._processor) else self._writer_of(model, at_once)
+        if self._writer is None and at_once > 1:
+            raise _one_at_a_time(model, "it sees")
         self._forms = CallForms(tokenizer_of(self._processor)) if constrained else None
         self._most_tokens = most_tokens
         self._lock = Lock()
@@ -110,16 +117,15 @@ class ServedModel:
         most = self._room(start, most or self._most_tokens)
         said = body.get("temperature")
         warmth = self._temperature if said is None else float(said)
-        how: dict[str, Any] = {"do_sample": warmth > 0}
-        if warmth > 0:
-            how["temperature"] = warmth
-        if self._forms and (tools := body.get("tools")):
-            how["logits_processor"] = [self._forms.keep_to(tools)]
-        with self._lock, libraries.torch().inference_mode():
-            made = self._made(asked, {"max_new_tokens": most, **how})
-        fresh = made[start:]
+        tools = body.get("tools") if self._forms else None
+        kept_to = self._forms.keep_to(tools) if self._forms and tools else None
+        if self._writer is None:
+            fresh = self._generated(asked, most, warmth, kept_to)
+        else:
+            chooser = Chooser(self._model.generation_config, warmth, kept_to)
+            fresh = self._writer.write(asked["input_ids"][0].tolist(), most, chooser)
         tokenizer = tokenizer_of(self._processor)
-        ended = tokenizer.eos_token_id in fresh.tolist()
+        ended = tokenizer.eos_token_id in fresh
         # Tags of calls are no special tokens of Qwen's tokenizer, and stay.
         text = tokenizer.decode(fresh, skip_special_tokens=True)
         return GeneratedReply(read_reply(text), start, len(fresh), cut=not ended)
@@ -134,11 +140,29 @@ class ServedModel:
             raise ConversationTooLong(start, window)
         return min(most, window - start)
 
-    def _made(self, asked: Any, how: dict[str, Any]) -> Any:
-        """All tokens, those that were asked and those of the reply."""
-        if self._before is None:
-            return self._model.generate(**asked, **how)[0]
-        cache = self._before.begin(asked["input_ids"][0].tolist())
-        made = self._model.generate(**asked, **how, past_key_values=cache)[0]
-        self._before.keep(made.tolist(), cache)
-        return made
+    def _generated(self, asked: Any, most: int, warmth: float, kept_to: Any) -> list[int]:
+        """A reply's tokens of a model that sees."""
+        how: dict[str, Any] = {"max_new_tokens": most, "do_sample": warmth > 0}
+        if warmth > 0:
+            how["temperature"] = warmth
+        if kept_to:
+            how["logits_processor"] = [kept_to]
+        with self._lock, libraries.torch().inference_mode():
+            made = self._model.generate(**asked, **how)[0]
+        return made[asked["input_ids"].shape[1] :].tolist()
+
+    def _writer_of(self, model: str, at_once: int) -> Writer:
+        """What writes a language model's replies."""
+        torch = libraries.torch()
+        if self._model.dtype == torch.bfloat16 and self._model.device.type == "cpu":
+            attend_by_blocks(self._model)
+        if not attend_to_next(self._model) and at_once > 1:
+            raise _one_at_a_time(model, "it doesn't attend by PyTorch's kernel to all it has read")
+        ends: Any = self._model.generation_config.eos_token_id
+        listed: list[int] = [ends] if isinstance(ends, int) else ends or []
+        own: int = tokenizer_of(self._processor).eos_token_id
+        return Writer(self._model, at_once, frozenset([*listed, own]))
+
+
+def _one_at_a_time(model: str, reason: str) -> BadData:
+    return BadData("--at-once", f"{model} can write one reply at a time, since {reason}", "Say 1")

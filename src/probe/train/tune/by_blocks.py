@@ -1,4 +1,4 @@
-"""Causal attention for training in bfloat16 on processors: block by block, by matrix products.
+"""Causal attention in bfloat16 on processors: block by block, by matrix products.
 
 PyTorch's own kernel computes bfloat16 no faster than float32 there (docs/results/log.md,
 2026-11-29).
@@ -31,10 +31,20 @@ def attend_by_blocks(model: Any) -> None:
     parts = (it for it in model.modules() if isinstance(it, transformers.PreTrainedModel))
     if {it.config._attn_implementation for it in parts} != {"sdpa"}:
         return
-    masks = libraries.part("transformers.masking_utils")
     transformers.AttentionInterface.register(BY_BLOCKS, _attend)
-    transformers.AttentionMaskInterface.register(BY_BLOCKS, masks.sdpa_mask)
+    transformers.AttentionMaskInterface.register(BY_BLOCKS, _mask)
     model.set_attn_implementation(BY_BLOCKS)
+
+
+def _mask(*sizes: Any, **asked: Any) -> Any:
+    """None where tokens see all that were read before and no later ones, else PyTorch's mask.
+
+    PyTorch's kernel needs a mask where a text goes on; blocks don't.
+    """
+    windowed = asked.get("local_size") is not None
+    if asked.get("allow_is_causal_skip") and asked.get("attention_mask") is None and not windowed:
+        return None
+    return libraries.part("transformers.masking_utils").sdpa_mask(*sizes, **asked)
 
 
 def _attend(
@@ -49,15 +59,24 @@ def _attend(
     """As Transformers asks: of (batch, heads, tokens, width), (batch, tokens, heads, width)."""
     causal = more.get("is_causal")
     causal = getattr(module, "is_causal", False) if causal is None else causal
-    alike = query.shape[2] == key.shape[2] and query.shape[3] == value.shape[3]
+    alike = query.shape[3] == value.shape[3]
     plain = not more.get("dropout") and all(more.get(name) is None for name in _OTHERWISE)
     if attention_mask is not None or not (causal and alike and plain):
         sdpa = libraries.part("transformers.integrations.sdpa_attention").sdpa_attention_forward
+        if attention_mask is None and causal:
+            attention_mask = _gone_on(query.shape[2], key.shape[2])
         return sdpa(module, query, key, value, attention_mask, scaling=scaling, **more)
     kind = value.dtype
     scale = query.shape[-1] ** -0.5 if scaling is None else scaling
     told = _function().apply((query * scale).to(kind), key.to(kind), value)
     return told.transpose(1, 2).contiguous(), None
+
+
+def _gone_on(tokens: int, of: int) -> Any:
+    """The mask of a text's last tokens; None where the kernel needs none."""
+    if tokens in (1, of):
+        return None
+    return libraries.torch().ones(tokens, of, dtype=bool).tril(of - tokens)
 
 
 @lru_cache(1)
@@ -88,8 +107,8 @@ def _values(q: Any, k: Any, v: Any) -> Any:
     out = libraries.torch().empty_like(q)
     for start in range(0, q.shape[2], _ROWS):
         rows, end = _rows(q, start)
-        weights = _weights(rows, k, start, end)
-        out[:, :, start:end] = (weights @ v[:, :end]).view_as(out[:, :, start:end])
+        weights = _weights(rows, k, end - start, _seen(q, k, end))
+        out[:, :, start:end] = (weights @ v[:, : weights.shape[2]]).view_as(out[:, :, start:end])
     return out
 
 
@@ -103,13 +122,14 @@ def _gradients(q: Any, k: Any, v: Any, given: Any) -> tuple[Any, Any, Any]:
     for start in range(0, q.shape[2], _ROWS):
         rows, end = _rows(q, start)
         out, _ = _rows(given, start)
-        weights = _weights(rows, k, start, end)
-        dv[:, :end] += weights.transpose(1, 2) @ out
-        to_weights = out @ v[:, :end].transpose(1, 2)
+        seen = _seen(q, k, end)
+        weights = _weights(rows, k, end - start, seen)
+        dv[:, :seen] += weights.transpose(1, 2) @ out
+        to_weights = out @ v[:, :seen].transpose(1, 2)
         # weights * (to_weights - the sum of weights * to_weights along a row)
         to_scores = torch.ops.aten._softmax_backward_data(to_weights, weights, -1, weights.dtype)
-        dq[:, :, start:end] = (to_scores @ k[:, :end]).view_as(dq[:, :, start:end])
-        dk[:, :end] += to_scores.transpose(1, 2) @ rows
+        dq[:, :, start:end] = (to_scores @ k[:, :seen]).view_as(dq[:, :, start:end])
+        dk[:, :seen] += to_scores.transpose(1, 2) @ rows
     return dq, dk, dv
 
 
@@ -118,7 +138,7 @@ def _by_key(query: Any, key: Any, value: Any) -> tuple[Any, Any, Any]:
     batch, heads, tokens, width = query.shape
     groups = batch * key.shape[1]
     q = query.reshape(groups, heads // key.shape[1], tokens, width)
-    return q, key.reshape(groups, tokens, -1), value.reshape(groups, tokens, -1)
+    return q, key.reshape(groups, -1, key.shape[3]), value.reshape(groups, -1, value.shape[3])
 
 
 def _rows(of: Any, start: int) -> tuple[Any, int]:
@@ -127,10 +147,15 @@ def _rows(of: Any, start: int) -> tuple[Any, int]:
     return of[:, :, start:end].reshape(of.shape[0], -1, of.shape[3]), end
 
 
-def _weights(rows: Any, k: Any, start: int, end: int) -> Any:
+def _seen(q: Any, k: Any, end: int) -> int:
+    """Tokens up to a block's end, with those that were read before the queries."""
+    return k.shape[1] - q.shape[2] + end
+
+
+def _weights(rows: Any, k: Any, tokens: int, seen: int) -> Any:
     """How much each token of a block attends to each up to its end."""
     torch = libraries.torch()
-    scores = rows @ k[:, :end].transpose(1, 2)
-    later = torch.full((end - start, end - start), float("-inf"), dtype=scores.dtype).triu(1)
-    scores.view(k.shape[0], -1, end - start, end)[..., start:] += later
+    scores = rows @ k[:, :seen].transpose(1, 2)
+    later = torch.full((tokens, tokens), float("-inf"), dtype=scores.dtype).triu(1)
+    scores.view(k.shape[0], -1, tokens, seen)[..., seen - tokens :] += later
     return torch.softmax(scores, -1)

@@ -1,0 +1,66 @@
+"""Attention of the next token of a text, or of the next of each of several texts.
+
+As Transformers calls PyTorch's kernel, each head reads keys anew that several share, which takes
+five times as long on processors (docs/results/log.md, 2026-11-29); and texts have one length.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any
+
+from probe.train.tune import libraries
+from probe.train.tune.by_blocks import BY_BLOCKS
+
+
+def attend_to_next(model: Any) -> bool:
+    """Have a model attend so where it reads one token of a text, and elsewhere as before.
+
+    Returns:
+        Whether it does: not if it attends by windows, or by none of the implementations that are
+        alike.
+    """
+    config = model.config.get_text_config()
+    before: str = config._attn_implementation
+    if before not in ("sdpa", BY_BLOCKS) or getattr(config, "sliding_window", None) is not None:
+        return False
+    model.set_attn_implementation(_registered(before))
+    return True
+
+
+@lru_cache
+def _registered(otherwise: str) -> str:
+    """The name under which Transformers knows this, and for other tokens another attention."""
+    transformers = libraries.transformers()
+    name = f"next_token_or_{otherwise}"
+    attend = _attention(transformers.AttentionInterface()[otherwise])
+    transformers.AttentionInterface.register(name, attend)
+    mask = transformers.AttentionMaskInterface()[otherwise]
+    transformers.AttentionMaskInterface.register(name, mask)
+    return name
+
+
+def _attention(otherwise: Callable[..., Any]) -> Callable[..., Any]:
+    """As Transformers asks; keys and values of several texts are tuples."""
+
+    def attend(
+        module: Any, query: Any, key: Any, value: Any, attention_mask: Any, **more: Any
+    ) -> tuple[Any, None]:
+        if attention_mask is not None or query.shape[2] > 1:
+            return otherwise(module, query, key, value, attention_mask, **more)
+        scale = more.get("scaling")
+        if not isinstance(key, tuple):
+            return _values(query, key, value, scale), None
+        each = [_values(query[n : n + 1], key[n], value[n], scale) for n in range(len(query))]
+        return libraries.torch().cat(each), None
+
+    return attend
+
+
+def _values(query: Any, key: Any, value: Any, scale: float | None) -> Any:
+    """Of one token: (batch, 1, heads, width). Heads that share keys are told as tokens."""
+    batch, heads, _, width = query.shape
+    attend = libraries.torch().nn.functional.scaled_dot_product_attention
+    shared = query.reshape(batch, key.shape[1], -1, width)
+    return attend(shared, key, value, scale=scale).reshape(batch, 1, heads, -1)
