@@ -72,10 +72,10 @@ def dataset(
             take their object_ids from the lists, about a quarter of all calls is left out, and
             the teacher's words are others. Can be left out in the setting text-only alone.
         augment: Tell each episode once more in each of these ways, where that is certain: mirrored
-            left to right, with its question in another wording, or with other phrases of the
-            scripted teacher. Such examples are marked and counted apart. In the setting text-only
-            alone; by default nothing is told again.
-        seed: Chooses the wordings and phrases of --augment.
+            left to right, with its question in another wording, with other phrases of the scripted
+            teacher, or with its options under other letters. Such examples are marked and counted
+            apart. In the setting text-only alone; by default nothing is told again.
+        seed: Chooses the wordings, phrases and letters of --augment.
         pool: Where the objects are that appear; all built-in ones by default.
         workers: Processes that draw.
     """

@@ -74,6 +74,7 @@ _WAYS = {
     "mirrored": "episodes of these, mirrored left to right",
     "wordings": "episodes of these, asked in other words",
     "phrases": "episodes of these, with other phrases of the teacher",
+    "options": "episodes of these, with their options under other letters",
 }
 
 

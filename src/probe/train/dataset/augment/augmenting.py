@@ -13,15 +13,17 @@ from probe.agents.phrases import PhraseBook, Say
 from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
+from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
 from probe.train.dataset.augment.mirrored import mirrored
+from probe.train.dataset.augment.reordering import reordered
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.rewording import reworded
 
-AugmentationWay = Literal["mirrored", "wordings", "phrases"]
-"""How an episode may be told again: mirrored left to right, asked in other words, or with other
-phrases of its teacher."""
+AugmentationWay = Literal["mirrored", "wordings", "phrases", "options"]
+"""How an episode may be told again: mirrored left to right, asked in other words, with other
+phrases of its teacher, or with its options under other letters."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +62,7 @@ def augmented(
     for way in left_out:
         for task, record in episodes:
             try:
-                told.append((way, task, _told(way, task, record, seed, find=find)))
+                told.append((way, *_told(way, task, record, seed, find=find)))
             except NotCertain as doubt:
                 left_out[way][doubt.reason] += 1
     return Augmentation(tuple(told), {way: dict(some) for way, some in left_out.items()})
@@ -73,18 +75,23 @@ def _told(
     seed: int,
     *,
     find: bool,
-) -> EpisodeRecord:
+) -> tuple[Task, EpisodeRecord]:
     def rng(name: str) -> np.random.Generator:
         return generator(seed, name, task.id, record.run)
 
+    def said(say: Say) -> Say:
+        return say if find else SayWithoutFinding(say)
+
     match way:
         case "mirrored":
-            return mirrored(task, record if find else without_finding(record))
+            return task, mirrored(task, record if find else without_finding(record))
         case "wordings":
-            return reworded(task, record if find else without_finding(record), rng("wording"))
+            return task, reworded(task, record if find else without_finding(record), rng("wording"))
         case "phrases":
-            say: Say = PhraseBook(rng("phrases"))
-            told = rephrased(task, record, say if find else SayWithoutFinding(say))
+            told = rephrased(task, record, said(PhraseBook(rng("phrases"))))
             if told == record:
                 raise NotCertain(record.task, "its teacher's phrases came out the same")
-            return told if find else without_finding(told)
+        case "options":
+            say = said(speaker(task, record.run))
+            task, told = reordered(task, record, rng("options"), say)
+    return task, told if find else without_finding(told)

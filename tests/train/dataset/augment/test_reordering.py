@@ -1,0 +1,126 @@
+"""Options under other letters: the same is right, by another name, in all that is said."""
+
+from __future__ import annotations
+
+import re
+import tarfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from painted_teacher import SIZE, taught
+from probe.agents.phrases import silent
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS, SUITE
+from probe.tasks.suite_file import read_suite
+from probe.tasks.task import NONE_OF_THE_ABOVE
+from probe.train.collect.batches import batches
+from probe.train.collect.teacher import speaker
+from probe.train.dataset.augment.augmenting import augmented
+from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.reordering import reordered
+from probe.train.dataset.examples import example_of
+from probe.train.dataset.text_only import no_pictures
+
+PACKED = Path(__file__).parents[4] / "runs/data/teacher.tar.xz"
+LETTER = re.compile(r"\b([A-E]): ([^?]+)\?")
+"""As the teacher goes through the options."""
+
+
+@pytest.fixture(scope="module")
+def episodes(tmp_path_factory):
+    """Some of the teacher's with five options."""
+    folder = tmp_path_factory.mktemp("packed")
+    with tarfile.open(PACKED) as archive:
+        archive.extractall(folder, filter="data")
+    batch = batches(folder / "collected")[0]
+    tasks = {task.id: task for task in read_suite(batch.folder / SUITE).tasks}
+    records = read_records(batch.setting("agentic") / RECORDS)
+    return [(tasks[it.task], it) for it in records if it.answer and len(it.question.options) == 5]
+
+
+def told(task, record, seed=0):
+    return reordered(task, record, np.random.default_rng(seed), speaker(task, record.run))
+
+
+def letter_of(record):
+    assert record.answer
+    return record.answer.choice
+
+
+def text_of(record):
+    return dict(record.question.options)[letter_of(record)]
+
+
+def test_the_same_is_answered_by_another_letter(episodes):
+    assert len(episodes) > 5
+    moved = 0
+    for task, record in episodes:
+        now, after = told(task, record)
+        assert text_of(after) == text_of(record)
+        assert sorted(dict(after.question.options).values()) == sorted(
+            text for _, text in record.question.options
+        )
+        assert after.question.options != record.question.options
+        assert after.question.options[-1] == ("E", NONE_OF_THE_ABOVE)
+        assert [(it.letter, it.text) for it in now.options] == [*after.question.options]
+        assert (now.answer == letter_of(after)) == (task.answer == letter_of(record))
+        moved += letter_of(after) != letter_of(record)
+    assert moved > len(episodes) / 3
+
+
+def test_only_the_answer_is_another_call(episodes):
+    for task, record in episodes:
+        _, after = told(task, record)
+        calls = [(step.call.name, step.call.arguments, step.text) for step in after.steps]
+        before = [(step.call.name, step.call.arguments, step.text) for step in record.steps]
+        assert calls[:-1] == before[:-1]
+        assert after.steps[-1].call.values["choice"] == letter_of(after)
+        assert {**after.steps[-1].call.values, "choice": ""} == {
+            **record.steps[-1].call.values, "choice": "",
+        }  # fmt: skip
+
+
+def test_the_teacher_speaks_of_the_new_letters(episodes):
+    spoken = 0
+    for task, record in episodes:
+        _, after = told(task, record)
+        named = LETTER.findall(after.steps[-1].call.words)
+        assert set(named) <= set(after.question.options)
+        spoken += bool(named)
+    assert spoken > len(episodes) / 2
+
+
+def test_the_order_hangs_on_what_is_drawn_alone(episodes):
+    task, record = episodes[0]
+    orders = {told(task, record, seed)[1].question.options for seed in range(8)}
+    assert len(orders) > 3
+    assert told(task, record, 3) == told(task, record, 3)
+
+
+def test_an_example_has_the_new_letter(episodes):
+    again = augmented(episodes, ["options"], 0)
+    assert len(again.episodes) == len(episodes)
+    for (way, task, record), (before, _) in zip(again.episodes, episodes, strict=True):
+        made = example_of(task, record, no_pictures(record), None, way)
+        assert (
+            dict(record.question.options)[made.letter]
+            == dict((it.letter, it.text) for it in before.options)[before.answer]
+        )
+
+
+def test_marked_things_keep_their_letters():
+    with pytest.raises(NotCertain, match="two marked things"):
+        told(SIZE, taught())
+
+
+def test_what_isnt_sure_is_left_out(episodes):
+    task, record = episodes[0]
+    with pytest.raises(NotCertain, match="it has no answer"):
+        told(task, replace(record, answer=None))
+    with pytest.raises(NotCertain, match="isn't the scripted one"):
+        told(task, replace(record, agent="a-model"))
+    _, after = reordered(task, record, np.random.default_rng(0), silent)
+    assert {step.call.words for step in after.steps} == {""}
