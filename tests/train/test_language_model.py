@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import math
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 
@@ -110,6 +111,16 @@ def test_models_that_see_write_one_reply_at_a_time(tmp_path):
     seeing = small_model(tmp_path / "model", small_dataset(tmp_path / "data"))
     with pytest.raises(BadData, match="--at-once: .* one reply at a time, since it sees"):
         ServedModel(str(seeing), at_once=2)
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [{"max_tokens": -1}, {"max_tokens": "many"}, {"temperature": math.inf}, {"temperature": "x"}],
+)
+def test_limits_that_make_no_sense_are_refused(model, asked):
+    body = {"messages": [{"role": "user", "content": "A lies there."}], **asked}
+    with pytest.raises(NotUnderstood, match="can't have|is no temperature"):
+        ServedModel(str(model)).reply(body)
 
 
 @pytest.mark.parametrize(("room", "said"), [(3, 3), (0, None)])

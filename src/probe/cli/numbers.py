@@ -11,7 +11,7 @@ from probe.errors import BadData
 _MANY, _SEED = 1_000_000, 2**63 - 1
 _PROCESSES = (1, 256)
 _RANGES: Mapping[str, tuple[float, float]] = {
-    "--at-once": (1, 256),
+    "--at-once": (1, 40),
     "--batch": (1, 10_000),
     "--buried": (0, 200),
     "--counts": (0, _MANY),

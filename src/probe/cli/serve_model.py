@@ -40,8 +40,9 @@ def serve_model(
             with a few words before it.
         temperature: At which replies are drawn where a request doesn't say; at 0 none are.
         seed: Of what is drawn. Replies also depend on the order of the requests.
-        at_once: Replies that a language model writes side by side, which takes little longer than
-            one alone. In bfloat16 a reply then also depends on those beside it.
+        at_once: Replies that a language model writes side by side, token by token. A model that
+            sees, or whose layers attend to parts of a text, writes one. Replies may differ from
+            those written alone, as the last digits of sums do.
     """
     check_numbers(
         {

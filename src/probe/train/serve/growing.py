@@ -57,6 +57,12 @@ def _growing() -> Any:
             self.keys, self.values = (room[..., :end, :] for room in self._room)
             return self.keys, self.values
 
+        def crop(self, tokens_to_remove: int) -> None:
+            """Forget the last tokens, and the room that they took."""
+            super().crop(tokens_to_remove)
+            if self.is_initialized:
+                self.keys, self.values, self._room = self.keys.clone(), self.values.clone(), None
+
     return GrowingLayer
 
 

@@ -1,7 +1,8 @@
 """Attention of the next token of a text, or of the next of each of several texts.
 
 As Transformers calls PyTorch's kernel, each head reads keys anew that several share, which takes
-five times as long on processors (docs/results/log.md, 2026-11-29); and texts have one length.
+several times as long on processors (docs/results/log.md, 2026-11-29); and it takes only texts of
+one length.
 """
 
 from __future__ import annotations
@@ -11,22 +12,38 @@ from functools import lru_cache
 from typing import Any
 
 from probe.train.tune import libraries
-from probe.train.tune.by_blocks import BY_BLOCKS
+from probe.train.tune.by_blocks import BY_BLOCKS, OTHERWISE
+
+_LENGTHS = ("dynamic", "longrope")
+"""Kinds of RoPE that go by the longest text of a step."""
 
 
 def attend_to_next(model: Any) -> bool:
     """Have a model attend so where it reads one token of a text, and elsewhere as before.
 
     Returns:
-        Whether it does: not if it attends by windows, or by none of the implementations that are
-        alike.
+        Whether it does: not if its layers attend to parts of a text, or it attends by neither
+        "sdpa" nor BY_BLOCKS.
     """
     config = model.config.get_text_config()
     before: str = config._attn_implementation
-    if before not in ("sdpa", BY_BLOCKS) or getattr(config, "sliding_window", None) is not None:
+    if before not in ("sdpa", BY_BLOCKS) or not _attends_to_all(config):
         return False
-    model.set_attn_implementation(_registered(before))
-    return True
+    name = _registered(before)
+    model.set_attn_implementation(name)  # some models only warn
+    return config._attn_implementation == name
+
+
+def _attends_to_all(config: Any) -> bool:
+    """Whether each layer attends to all that was read, at places that only the text decides."""
+    kinds = getattr(config, "layer_types", None) or ["full_attention"]
+    parts = (getattr(config, name, None) for name in ("sliding_window", "attention_chunk_size"))
+    rope = getattr(config, "rope_parameters", None) or {}
+    return (
+        {*kinds} == {"full_attention"}
+        and all(it is None for it in parts)
+        and rope.get("rope_type") not in _LENGTHS
+    )
 
 
 @lru_cache
@@ -47,7 +64,8 @@ def _attention(otherwise: Callable[..., Any]) -> Callable[..., Any]:
     def attend(
         module: Any, query: Any, key: Any, value: Any, attention_mask: Any, **more: Any
     ) -> tuple[Any, None]:
-        if attention_mask is not None or query.shape[2] > 1:
+        plain = all(more.get(name) is None for name in OTHERWISE)
+        if attention_mask is not None or query.shape[2] > 1 or not plain:
             return otherwise(module, query, key, value, attention_mask, **more)
         scale = more.get("scaling")
         if not isinstance(key, tuple):

@@ -1,4 +1,4 @@
-"""A model behind OpenAI's protocol, for machines on which vLLM can't run. One reply at a time."""
+"""A model behind OpenAI's protocol, for machines on which vLLM can't run."""
 
 from __future__ import annotations
 

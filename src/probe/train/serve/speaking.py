@@ -8,7 +8,7 @@ from threading import Lock
 from typing import Any
 
 from probe.errors import BadData, ProbeError
-from probe.train.serve.choosing import Chooser
+from probe.train.serve.choosing import Chooser, check_recommended
 from probe.train.serve.constraining import CallForms
 from probe.train.serve.next_token import attend_to_next
 from probe.train.serve.replying import ServedReply, read_reply
@@ -16,12 +16,15 @@ from probe.train.serve.writing import Writer
 from probe.train.tune import libraries
 from probe.train.tune.by_blocks import attend_by_blocks
 from probe.train.tune.collating import encoded
-from probe.train.tune.conversations import of_request
+from probe.train.tune.conversations import NotUnderstood, of_request
 from probe.train.tune.loading import load
 from probe.train.tune.processors import sees, tokenizer_of
 
 MOST_TOKENS = 512
 """Of a reply, if a request doesn't say."""
+
+MOST_TEMPERATURE = 2
+"""As in OpenAI's protocol."""
 
 
 class ConversationTooLong(ProbeError):
@@ -113,10 +116,8 @@ class ServedModel:
         """
         asked = self.asked(body).to(self._model.device)
         start = asked["input_ids"].shape[1]
-        most = int(body.get("max_completion_tokens") or body.get("max_tokens") or 0)
-        most = self._room(start, most or self._most_tokens)
-        said = body.get("temperature")
-        warmth = self._temperature if said is None else float(said)
+        most = self._room(start, _limit(body) or self._most_tokens)
+        warmth = _temperature(body, self._temperature)
         tools = body.get("tools") if self._forms else None
         kept_to = self._forms.keep_to(tools) if self._forms and tools else None
         if self._writer is None:
@@ -158,10 +159,28 @@ class ServedModel:
             attend_by_blocks(self._model)
         if not attend_to_next(self._model) and at_once > 1:
             raise _one_at_a_time(model, "it doesn't attend by PyTorch's kernel to all it has read")
+        check_recommended(model, self._model.generation_config)
         ends: Any = self._model.generation_config.eos_token_id
         listed: list[int] = [ends] if isinstance(ends, int) else ends or []
         own: int = tokenizer_of(self._processor).eos_token_id
         return Writer(self._model, at_once, frozenset([*listed, own]))
+
+
+def _limit(body: Mapping[str, Any]) -> int:
+    """Tokens of a reply that a request wants at most; 0 if it doesn't say."""
+    asked = body.get("max_completion_tokens") or body.get("max_tokens") or 0
+    if not isinstance(asked, int) or asked < 0:
+        raise NotUnderstood(f"a reply can't have {asked!r} tokens at most")
+    return asked
+
+
+def _temperature(body: Mapping[str, Any], usual: float) -> float:
+    asked = body.get("temperature")
+    if asked is None:
+        return usual
+    if not isinstance(asked, (int, float)) or not 0 <= asked <= MOST_TEMPERATURE:
+        raise NotUnderstood(f"{asked!r} is no temperature from 0 to {MOST_TEMPERATURE}")
+    return float(asked)
 
 
 def _one_at_a_time(model: str, reason: str) -> BadData:

@@ -5,7 +5,9 @@ Knows tokens, no protocol.
 
 from __future__ import annotations
 
+from collections.abc import Generator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from threading import Lock
 from typing import Any
@@ -23,7 +25,7 @@ class _Text:
     Attributes:
         tokens: Of both.
         asked: How many the conversation has.
-        most: The reply may have.
+        most: Tokens that the reply may have.
         chooser: Of the next one.
         cache: Of all but the last one; None before it is read.
         reply: Its tokens, once all are there.
@@ -40,8 +42,8 @@ class _Text:
 class Writer:
     """Writes on for as many texts as there are.
 
-    One thread does, since each that computes has helpers of its own, and these would be in each
-    other's way.
+    One thread does: PyTorch gives each thread that computes worker threads of its own, and these
+    would compete for cores.
 
     Args:
         model: A language model.
@@ -51,7 +53,7 @@ class Writer:
 
     def __init__(self, model: Any, at_once: int, ends: frozenset[int]) -> None:
         self._model, self._at_once, self._ends = model, at_once, ends
-        self._before = ReadBefore(empty, KEPT + 2 * (at_once - 1))
+        self._before = ReadBefore(empty, KEPT + at_once - 1)
         self._waiting: list[_Text] = []
         self._writing: list[_Text] = []
         self._door = Lock()
@@ -77,23 +79,18 @@ class Writer:
                 self._step()
 
     def _step(self) -> None:
-        """One more token of each, after the conversations that are new were read."""
+        """One more token of each text, after one that is new was read."""
         with self._door:
-            room = self._at_once - len(self._writing)
-            fresh, self._waiting = self._waiting[:room], self._waiting[room:]
-        texts = [*self._writing, *fresh]
-        self._writing = []
-        try:
-            for text in fresh:
-                self._read(text)
-            going_on = [it for it in texts if not it.reply.done()]
-            if going_on:
+            room = len(self._writing) < self._at_once
+            fresh = self._waiting.pop(0) if room and self._waiting else None
+        if fresh:
+            self._writing.append(fresh)
+            with _failing([fresh]):
+                self._read(fresh)
+        if going_on := [it for it in self._writing if not it.reply.done()]:
+            with _failing(going_on):
                 self._write_on(going_on)
-        except BaseException as error:  # nobody else would tell those who wait
-            for text in texts:
-                if not text.reply.done():
-                    text.reply.set_exception(error)
-        self._writing = [it for it in texts if not it.reply.done()]
+        self._writing = [it for it in self._writing if not it.reply.done()]
 
     def _read(self, text: _Text) -> None:
         """A conversation, as far as it wasn't read before, and the first token of its reply."""
@@ -107,7 +104,8 @@ class Writer:
         last = [it.tokens[-1:] for it in texts]
         scores = self._scores(last, [[len(it.tokens) - 1] for it in texts], cache)
         for text, of_text in zip(texts, scores, strict=True):
-            self._add(text, of_text)
+            with _failing([text]):
+                self._add(text, of_text)
 
     def _scores(self, tokens: Any, places: Any, cache: Any) -> Any:
         """Of what follows each text's last token: (texts, vocabulary)."""
@@ -123,6 +121,17 @@ class Writer:
     def _add(self, text: _Text, scores: Any) -> None:
         text.tokens.append(text.chooser.choose(text.tokens, scores))
         said = text.tokens[text.asked :]
-        if said[-1] in self._ends or len(said) == text.most:
+        if said[-1] in self._ends or len(said) >= text.most:
             self._before.keep(text.tokens, text.cache)
             text.reply.set_result(said)
+
+
+@contextmanager
+def _failing(texts: Sequence[_Text]) -> Generator[None]:
+    """Tell an error to those who wait for these texts, and go on with the others."""
+    try:
+        yield
+    except BaseException as error:
+        for text in texts:
+            if not text.reply.done():
+                text.reply.set_exception(error)

@@ -17,7 +17,7 @@ BY_BLOCKS = "by_blocks"
 _ROWS = 256
 """Queries of a block: few enough that its weights stay in a processor's cache."""
 
-_OTHERWISE = ("softcap", "s_aux", "position_bias", "cache")
+OTHERWISE = ("softcap", "s_aux", "position_bias", "cache")
 """What some models ask for, and only other implementations do."""
 
 
@@ -36,15 +36,20 @@ def attend_by_blocks(model: Any) -> None:
     model.set_attn_implementation(BY_BLOCKS)
 
 
-def _mask(*sizes: Any, **asked: Any) -> Any:
+def _mask(**asked: Any) -> Any:
     """None where tokens see all that were read before and no later ones, else PyTorch's mask.
 
     PyTorch's kernel needs a mask where a text goes on; blocks don't.
     """
-    windowed = asked.get("local_size") is not None
-    if asked.get("allow_is_causal_skip") and asked.get("attention_mask") is None and not windowed:
-        return None
-    return libraries.part("transformers.masking_utils").sdpa_mask(*sizes, **asked)
+    read, more = asked["kv_length"], asked["q_length"]
+    if more not in (1, read):
+        windowed = asked.get("local_size") is not None
+        padded = asked.get("attention_mask") is not None
+        last = read == asked.get("q_offset", 0) + more
+        if last and asked.get("allow_is_causal_skip") and not (windowed or padded):
+            return None
+        asked["allow_is_causal_skip"] = False  # there None means that the first tokens ask
+    return libraries.part("transformers.masking_utils").sdpa_mask(**asked)
 
 
 def _attend(
@@ -60,7 +65,7 @@ def _attend(
     causal = more.get("is_causal")
     causal = getattr(module, "is_causal", False) if causal is None else causal
     alike = query.shape[3] == value.shape[3]
-    plain = not more.get("dropout") and all(more.get(name) is None for name in _OTHERWISE)
+    plain = not more.get("dropout") and all(more.get(name) is None for name in OTHERWISE)
     if attention_mask is not None or not (causal and alike and plain):
         sdpa = libraries.part("transformers.integrations.sdpa_attention").sdpa_attention_forward
         if attention_mask is None and causal:

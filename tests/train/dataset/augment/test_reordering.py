@@ -20,7 +20,9 @@ from probe.train.collect.batches import batches
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.augmenting import augmented
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding
 from probe.train.dataset.augment.reordering import reordered
+from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.text_only import no_pictures
 
@@ -100,9 +102,16 @@ def test_the_order_hangs_on_what_is_drawn_alone(episodes):
     assert told(task, record, 3) == told(task, record, 3)
 
 
-def test_an_example_has_the_new_letter(episodes):
-    again = augmented(episodes, ["options"], 0)
+@pytest.mark.parametrize("find", [True, False])
+def test_an_example_has_the_new_letter(episodes, find):
+    said = [
+        (task, rephrased(task, record, SayWithoutFinding(speaker(task, record.run))))
+        for task, record in episodes
+    ]
+    again = augmented(said if not find else episodes, ["options"], 0, find=find)
     assert len(again.episodes) == len(episodes)
+    calls = [step.call.name for _, _, record in again.episodes for step in record.steps]
+    assert ("find_object" in calls) is find
     for (way, task, record), (before, _) in zip(again.episodes, episodes, strict=True):
         made = example_of(task, record, no_pictures(record), None, way)
         assert (
@@ -122,5 +131,8 @@ def test_what_isnt_sure_is_left_out(episodes):
         told(task, replace(record, answer=None))
     with pytest.raises(NotCertain, match="isn't the scripted one"):
         told(task, replace(record, agent="a-model"))
+    longer = replace(record, steps=(record.steps[0], *record.steps))
+    with pytest.raises(NotCertain, match="would do something else today"):
+        told(task, longer)
     _, after = reordered(task, record, np.random.default_rng(0), silent)
     assert {step.call.words for step in after.steps} == {""}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Call
-from probe.tasks.task import LETTERS, Letter, Option, Task
+from probe.tasks.task import LETTERS, Option, Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.rephrasing import rephrased
 
@@ -34,26 +35,28 @@ def reordered(
     """
     if len(task.options) != len(LETTERS):
         raise NotCertain(record.task, "its options are the two marked things")
-    if record.answer is None:
+    if record.answer is None or not record.steps:
         raise NotCertain(record.task, "it has no answer")
     order = _other_order(len(LETTERS) - 1, rng)
     texts = [*(task.options[old].text for old in order), task.options[-1].text]
-    letters: dict[str, Letter] = {
-        LETTERS[old]: new for old, new in zip(order, LETTERS, strict=False)
-    }
-    options = tuple(Option(new, text) for new, text in zip(LETTERS, texts, strict=True))
-    now = replace(task, options=options, answer=letters.get(task.answer, task.answer))
-    asked = replace(record.question, options=tuple((it.letter, it.text) for it in options))
-    given = letters.get(record.answer.choice, record.answer.choice)
+    new = {LETTERS[old]: letter for old, letter in zip(order, LETTERS, strict=False)}
+    options = tuple(Option(letter, text) for letter, text in zip(LETTERS, texts, strict=True))
+    now = replace(task, options=options, answer=new.get(task.answer, task.answer))
+    given = new.get(record.answer.choice, record.answer.choice)
+    return now, rephrased(now, _asked_so(record, options, given), say)
+
+
+def _asked_so(record: EpisodeRecord, options: Sequence[Option], given: str) -> EpisodeRecord:
+    """An episode with other options, and another letter for its answer."""
+    assert record.answer
     *before, last = record.steps
     call = Call.of(last.call.name, {**last.call.values, "choice": given}, last.call.words)
-    told = replace(
+    return replace(
         record,
-        question=asked,
+        question=replace(record.question, options=tuple((it.letter, it.text) for it in options)),
         steps=(*before, replace(last, call=call)),
         answer=replace(record.answer, choice=given),
     )
-    return now, rephrased(now, told, say)
 
 
 def _other_order(count: int, rng: np.random.Generator) -> list[int]:
