@@ -38,7 +38,7 @@ def _attends_to_all(config: Any) -> bool:
     """Whether each layer attends to all that was read, at places that only the text decides."""
     kinds = getattr(config, "layer_types", None) or ["full_attention"]
     parts = (getattr(config, name, None) for name in ("sliding_window", "attention_chunk_size"))
-    rope = getattr(config, "rope_parameters", None) or {}
+    rope: dict[str, Any] = getattr(config, "rope_parameters", None) or {}
     return (
         {*kinds} == {"full_attention"}
         and all(it is None for it in parts)
