@@ -77,8 +77,11 @@ def _attention(otherwise: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _values(query: Any, key: Any, value: Any, scale: float | None) -> Any:
-    """Of one token: (batch, 1, heads, width). Heads that share keys are told as tokens."""
+    """softmax(q k^T) v of one token: (batch, 1, heads, width)."""
     batch, heads, _, width = query.shape
-    attend = libraries.torch().nn.functional.scaled_dot_product_attention
-    shared = query.reshape(batch, key.shape[1], -1, width)
-    return attend(shared, key, value, scale=scale).reshape(batch, 1, heads, -1)
+    groups = batch * key.shape[1]
+    q = (query * (width**-0.5 if scale is None else scale)).reshape(groups, -1, width)
+    k, v = (it.reshape(groups, -1, it.shape[-1]) for it in (key, value))
+    # Scores are turned, not keys: there are many more of these.
+    scores = (k @ q.transpose(1, 2)).transpose(1, 2).contiguous()
+    return (scores.softmax(-1) @ v).reshape(batch, 1, heads, -1)
