@@ -6,9 +6,9 @@
 #   ARMS=text-only RUN="--graphs short" SERVE="--cpu-bfloat16" runs/serve_and_run.sh NAME FOLDER
 #   SERVERS=8 WORKERS=2 runs/serve_and_run.sh NAME FOLDER     # 8 servers, 2 processes ask each
 #
-# FOLDER has the model; the runs go to $OUT/runs/NAME-ARM. A server replies to one request at a time, or
-# to a few (SERVE="--at-once 4"), so a machine with many cores, or a GPU, should have several: at ports from $PORT on. What each has
-# answered stays in $OUT/shards.
+# FOLDER has the model; the runs go to $OUT/runs/NAME-ARM. A server replies to one request at a time,
+# or to a few (SERVE="--at-once 4"), so a machine with many cores, or a GPU, should have several: at
+# ports from $PORT on. What each has answered stays in $OUT/shards.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -91,10 +91,11 @@ class Chooser:
             tokens: All so far.
             scores: Of each token of the vocabulary, (m,).
         """
-        torch = libraries.torch()
-        before, scores = torch.tensor([tokens], device=scores.device), scores[None].float()
-        for process in self._processes:
-            scores = process(before, scores)
+        torch, scores = libraries.torch(), scores[None].float()
+        if self._processes:
+            before = torch.tensor([tokens], device=scores.device)
+            for process in self._processes:
+                scores = process(before, scores)
         if self._drawn:
             return int(torch.multinomial(scores.softmax(-1), 1))
         return int(scores.argmax())

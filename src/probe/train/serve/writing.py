@@ -1,4 +1,4 @@
-"""Writes replies token by token, several side by side: a step takes little longer for all of them.
+"""Writes replies token by token, several side by side: in a step weights are read once for all.
 
 Knows tokens, no protocol.
 """

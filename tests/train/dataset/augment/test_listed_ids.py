@@ -2,28 +2,21 @@
 
 from __future__ import annotations
 
-import tarfile
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
+from packed_teacher import packed_episodes
 from painted_teacher import SIZE, taught
 from probe.agents.phrases import silent
 from probe.assets.library import open_library
-from probe.episodes.files import read_records
-from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.play import set_table
 from probe.render.renderer import Renderer
-from probe.tasks.suite_file import read_suite
-from probe.train.collect.batches import batches
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
 from probe.train.dataset.augment.mirrored import mirrored
 from probe.train.dataset.augment.rephrasing import rephrased
-
-PACKED = Path(__file__).parents[4] / "runs/data/teacher.tar.xz"
 
 
 def told(task, record):
@@ -78,16 +71,11 @@ def test_nothing_is_guessed():
 
 @pytest.mark.slow  # Two tables with physics.
 def test_the_tools_reply_so_without_find_object(tmp_path, cache):
-    with tarfile.open(PACKED) as archive:
-        archive.extractall(tmp_path, filter="data")
-    batch = batches(tmp_path / "collected")[0]
-    tasks = {task.id: task for task in read_suite(batch.folder / SUITE).tasks}
-    records = read_records(batch.setting("agentic") / RECORDS)
-    longest = sorted(records, key=lambda record: -names(record).count("find_object"))[:2]
+    episodes = packed_episodes(tmp_path)
+    longest = sorted(episodes, key=lambda it: -names(it[1]).count("find_object"))[:2]
     objects = open_library("procedural-2", None, cache)
     with Renderer() as renderer:
-        for record in longest:
-            task = tasks[record.task]
+        for task, record in longest:
             tools, _ = set_table(task, objects, renderer, pictures=False)
             after = without_finding(rephrased(task, record, SayWithoutFinding(silent)))
             assert len(after.steps) < len(record.steps)

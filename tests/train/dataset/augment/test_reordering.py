@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import re
-import tarfile
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from packed_teacher import packed_episodes
 from painted_teacher import SIZE, taught
 from probe.agents.phrases import silent
-from probe.episodes.files import read_records
-from probe.episodes.folder import RECORDS, SUITE
-from probe.tasks.suite_file import read_suite
 from probe.tasks.task import NONE_OF_THE_ABOVE
-from probe.train.collect.batches import batches
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.augmenting import augmented
 from probe.train.dataset.augment.certain import NotCertain
@@ -26,7 +21,6 @@ from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.text_only import no_pictures
 
-PACKED = Path(__file__).parents[4] / "runs/data/teacher.tar.xz"
 LETTER = re.compile(r"\b([A-E]): ([^?]+)\?")
 """As the teacher goes through the options."""
 
@@ -34,13 +28,8 @@ LETTER = re.compile(r"\b([A-E]): ([^?]+)\?")
 @pytest.fixture(scope="module")
 def episodes(tmp_path_factory):
     """Some of the teacher's with five options."""
-    folder = tmp_path_factory.mktemp("packed")
-    with tarfile.open(PACKED) as archive:
-        archive.extractall(folder, filter="data")
-    batch = batches(folder / "collected")[0]
-    tasks = {task.id: task for task in read_suite(batch.folder / SUITE).tasks}
-    records = read_records(batch.setting("agentic") / RECORDS)
-    return [(tasks[it.task], it) for it in records if it.answer and len(it.question.options) == 5]
+    some = packed_episodes(tmp_path_factory.mktemp("packed"))
+    return [(task, it) for task, it in some if it.answer and len(it.question.options) == 5]
 
 
 def told(task, record, seed=0):
