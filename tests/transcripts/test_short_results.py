@@ -23,8 +23,8 @@ BLOCKS = (
 )
 # The book's point: as far from the corner of the mug on it as from its own edges.
 FIRST = (
-    "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, [width, "
-    "height] of its box, what it lies on or covers."
+    "# All that shows, from top to bottom: object_id, [u, v] of a point on it, what it is, "
+    "object_id, [width, height] of its box, what lies on it or covers it."
 )
 LATER = "# Changed since the last list:"
 
@@ -41,38 +41,63 @@ def test_the_first_list_tells_all_and_later_ones_what_changed():
     tools, texts = table(), ShortResults()
     assert told(tools, texts, "perceive_scene").split("\n") == [
         FIRST,
-        "- object_1 red mug [159, 159] [120, 120]",
-        "- object_2 red mug [374, 574] [50, 50] on object_3",
-        "- object_3 blue book [441, 641] [200, 200]",
+        "- object_1 at [159, 159]: red mug, object_1, [120, 120]",
+        "- object_2 at [374, 574]: red mug, object_2, [50, 50]",
+        "- object_3 at [441, 641]: blue book, object_3, [200, 200], under object_2",
     ]
     assert told(tools, texts, "perceive_scene") == "# Nothing has changed since the last list."
     done = told(tools, texts, "grasp_and_remove", object_id="object_2")
     assert done.startswith("Done: object_2 was lifted and dropped into the basket.")
     assert told(tools, texts, "perceive_scene").split("\n") == [
         LATER,
-        "- object_4 red coin [374, 574] [30, 30] on object_3",
-        "- object_3 blue book [435, 635] [200, 200]",
+        "- object_4 at [374, 574]: red coin, object_4, [30, 30]",
+        "- object_3 at [435, 635]: blue book, object_3, [200, 200], under object_4",
         "out of date: object_2",
     ]
 
 
-def entry(u: int, v: int = 50, width: int = 20) -> ListEntry:
-    return ListEntry("red mug", (u, v), (width, 20))
+def entry(u: int, v: int = 50, width: int = 20, under: tuple[str, ...] = ()) -> ListEntry:
+    return ListEntry("red mug", (u, v), (width, 20), under)
 
 
 def test_a_place_that_differs_is_told_again_and_two_pixels_are_not_much():
     texts = ["# Nothing has changed since the last list."] * 2
-    texts.append(f"{LATER}\n- object_1 red mug [103, 50] [20, 20]")
+    texts.append(f"{LATER}\n- object_1 at [103, 50]: red mug, object_1, [20, 20]")
     known = known_after(None, {"object_1": entry(100)})
     for u, text in zip((102, 98, 103), texts, strict=True):
         assert short_list(known, {"object_1": entry(u)}) == text
     for changed, told in (
-        (entry(100, v=53), "red mug [100, 53] [20, 20]"),
-        (entry(100, width=23), "red mug [100, 50] [23, 20]"),
-        (replace(entry(100), what="mug"), "mug [100, 50] [20, 20]"),
-        (replace(entry(100), lying=("on object_2",)), "red mug [100, 50] [20, 20] on object_2"),
+        (entry(100, v=53), "[100, 53]: red mug, object_1, [20, 20]"),
+        (entry(100, width=23), "[100, 50]: red mug, object_1, [23, 20]"),
+        (replace(entry(100), what="mug"), "[100, 50]: mug, object_1, [20, 20]"),
+        (entry(100, under=("object_2",)), "[100, 50]: red mug, object_1, [20, 20], under object_2"),
     ):
-        assert short_list(known, {"object_1": changed}) == f"{LATER}\n- object_1 {told}"
+        assert short_list(known, {"object_1": changed}) == f"{LATER}\n- object_1 at {told}"
+
+
+def test_that_what_lay_on_it_is_out_of_date_is_not_told_twice():
+    before = {"object_1": entry(100, under=("object_2", "object_3")), "object_2": entry(300)}
+    before["object_3"] = entry(500)
+    now = {"object_1": entry(100, under=("object_3",)), "object_3": entry(500)}
+    known = known_after(None, before)
+    assert short_list(known, now) == f"{LATER}\nout of date: object_2"
+    later = known_after(known, now)
+    assert short_list(later, now) == "# Nothing has changed since the last list."
+    lifted = {"object_1": entry(100), "object_3": entry(500)}
+    assert short_list(later, lifted).split("\n")[1:] == [
+        "- object_1 at [100, 50]: red mug, object_1, [20, 20]"
+    ]
+
+
+def test_only_what_has_no_name_says_what_it_touches():
+    hidden = replace(BLOCKS[2], share=0.05)
+    beside = Block(1, (500, 500, 619, 699))
+    blocks, specs = (hidden, beside), Oracle(SPECS)
+    tools = Toolshed(PaintedStation(blocks), specs, Obedient(), UR5_TABLE, pictures=False)
+    listed = told(tools, ShortResults(), "perceive_scene").split("\n")[1:]
+    part = next(line for line in listed if "part of something" in line)
+    assert part.endswith(", touching object_1") or part.endswith(", touching object_2")
+    assert not [line for line in listed if line != part and "touching" in line]
 
 
 @pytest.mark.parametrize("what", ["u", "width"])
@@ -91,12 +116,15 @@ def test_what_creeps_is_told_before_it_is_far_from_what_was_told(what):
 def test_a_thing_that_is_found_is_a_line_with_its_box_and_description():
     tools, texts = table(), ShortResults()
     found = told(tools, texts, "find_object", description="the thing at (400, 680)")
-    assert found == "- object_1 blue book [441, 641], box [300, 500, 499, 699]: A blue book."
+    assert (
+        found
+        == "- object_1 at [441, 641]: blue book, object_1, box [300, 500, 499, 699]: A blue book."
+    )
     mugs = told(tools, texts, "find_object", description="red mug").split("\n")
     assert mugs == [
-        "- object_2 red mug [159, 159], box [100, 100, 219, 219]: A red mug.",
+        "- object_2 at [159, 159]: red mug, object_2, box [100, 100, 219, 219]: A red mug.",
         "others_that_fit_as_well:",
-        "- object_3 red mug [374, 574]",
+        "- object_3 at [374, 574]: red mug, object_3",
     ]
 
 
@@ -166,4 +194,4 @@ def test_places_are_counted_after_lists_are_shortened():
     tools, texts = table(), ResultTexts("0-1000", "short")
     listed = texts.told("perceive_scene", tools.call("perceive_scene", {}).text)
     # (159, 159) and 120 of 1024 pixels in thousandths.
-    assert "- object_1 red mug [155, 155] [117, 117]" in listed
+    assert "- object_1 at [155, 155]: red mug, object_1, [117, 117]" in listed

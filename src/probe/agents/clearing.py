@@ -34,6 +34,7 @@ class Search:
         graph: What showed last.
         spent: Manipulations so far.
         removed_last: Whether the last manipulation took a thing off the table.
+        remarks: What is said of the graph before whatever is done next.
         say: Gives the words that go with each call.
         scale: Of the pictures.
         gentle: Whether it only lifts, and nothing but what it is to clear: others may not move.
@@ -46,6 +47,7 @@ class Search:
     graph: Graph = field(default_factory=Graph)
     spent: int = 0
     removed_last: bool = False
+    remarks: str = ""
     say: Say = silent
     scale: PictureScale = USUAL_SCALE
     gentle: bool = False
@@ -89,12 +91,17 @@ class Search:
         outcome = yield from move_away(seen, self.graph, way, self.rng, self.say, words, self.scale)
         self._tried[name].append((way, outcome))
         before = _names(self.graph)
-        yield from self._look(self.say(f"look {outcome}", {"thing": name}))
+        tried_on = {"thing": name, "id": seen.object_id or ""}
+        yield from self._look(self.say(f"look {outcome}", tried_on))
         now = _names(self.graph)
         shown = any(now[other] > before[other] for other in now if other != name)
         self.removed_last = left = outcome == "gone" and name not in now
         if left or (outcome in ("gone", "pushed") and (shown or hider(name) is None)):
             self._searched.add(name)
+
+    def remark(self, words: str) -> None:
+        """Say something of what shows, before what is done next."""
+        self.remarks = f"{self.remarks} {words}".strip()
 
     @property
     def complete(self) -> bool:
@@ -102,7 +109,7 @@ class Search:
         return not self.graph.unclear and not any(_hides(s) for s in self._unsearched())
 
     def _look(self, words: str) -> Plan[None]:
-        self.graph = yield from look(words)
+        self.graph, self.remarks = (yield from look(words)), ""
 
     def _unsearched(self) -> list[Seen]:
         """Things that still stand where something may lie under them.
@@ -137,12 +144,12 @@ class Search:
         return min(movable, key=lambda each: len(self.graph.over(each)), default=None)
 
     def _reasons(self, seen: Seen, way: Way, why: Reason) -> str:
-        """Why a thing is moved, and why in this way."""
+        """What shows, why a thing is moved, and why in this way."""
         name = seen.name or ""
         tried = self._tried[name]
         how = f"{way} {tried[-1][1]}" if tried else way
         slots = {"thing": name, "id": seen.object_id or "", **why.slots}
-        return f"{self.say(why.reason, slots)} {self.say(how, slots)}".strip()
+        return f"{self.remarks} {self.say(why.reason, slots)} {self.say(how, slots)}".strip()
 
     def _attraction(self, seen: Seen) -> str:
         """Why this thing, of all that might hide something: the occasion to say so."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,6 +32,7 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
     Bold, it takes what could be seen of them.
     """
     marks = marks_of(question)
+    search.remark(_at_the_marks(search, marks))
     crowd = {seen.name for seen in search.graph.named}
     # Those that are marked show too little to be named, or a little more.
     for mark in marks.values():
@@ -47,6 +48,22 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
         if marked.shown:
             crowd.add(marked.shown.name)
     return found[0], found[1]
+
+
+def _at_the_marks(search: Search, marks: Mapping[str, tuple[int, int]]) -> str:
+    """Which of the listed things the marks are on, where that is sure."""
+    here = {letter: at(search.graph.objects, mark) for letter, mark in marks.items()}
+    told = (
+        search.say("mark at", {"letter": letter, "place": str(marks[letter]), "id": seen.object_id})
+        for letter, seen in here.items()
+        if seen is not None and seen.object_id and _is_marked(seen, marks[letter])
+    )
+    return " ".join(told)
+
+
+def _is_marked(seen: Seen, mark: tuple[int, int]) -> bool:
+    """Whether a mark is on a thing; it may be on something beneath, or much like it."""
+    return math.dist(seen.point, mark) <= _AT_PX
 
 
 def marks_of(question: Question) -> dict[str, tuple[int, int]]:
@@ -78,6 +95,7 @@ class _Marked:
         crowd: Names of things that it isn't.
         here: Its entry in the last graph, if it shows.
         shown: Its largest entry so far that had a name.
+        sure: Whether its entry is that of what is marked, and not of something much like it.
     """
 
     letter: str
@@ -85,19 +103,34 @@ class _Marked:
     crowd: set[str | None]
     here: Seen | None = None
     shown: Seen | None = None
+    sure: bool = False
 
     def uncover(self, search: Search) -> Plan[bool]:
         """Clear away what lies on it until nothing does; says whether that worked."""
         spent = search.spent
         self._follow(search.graph)
+        self.sure = self.here is not None and _is_marked(self.here, self.mark)
+        search.remark(self._told(search.say))
         while not self._is_clear(search.graph):
             over = self._over(search)
             if not over or search.spent - spent >= _MOST:
                 return False
             chosen = max(over, key=lambda seen: seen.area)
             yield from search.clear(chosen, self._why(chosen, search.graph))
+            before, named = self.here, self.shown is not None
             self._follow(search.graph)
+            same = before and self.here and before.object_id == self.here.object_id
+            self.sure = self.sure and (named or bool(same))
+            search.remark(self._told(search.say))
         return True
+
+    def _told(self, say: Say) -> str:
+        """Which of the listed things it is; nothing where that isn't sure."""
+        here = self.here
+        if here is None or not here.object_id or not self.sure:
+            return ""
+        slots = {"letter": self.letter, "id": here.object_id, "thing": here.name or ""}
+        return say("marked" if here.name else "marked unclear", slots)
 
     def _follow(self, graph: Graph) -> None:
         """Find it in a new graph: by its name if that is known, else what is new by its mark."""
@@ -120,9 +153,7 @@ class _Marked:
         if self.here is None:
             return Reason("mark place", letter=self.letter)
         occasion = "mark on" if seen.number in graph.over(self.here) else "mark touching"
-        # It may follow something in front of the mark, or much like it: then it says nothing.
-        sure = math.dist(self.here.point, self.mark) <= _AT_PX
-        return Reason(occasion, letter=self.letter, marked=(sure and self.here.object_id) or "")
+        return Reason(occasion, letter=self.letter)
 
     def _over(self, search: Search) -> list[Seen]:
         """What lies on it, or else what touches it or is where its mark was."""

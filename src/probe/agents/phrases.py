@@ -28,18 +28,16 @@ class Reason:
         reason: Name of the occasion in the phrases.
         other: Name of another thing that has to do with it.
         letter: The mark that has to do with it.
-        marked: The object_id of what is marked so, if that is sure.
     """
 
     reason: str
     other: str = ""
     letter: str = ""
-    marked: str = ""
 
     @property
     def slots(self) -> dict[str, str]:
         """What fills a phrase's slots."""
-        return {"other": self.other, "letter": self.letter, "marked": self.marked}
+        return {"other": self.other, "letter": self.letter}
 
 
 def silent(occasion: str, slots: Mapping[str, str]) -> str:

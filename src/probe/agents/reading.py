@@ -119,6 +119,11 @@ class Graph:
         above = [r for r in self.relations if r[1] in ("on", "covering")]
         return {first for first, _, second in above if second == seen.number}
 
+    def touching(self, seen: Seen) -> set[int]:
+        """Numbers of those that it touches, none of which lies on or covers the other."""
+        ends = [(a, b) for a, kind, b in self.relations if kind == "touching"]
+        return {b for a, b in ends if a == seen.number} | {a for a, b in ends if b == seen.number}
+
     def meeting(self, seen: Seen) -> set[int]:
         """Numbers of those that lie on, cover or touch it, or the other way round."""
         contacts = [r for r in self.relations if r[1] in ("on", "covering", "touching")]

@@ -11,6 +11,7 @@ from probe.agents.phrases import Reason, Say
 from probe.agents.reading import Box, Graph, Seen, same
 from probe.agents.type_plan import ScriptedQuestion
 from probe.episodes.turns import Question
+from probe.tasks.english import joined
 
 _MARGIN_PX = 40
 """What lay beneath a cover may have been dragged so far when that was lifted."""
@@ -38,7 +39,8 @@ def conclude(asked: ScriptedQuestion, found: FoundAnswer | None, search: Search)
         options = asked.question.options
         found = FoundAnswer(options[int(search.rng.integers(len(options)))][0], "guess", {})
     if found is not None:
-        yield from answer(found.letter, words=found.told(asked.question, search.say))
+        words = f"{search.remarks} {found.told(asked.question, search.say)}".strip()
+        yield from answer(found.letter, words=words)
 
 
 def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[None]:
@@ -59,6 +61,8 @@ def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[
     found: FoundAnswer | None = None
     while place is not None:
         left = [seen for name in names for seen in search.graph.called(name)]
+        remark_left(search, left)
+        remark_new(search, known)
         fresh = [seen for seen in left if search.may_clear(seen)]
         # Pushed, a cover takes along what is beneath: that is where it went.
         place = around([place, *(seen.box for seen in left)]) or place
@@ -82,6 +86,25 @@ def around(boxes: Iterable[Box]) -> Box | None:
         return None
     left, top, right, bottom = zip(*some, strict=True)
     return min(left), min(top), max(right), max(bottom)
+
+
+def remark_left(search: Search, left: Sequence[Seen]) -> None:
+    """Say which of the things that are to go are still there."""
+    each = [f"{seen.name}, {seen.object_id}" for seen in left if seen.object_id]
+    if each:
+        search.remark(search.say("still there", {"each": "; ".join(each)}))
+    elif not left:
+        search.remark(search.say("all gone", {}))
+
+
+def remark_new(search: Search, known: Collection[str | None]) -> None:
+    """Say what shows that can be named and didn't show at first, once anything was moved."""
+    names = [seen.name or "" for seen in search.graph.named if seen.name not in known]
+    if not search.spent:
+        return
+    new = [*dict.fromkeys(names)]
+    words = search.say("new", {"each": joined(new)}) if new else search.say("nothing new", {})
+    search.remark(words)
 
 
 def newcomers(graph: Graph, known: Collection[str | None], places: Sequence[Box]) -> list[Seen]:

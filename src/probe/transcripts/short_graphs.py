@@ -5,20 +5,20 @@ Knows no places but pixels'.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
 
 from probe.agents.reading import Graph, Seen, read_graph
 
+# Small models read forwards: they find what follows a word, and hardly what stood before it. So an
+# object_id stands on both sides of the point and the name.
 _FIRST = (
-    "# All that shows, from top to bottom: object_id, what it is, [u, v] of a point on it, [width, "
-    "height] of its box, what it lies on or covers."
+    "# All that shows, from top to bottom: object_id, [u, v] of a point on it, what it is, "
+    "object_id, [width, height] of its box, what lies on it or covers it."
 )
 _LATER = "# Changed since the last list:"
 _SAME = "# Nothing has changed since the last list."
 _EMPTY = "# Nothing shows."
-
-_CONTACTS = ("on", "covering")
 
 _STILL_PX = 2
 """By how much a point or a box may differ from what was told before it is told again."""
@@ -32,24 +32,34 @@ class ListEntry:
         what: It is.
         point: Pixel (u, v) on it.
         size: Width and height of its box, pixels; none where the box itself is told.
-        lying: What it lies on or covers.
+        under: The object_ids of what lies on it or covers it.
+        touching: Those of what it touches, if too little of it shows to be named.
     """
 
     what: str
     point: tuple[int, int]
     size: tuple[int, int] | None = None
-    lying: tuple[str, ...] = ()
+    under: tuple[str, ...] = ()
+    touching: tuple[str, ...] = ()
 
     def line(self, object_id: str) -> str:
         """All of it."""
-        told = f"- {object_id} {self.what} {list(self.point)}"
-        if self.size:
-            told += f" {list(self.size)}"
-        return " ".join([told, ", ".join(self.lying)]) if self.lying else told
+        told = [f"- {object_id} at {list(self.point)}: {self.what}", object_id]
+        told += [str(list(self.size))] if self.size else []
+        told += [f"under {' and '.join(self.under)}"] if self.under else []
+        told += [f"touching {' and '.join(self.touching)}"] if self.touching else []
+        return ", ".join(told)
+
+    def beside(self, others: Collection[str]) -> ListEntry:
+        """The same entry where only these others are left."""
+        under, touching = (
+            tuple(id for id in ids if id in others) for ids in (self.under, self.touching)
+        )
+        return replace(self, under=under, touching=touching)
 
     def is_told_by(self, other: ListEntry | None) -> bool:
         """Whether nothing of it is new, up to two pixels, to who knows another entry of it."""
-        if other is None or (self.what, self.lying) != (other.what, other.lying):
+        if other is None or replace(self, point=other.point, size=other.size) != other:
             return False
         return _still(self.point, other.point) and _still(self.size, other.size)
 
@@ -74,8 +84,13 @@ def known_after(
         known: What was known before; None if this is the first list.
         now: What the list has to tell.
     """
-    before = known or {}
+    before = _left_of(known or {}, now)
     return {id: before[id] if it.is_told_by(before.get(id)) else it for id, it in now.items()}
+
+
+def _left_of(known: Mapping[str, ListEntry], now: Collection[str]) -> dict[str, ListEntry]:
+    """What is known once it is told which object_ids are out of date."""
+    return {id: entry.beside(now) for id, entry in known.items() if id in now}
 
 
 def _still(now: tuple[int, int] | None, before: tuple[int, int] | None) -> bool:
@@ -90,16 +105,15 @@ def short_list(known: Mapping[str, ListEntry] | None, now: Mapping[str, ListEntr
     if known is None:
         lines = [entry.line(id) for id, entry in now.items()]
         return "\n".join([_FIRST, *lines]) if lines else _EMPTY
-    told = [it.line(id) for id, it in now.items() if not it.is_told_by(known.get(id))]
+    before = _left_of(known, now)
+    told = [it.line(id) for id, it in now.items() if not it.is_told_by(before.get(id))]
     if over := [id for id in known if id not in now]:
         told.append(f"out of date: {', '.join(over)}")
     return "\n".join([_LATER, *told]) if told else _SAME
 
 
 def _entry(seen: Seen, graph: Graph, ids: Mapping[int, str]) -> ListEntry:
-    lying = tuple(
-        f"{kind} {ids[below]}"
-        for above, kind, below in graph.relations
-        if above == seen.number and kind in _CONTACTS
-    )
-    return ListEntry(seen.name or seen.description, seen.point, seen.size, lying)
+    over = graph.over(seen)
+    touching = set[int]() if seen.name else graph.touching(seen)
+    under, beside = (tuple(ids[it] for it in sorted(numbers)) for numbers in (over, touching))
+    return ListEntry(seen.name or seen.description, seen.point, seen.size, under, beside)

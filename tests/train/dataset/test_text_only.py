@@ -62,7 +62,7 @@ def test_a_list_is_told_in_short_to_those_who_are_told_so(tmp_path):
         for setting in ("text-only", SHORT)
     }
     assert texts["text-only"] == listed
-    assert texts[SHORT].endswith("\n- object_1 mug [5, 6] [10, 10]")
+    assert texts[SHORT].endswith("\n- object_1 at [5, 6]: mug, object_1, [10, 10]")
 
 
 def test_a_data_set_without_pictures_is_whole_and_says_so(tmp_path):

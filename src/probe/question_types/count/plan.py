@@ -19,10 +19,28 @@ from probe.tasks.english import joined
 
 @dataclass(frozen=True)
 class _Tally:
-    """Those that show at one time, and how many had left the table by then."""
+    """Those that show at one time, and how many had left the table by then.
+
+    Attributes:
+        shown: Those that were told of before come first.
+        gone: How many aren't on the table any more.
+    """
 
     shown: Sequence[Seen] = ()
     gone: int = 0
+
+    def after(self, shown: Sequence[Seen], *, removed: bool) -> _Tally:
+        """The next one.
+
+        Args:
+            shown: Those that show now.
+            removed: Whether something was taken off the table since; what lay on it went along.
+        """
+        lost = max(0, len(self.shown) - len(shown)) if removed else 0
+        before = [seen.object_id for seen in self.shown]
+        order = {id: number for number, id in enumerate(before)}
+        kept = sorted(shown, key=lambda seen: order.get(seen.object_id, len(order)))
+        return _Tally(kept, self.gone + lost)
 
     @property
     def number(self) -> int:
@@ -35,6 +53,15 @@ class _Tally:
         shown = [seen.object_id or seen.place for seen in self.shown]
         return [*shown, f"{self.gone} that went along with what I lifted"] if self.gone else shown
 
+    def told(self, name: str, say: Say) -> str:
+        """Each of them with how many they are up to it."""
+        if not self.number:
+            return say("count none yet", {"thing": name})
+        each = [f"{seen.object_id or seen.place} ({n})" for n, seen in enumerate(self.shown, 1)]
+        if self.gone:
+            each.append(f"{self.gone} that went along with what I lifted ({self.number})")
+        return say("count so far", {"thing": name, "each": ", ".join(each)})
+
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Clear away all else that could hide one, keep those that count, and take the most seen."""
@@ -46,28 +73,35 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     search = Search(counts, asked.first, asked.rng, say=asked.say, scale=asked.question.scale)
     yield from search.begin()
     now = most = _Tally(search.graph.called(name))
+    search.remark(now.told(name, asked.say))
     while not search.complete and (yield from search.clear_one()):
-        shown, gone = search.graph.called(name), now.gone
-        if search.removed_last:
-            # What lay on the thing or in it went along.
-            gone += max(0, len(now.shown) - len(shown))
-        now = _Tally(shown, gone)
+        now = now.after(search.graph.called(name), removed=search.removed_last)
+        search.remark(now.told(name, asked.say))
         # Of equal ones the last: things that were moved have other object_ids since.
         most = now if now.number >= most.number else most
     if search.complete or asked.bold:
-        found = _counted(asked.question, most.number, most.each, sure=search.complete)
+        each = most.each if most is not now else []
+        found = _counted(asked.question, most.number, each, sure=search.complete)
         yield from conclude(asked, found, search)
 
 
 def _counted(
     question: Question, number: int, each: Sequence[str], *, sure: bool
 ) -> FoundAnswer | None:
-    """The letter of a number, or else that of none of them."""
+    """The letter of a number, or else that of none of them.
+
+    Args:
+        question: Has the options.
+        number: How many there are.
+        each: What to call them, if they weren't told.
+        sure: Whether this isn't a guess.
+    """
     letters = [letter for letter, text in question.options if text.strip() == str(number)]
     letter = letters[0] if letters else none_of_them(question)
     if letter is None:
         return None
-    occasion = " ".join(["count", *([] if each else ["zero"]), *([] if letters else ["none"])])
+    kind = "count seen" if each else "count" if number else "count zero"
+    occasion = kind if letters else f"{kind} none"
     slots = {"number": str(number), "each": joined(each) if each else ""}
     return FoundAnswer(letter, occasion if sure else "guess", slots)
 

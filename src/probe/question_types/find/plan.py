@@ -7,7 +7,7 @@ from probe.agents.moves import Plan, answer, none_of_them
 from probe.agents.phrases import Say
 from probe.agents.reading import Graph, Seen, same
 from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
-from probe.agents.uncovering import FoundAnswer
+from probe.agents.uncovering import FoundAnswer, remark_new
 from probe.episodes.turns import Question
 
 
@@ -21,15 +21,21 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
 
     search = Search(offered, asked.first, asked.rng, say=say, scale=asked.question.scale)
     yield from search.begin()
+    known = {seen.name for seen in search.graph.named}
     while not (shown := _shown_options(question, search.graph)) and not search.complete:
+        search.remark(say("find not yet", {}))
         if not (yield from search.clear_one()):
             break
+        remark_new(search, known)
     if shown:
         letter, seen = shown[0]
-        yield from answer(letter, seen.point, _found(letter, seen).told(question, say))
+        words = f"{search.remarks} {_found(letter, seen).told(question, say)}".strip()
+        pointing = say("find point", {"id": seen.object_id}) if seen.object_id else ""
+        yield from answer(letter, seen.point, f"{words} {pointing}".strip())
     elif (search.complete or asked.bold) and (none := none_of_them(question)):
         lacking = FoundAnswer(none, "find none" if search.complete else "guess", {})
-        yield from answer(none, words=lacking.told(question, say))
+        words = f"{search.remarks} {lacking.told(question, say)}".strip()
+        yield from answer(none, words=words)
 
 
 def _shown_options(question: Question, graph: Graph) -> list[tuple[str, Seen]]:

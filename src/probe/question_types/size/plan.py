@@ -20,7 +20,8 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     one, other = yield from uncover_both(asked.question, search, bold=asked.bold)
     if one is not None and other is not None:
         letter = _larger(form, one, other)
-        yield from answer(letter, words=_reason(form, letter, (one, other), say))
+        words = f"{search.remarks} {_reason(form, letter, (one, other), say)}".strip()
+        yield from answer(letter, words=words)
     elif asked.bold:
         yield from guess_mark(asked.rng, say)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -44,7 +45,8 @@ def test_its_words_speak_of_no_search():
     said = [step.call.words for step in told(SIZE, taught()).steps]
     for word in ("find", "Found", "locate", "outline", "right place", "its id"):
         assert not [words for words in said if word in words]
-    assert "white ball" in said[1]
+    listed = re.search(r"object_id: (object_\d+)\n  name: .?white ball", taught().steps[0].text)
+    assert listed and f" {listed[1]}" in said[1] and "the object_" not in "".join(said)
 
 
 def test_mirrored_it_stays_without_find_object():

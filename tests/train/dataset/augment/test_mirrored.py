@@ -146,6 +146,26 @@ def test_marks_in_the_question_are_mirrored():
     assert text.split(" In the")[0] == task.question.split(" In the")[0]
 
 
+def test_marks_that_the_teacher_names_are_mirrored():
+    """In pixels, and in thousandths, in which it says what its student reads."""
+    task = next(it for it in packaged_suite("v1").tasks if it.question_type == "compare")
+    look = played(BLOCKS, [LOOK])
+    u, v = task.marks[1].point
+    named = replace(LOOK, words=f"Mark B at ({u}, {v}): object_2.")
+    asked = replace(look, task=task.id, question=question_of(task))
+    record = replace(asked, steps=(replace(look.steps[0], call=named),))
+    said = mirrored(task, record).steps[0].call.words
+    assert said.startswith(f"Mark B at ({1023 - u}, {v}): object_")
+    whole = f"({round(u / 1.024)}, {round(v / 1.024)})"
+    counted = replace(LOOK, words=f"Mark B at {whole}: object_2.")
+    seat = seated(replace(record, steps=(replace(look.steps[0], call=counted),)))
+    said = mirrored(task, seat).steps[0].call.words
+    assert f"({round((1023 - u) / 1.024)}, {round(v / 1.024)})" in said
+    elsewhere = replace(LOOK, words="Mark B at (5, 6): object_2.")
+    with pytest.raises(NotCertain, match="a place that isn't a mark's"):
+        mirrored(task, replace(record, steps=(replace(look.steps[0], call=elsewhere),)))
+
+
 def test_whole_thousandths_stay_whole():
     """A teacher that counts in thousandths names the place that its student reads in the list."""
     # 159 and 864 pixels are 155 and 844 thousandths.

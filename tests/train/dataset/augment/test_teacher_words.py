@@ -11,7 +11,7 @@ from probe.agents.phrases import PhraseBook, phrases
 from probe.train.dataset.augment.teacher_words import are_the_teachers, mirrored_words
 
 SLOTS = {
-    "thing": "tall red mug", "id": "object_4", "marked": "object_7", "text": "mug",
+    "thing": "tall red mug", "id": "object_4", "place": "(5, 6)", "text": "mug",
     "other": "box of tea", "letter": "B", "number": "3", "one": "lime",
     "two": "lemon", "direction": "left", "each": "object_1", "size_one": "[20, 30]",
     "size_two": "[40, 10]", "colour": "green", "colour_one": "green", "colour_two": "yellow",
@@ -49,6 +49,8 @@ def test_all_that_the_teacher_says_is_known():
             said = say(occasion, SLOTS)
             assert are_the_teachers(said)
             assert mirrored_words(said, "left") is not None
+    by_id = say("hollow", {**SLOTS, "thing": "object_4"}).replace("the object_4", "object_4")
+    assert are_the_teachers(by_id.replace("The object_4", "object_4"))
     both = f"{say('hollow', SLOTS)} {say('grasp', SLOTS)}"
     assert are_the_teachers(both) and mirrored_words(both) == both
     assert not are_the_teachers("The question asks how many mugs there were.")

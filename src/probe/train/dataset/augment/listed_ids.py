@@ -22,13 +22,18 @@ from probe.transcripts.messages import PLAIN
 
 _LISTED = re.compile(r"^  object_id: (object_\d+)$", re.MULTILINE)
 _ID = re.compile(r"\bobject_\d+\b")
+_THE_ID = re.compile(r"\b[Tt]he (?=object_\d)")
 _OCCASIONS = {"grasp": "listed grasp", "push": "listed push"}
 _SILENT = ("do grasp", "do push")
+_OF_A_LIST = ("mark on", "mark touching", "mark place")
+"""Reasons to move what a list tells beside another thing, by its object_id."""
+_NAMED_BEFORE = ("place", "obstacle", "hollow", "flat", "unclear", "largest")
+"""Other reasons in which an object_id can stand for a name, once both were said."""
 
 
 @dataclass(frozen=True)
 class SayWithoutFinding:
-    """Words that speak of no search; a Say.
+    """Words that speak of no search, and of things by their object_ids; a Say.
 
     Attributes:
         say: Chooses among phrases.
@@ -40,12 +45,16 @@ class SayWithoutFinding:
         """Words for an occasion; what is said before a search covers the manipulation after it."""
         if occasion in _SILENT:
             return ""
-        said = self.say(_OCCASIONS.get(occasion, occasion), slots)
-        if "id" not in slots or occasion.split()[0] in _OCCASIONS:
-            return said
-        # A reason: which object_ids it is about comes first.
-        before = [self.say("listed mark", slots)] if slots["marked"] else []
-        return " ".join([*before, self.say("listed thing", slots), said])
+        kind = occasion.split()[0]
+        if kind in _OCCASIONS or not slots.get("id") or "thing" not in slots:
+            return self.say(_OCCASIONS.get(occasion, occasion), slots)
+        by_id = {**slots, "thing": slots["id"]}
+        if kind == "look" or occasion in _OF_A_LIST:
+            return _THE_ID.sub("", self.say(occasion, by_id))
+        if kind == "marked":
+            return self.say(occasion, slots)
+        said = self.say(occasion, by_id if occasion in _NAMED_BEFORE else slots)
+        return f"{self.say('listed thing', slots)} {_THE_ID.sub('', said)}"
 
 
 def said_without_finding(chosen: LoadedSelection) -> LoadedSelection:

@@ -14,8 +14,14 @@ MIRRORED_DIRECTION = {"left": "right", "right": "left", "up": "up", "down": "dow
 """Directions of pushes in a mirrored picture."""
 
 _DIRECTION = "direction"
-_AS_THEY_ARE = (_DIRECTION, "size_one", "size_two")
-"""Slots that need no look: a direction is mirrored, sizes are the same in a mirror."""
+_AS_THEY_ARE = (_DIRECTION, "place", "size_one", "size_two")
+"""Slots that need no look: a direction and a mark's place are mirrored, sizes are the same in a
+mirror."""
+
+
+def by_id(phrase: str) -> str:
+    """A phrase whose slot {thing} is filled with an object_id."""
+    return re.sub(r"\b[Tt]he {thing}", "{thing}", phrase)
 
 
 def mirrored_words(words: str, direction: str | None = None) -> str | None:
@@ -89,6 +95,7 @@ def _slots(found: re.Match[str]) -> str:
 @lru_cache(1)
 def _patterns() -> tuple[re.Pattern[str], ...]:
     sides = {_DIRECTION: MIRRORED_DIRECTION}
-    return tuple(
-        re.compile(pattern_of(text, sides)) for some in phrases().values() for text in some
-    )
+    texts = (text for some in phrases().values() for text in some)
+    # An object_id stands without an article.
+    both = dict.fromkeys(form for text in texts for form in (text, by_id(text)))
+    return tuple(re.compile(pattern_of(text, sides)) for text in both)
