@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Generator, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain
 from typing import Literal
@@ -49,6 +51,7 @@ def dataset(
     graphs: Graphs | None = None,
     find: bool = True,
     augment: list[AugmentationWay] | None = None,
+    balance: bool = False,
     seed: int = 0,
     pool: Pool = "procedural-2",
     workers: int = 2,
@@ -75,6 +78,8 @@ def dataset(
             left to right, with its question in another wording, with other phrases of the scripted
             teacher, or with its options under other letters. Such examples are marked and counted
             apart. In the setting text-only alone; by default nothing is told again.
+        balance: Tell episodes of rare types up to four times in each of these ways, each time
+            otherwise (mirrored once), the rarer the oftener.
         seed: Chooses the wordings, phrases and letters of --augment.
         pool: Where the objects are that appear; all built-in ones by default.
         workers: Processes that draw.
@@ -82,7 +87,11 @@ def dataset(
     check_new(out)
     check_numbers({"--workers": workers})
     _check(side, setting, graphs, augment, find=find)
-    chosen, again = _told(read_selection(selected), setting, graphs, augment or [], seed, find=find)
+    if balance and not augment:
+        raise BadData("--balance", "does nothing without --augment", "Say --augment, too")
+    chosen = _in_setting(read_selection(selected), setting, graphs, find=find)
+    again = augmented(chosen.episodes, augment or [], seed, find=find, balanced=balance)
+    chosen = chosen if find else _without_finding(chosen)
     opened = opener(pool)
     things = opened()
     kept = out.with_name(f"{out.name}.pictures")
@@ -109,27 +118,29 @@ def dataset(
         say(augmented_told(manifest))
 
 
-def _told(
-    chosen: LoadedSelection,
-    setting: str | None,
-    graphs: Graphs | None,
-    augment: list[AugmentationWay],
-    seed: int,
-    *,
-    find: bool,
-) -> tuple[LoadedSelection, Augmentation]:
-    """The episodes in a student's setting, and those that are told again."""
+def _in_setting(
+    chosen: LoadedSelection, setting: str | None, graphs: Graphs | None, *, find: bool
+) -> LoadedSelection:
+    """The episodes in a student's setting and in the words of one; all calls are there still."""
     if setting is not None:
         chosen = as_text_only(chosen, graphs or "full")
-    if find:
-        return chosen, augmented(chosen.episodes, augment, seed)
-    try:
-        said = said_without_finding(chosen)
+    with _no_doubt():
+        return chosen if find else said_without_finding(chosen)
+
+
+def _without_finding(said: LoadedSelection) -> LoadedSelection:
+    with _no_doubt():
         told = tuple((task, without_finding(record)) for task, record in said.episodes)
+    return replace(said, episodes=told)
+
+
+@contextmanager
+def _no_doubt() -> Generator[None]:
+    try:
+        yield
     except NotCertain as doubt:
         remedy = "Leave out --no-find, or select without this episode"
         raise BadData("--no-find", f"{doubt.task}: {doubt.reason}", remedy) from doubt
-    return replace(said, episodes=told), augmented(said.episodes, augment, seed, find=False)
 
 
 def _check(
@@ -167,8 +178,10 @@ def _examples(
 
 def _told_again(again: Augmentation, points: Points) -> Iterator[TrainingExample]:
     """Examples of episodes that are told otherwise than they went, which have no pictures."""
+    times = Counter[tuple[str, str, int]]()
     for way, task, record in again.episodes:
-        yield example_of(task, record, no_pictures(record), points, way)
+        times[telling := (way, task.id, record.run)] += 1
+        yield example_of(task, record, no_pictures(record), points, way, times[telling])
 
 
 def _points_of(chosen: LoadedSelection) -> Points:

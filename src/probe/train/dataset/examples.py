@@ -65,6 +65,7 @@ def example_of(
     shown: EpisodePictures,
     points: Points | None = None,
     augmented: str = "",
+    time: int = 1,
 ) -> TrainingExample:
     """An episode as an example.
 
@@ -74,6 +75,7 @@ def example_of(
         shown: Its pictures.
         points: How places are counted; by default as the teacher did.
         augmented: As in TrainingExample; its id ends in it.
+        time: How often it has been told so, this time included; a second id ends in 2.
 
     Raises:
         BadData: The teacher counted places in another way, in which they can't be told.
@@ -92,7 +94,7 @@ def example_of(
     )
     id = f"{task.id}-{record.agent}-{setting}-{record.run}".replace("/", "-")
     made = TrainingExample(
-        id=f"{id}-{augmented}" if augmented else id,
+        id="-".join([id, *([augmented] if augmented else []), *([str(time)] if time > 1 else [])]),
         question_type=task.question_type,
         setting=told_so,
         letter=task.answer,

@@ -118,6 +118,37 @@ def test_phrases_are_the_teachers_and_never_the_same(tmp_path, chosen):
     assert [step.text for step in saying.steps] == [step.text for step in taught().steps]
 
 
+def test_balanced_rare_types_are_told_several_times_and_each_time_otherwise(chosen):
+    episodes = [*chosen.episodes, (SIZE, taught())]
+    plain = augmented(episodes, ["phrases", "mirrored"], 0)
+    again = augmented(episodes, ["phrases", "mirrored"], 0, balanced=True)
+    said = [record for way, task, record in again.episodes if (way, task) == ("phrases", SIZE)]
+    words = {tuple(step.call.words for step in record.steps) for record in said}
+    # Three times as many of the other type are there; some may come out the same.
+    assert 2 <= len(said) == len(words) <= 3
+    assert said[0] == next(
+        it for way, task, it in plain.episodes if (way, task) == ("phrases", SIZE)
+    )
+    mirrored = [way for way, task, _ in again.episodes if (way, task) == ("mirrored", SIZE)]
+    assert mirrored == ["mirrored"]
+    of_the_others = [it for it in again.episodes if it[1] != SIZE]
+    assert of_the_others == [it for it in plain.episodes if it[1] != SIZE]
+
+
+def test_ids_tell_how_often_an_episode_was_told_so():
+    task, record = SIZE, taught()
+    first, second = (
+        example_of(task, record, no_pictures(record), augmented="phrases", time=time).id
+        for time in (1, 2)
+    )
+    assert first.endswith("-phrases") and second == f"{first}-2"
+
+
+def test_balance_without_augmentation_is_refused(tmp_path):
+    with pytest.raises(BadData, match=r"--balance: does nothing without --augment"):
+        dataset(Path("selected"), tmp_path / "out", setting="text-only", balance=True)
+
+
 def test_fewer_than_were_told_is_an_error(tmp_path, chosen):
     again = augmented(chosen.episodes, ["wordings"], 0)
     fewer = replace(again, episodes=again.episodes[:1])

@@ -26,6 +26,9 @@ AugmentationWay = Literal["mirrored", "wordings", "phrases", "options"]
 phrases of its teacher, or with its options under other letters."""
 
 
+_MOST_TIMES = 4
+
+
 @dataclass(frozen=True)
 class Augmentation:
     """Episodes that were told again.
@@ -47,6 +50,7 @@ def augmented(
     seed: int,
     *,
     find: bool = True,
+    balanced: bool = False,
 ) -> Augmentation:
     """Tell each episode once more in each of some ways, where that is certain.
 
@@ -56,28 +60,47 @@ def augmented(
         seed: Chooses among other wordings and phrases.
         find: Whether what the teacher looks for by find_object is told; if not, in words of
             said_without_finding().
+        balanced: Whether those of rare types are told several times in each way, up to four, each
+            time otherwise.
     """
     told = list[tuple[AugmentationWay, Task, EpisodeRecord]]()
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
+    times = _times(episodes) if balanced else Counter[str]()
     for way in left_out:
         for task, record in episodes:
-            try:
-                told.append((way, *_told(way, task, record, seed, find=find)))
-            except NotCertain as doubt:
-                left_out[way][doubt.reason] += 1
+            # There is one mirror; and the first time is as without balance.
+            often = 1 if way == "mirrored" else max(1, times[task.question_type])
+            before = list[tuple[Task, EpisodeRecord]]()
+            for seeds in [(seed,), *((seed, time) for time in range(1, often))]:
+                try:
+                    again = _told(way, task, record, seeds, find=find)
+                    if again in before:
+                        raise NotCertain(record.task, "it had come out the same before")
+                except NotCertain as doubt:
+                    left_out[way][doubt.reason] += 1
+                else:
+                    before.append(again)
+                    told.append((way, *again))
     return Augmentation(tuple(told), {way: dict(some) for way, some in left_out.items()})
+
+
+def _times(episodes: Sequence[tuple[Task, EpisodeRecord]]) -> Counter[str]:
+    """How often those of each type are told, so that rare types become less rare."""
+    counts = Counter(task.question_type for task, _ in episodes)
+    most = max(counts.values(), default=0)
+    return Counter({kind: min(_MOST_TIMES, most // count) for kind, count in counts.items()})
 
 
 def _told(
     way: AugmentationWay,
     task: Task,
     record: EpisodeRecord,
-    seed: int,
+    seeds: tuple[int, ...],
     *,
     find: bool,
 ) -> tuple[Task, EpisodeRecord]:
     def rng(name: str) -> np.random.Generator:
-        return generator(seed, name, task.id, record.run)
+        return generator(seeds[0], name, task.id, record.run, *seeds[1:])
 
     def said(say: Say) -> Say:
         return say if find else SayWithoutFinding(say)
