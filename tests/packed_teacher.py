@@ -24,7 +24,11 @@ def packed_batches(folder: Path) -> list[Batch]:
 
 def packed_episodes(folder: Path) -> list[tuple[Task, EpisodeRecord]]:
     """Those of the first batch, with their tasks."""
-    batch = packed_batches(folder)[0]
+    return episodes_of(packed_batches(folder)[0])
+
+
+def episodes_of(batch: Batch) -> list[tuple[Task, EpisodeRecord]]:
+    """A batch's episodes with their tasks."""
     tasks = {task.id: task for task in read_suite(batch.folder / SUITE).tasks}
     records = read_records(batch.setting("agentic") / RECORDS)
     return [(tasks[record.task], record) for record in records]

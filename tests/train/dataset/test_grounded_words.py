@@ -1,0 +1,111 @@
+"""What the teacher notes of a list can be read in the short lists that a student is told."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import pytest
+
+from packed_teacher import episodes_of, packed_batches
+from probe.episodes.record import EpisodeRecord
+from probe.train.collect.teacher import speaker
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
+from probe.train.dataset.augment.rephrasing import rephrased
+from probe.transcripts.result_texts import ResultTexts
+
+LINE = re.compile(r"^- (object_\d+) at (\[\d+, \d+\]): (.*), \1, \[\d+, \d+\](.*)$", re.MULTILINE)
+
+Known = dict[str, tuple[str, str, str]]
+"""By object_id: its point, what it is, and what follows the size of its box."""
+
+
+@pytest.fixture(scope="module")
+def said(tmp_path_factory) -> list[tuple[str, Known, str]]:
+    """Questions, what is known of a table, and what the teacher says then."""
+    told = list[tuple[str, Known, str]]()
+    for batch in packed_batches(tmp_path_factory.mktemp("packed")):
+        for task, record in episodes_of(batch):
+            words = SayWithoutFinding(speaker(task, record.run))
+            spoken = rephrased(task, record, words)
+            told += [(task.question, *each) for each in known_and_said(without_finding(spoken))]
+    assert len(told) > 1000
+    return told
+
+
+def known_and_said(record: EpisodeRecord) -> Iterator[tuple[Known, str]]:
+    """What a student knows before each call that isn't a look, and the words with that."""
+    texts, known = ResultTexts("0-1000", "short"), Known()
+    for step in record.steps:
+        if step.call.name != "perceive_scene":
+            yield dict(known), step.call.words
+        text = texts.told(step.call.name, step.text)
+        if step.call.name == "perceive_scene":
+            for id in re.findall(r"object_\d+", text.partition("out of date: ")[2]):
+                del known[id]
+            known |= {id: (point, what, more) for id, point, what, more in LINE.findall(text)}
+
+
+def called(known: Known, name: str) -> set[str]:
+    return {id for id, (_, what, _) in known.items() if what == name}
+
+
+def test_it_counts_all_that_have_the_name_and_numbers_them(said):
+    notes = [
+        (known, found)
+        for _, known, words in said
+        if (found := re.match(r"Each (.*?) so far: (.*?)\. ", words))
+    ]
+    assert len(notes) > 100
+    for known, (name, each) in ((known, found.groups()) for known, found in notes):
+        ids = re.findall(r"(object_\d+) \((\d+)\)", each)
+        assert {id for id, _ in ids} == called(known, name)
+        assert [int(n) for _, n in ids] == list(range(1, len(ids) + 1))
+
+
+def test_nothing_of_that_name_shows_where_it_says_so(said):
+    names = [
+        (known, found[1])
+        for _, known, words in said
+        if (found := re.match(r"So far no (.*?) shows\.", words))
+    ]
+    assert names and not [name for known, name in names if called(known, name)]
+
+
+def test_marks_are_where_the_question_and_the_list_say(said):
+    notes = [
+        (question, known, *found)
+        for question, known, words in said
+        for found in re.findall(r"Mark ([AB]) at \((\d+), (\d+)\): (object_\d+)\.", words)
+    ]
+    assert len(notes) > 100
+    for question, known, letter, u, v, id in notes:
+        mark = re.search(rf"{letter} at \((\d+), (\d+)\)", question)
+        assert mark and [round(int(it) / 1.024) for it in mark.groups()] == [int(u), int(v)]
+        point = [int(it) for it in re.findall(r"\d+", known[id][0])]
+        assert abs(point[0] - int(u)) <= 9 and abs(point[1] - int(v)) <= 9
+
+
+def test_object_ids_and_names_belong_together(said):
+    forms = (
+        r"(?:Next is|I turn to) the (?P<what>.*?), (?P<id>object_\d+)\.",
+        r"Mark [AB] is (?P<id>object_\d+), the (?P<what>.*?)\.(?: |$)",
+        r"(?:Still there: |; )(?P<what>[^.;]*?), (?P<id>object_\d+)(?=[.;])",
+    )
+    for form in forms:
+        found = [(known, it) for _, known, words in said for it in re.finditer(form, words)]
+        assert len(found) > 5, form
+        for known, it in found:
+            assert known[it["id"]][1] == it["what"]
+
+
+def test_what_hides_a_marked_thing_is_in_its_line(said):
+    """Or it touches the thing, or is where the mark was, which no short list says."""
+    told = re.compile(
+        r"Mark (?P<letter>[AB]) is (?P<id>object_\d+), (?:(?!Mark ).)*?"
+        r"what is marked (?P=letter)(?: I see|, I have to take) (?P<over>object_\d+)"
+    )
+    found = [(known, it) for _, known, words in said if (it := told.search(words))]
+    assert len(found) > 20
+    for known, it in found:
+        assert it["over"] in re.findall(r"object_\d+", known[it["id"]][2])
