@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import json
 import socket
 from typing import Any
 
@@ -12,6 +14,7 @@ from probe.errors import BadData
 from probe.train.serve.replying import ServedReply
 from probe.train.serve.serving import application, reserved, serve
 from probe.train.serve.speaking import ConversationTooLong, GeneratedReply
+from probe.train.serve.writing import GivenUp
 from probe.train.tune.conversations import of_request
 
 REPLY = ServedReply("I look.", (("perceive_scene", "{}"),))
@@ -20,7 +23,7 @@ REPLY = ServedReply("I look.", (("perceive_scene", "{}"),))
 class TooLong:
     """Has no room for a reply."""
 
-    def reply(self, body):
+    def reply(self, body, given_up):
         raise ConversationTooLong(9000, 8192)
 
 
@@ -30,7 +33,7 @@ class Replies:
     def __init__(self, said: GeneratedReply) -> None:
         self._said = said
 
-    def reply(self, body):
+    def reply(self, body, given_up):
         of_request(body["messages"])
         return self._said
 
@@ -84,6 +87,34 @@ def test_a_conversation_that_is_too_long_is_told_in_openais_words():
     assert (
         "9000 tokens" in error["message"] and "maximum context length is 8192" in error["message"]
     )
+
+
+class Waits:
+    """Says nothing until nobody waits for it any more."""
+
+    def __init__(self) -> None:
+        self.gave_up = False
+
+    def reply(self, body, given_up):
+        self.gave_up = given_up.wait(30)
+        raise GivenUp
+
+
+def test_who_hangs_up_is_not_waited_for():
+    body = json.dumps(HELLO).encode()
+    events = iter([{"type": "http.request", "body": body}, {"type": "http.disconnect"}])
+    path = "/v1/chat/completions"
+    scope = {"type": "http", "method": "POST", "path": path, "headers": [], "query_string": b""}
+
+    async def receive():
+        return next(events)
+
+    async def send(_):
+        """To nobody."""
+
+    speaker = Waits()
+    asyncio.run(application(speaker, "student")(scope, receive, send))  # type: ignore[arg-type]
+    assert speaker.gave_up
 
 
 @pytest.mark.filterwarnings("default")

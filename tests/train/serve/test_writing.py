@@ -11,7 +11,7 @@ import pytest
 from probe.errors import BadData
 from probe.train.serve.choosing import Chooser, check_recommended
 from probe.train.serve.next_token import attend_to_next
-from probe.train.serve.writing import Writer
+from probe.train.serve.writing import GivenUp, Writer
 from probe.train.tune import libraries
 from probe.train.tune.by_blocks import attend_by_blocks
 
@@ -107,6 +107,28 @@ def test_several_take_a_step_together():
     found = together(model, Writer(model, 3, frozenset()), [chooser(model)] * 3)
     assert [len(it.result()) for it in found] == [20, 20, 20]
     assert [sizes.count(size) for size in (1, 2, 3)] == [3 + 2, 2, 17]
+
+
+def test_who_gives_up_leaves_the_place_to_the_next():
+    """While its reply is written, or while it waits for its turn."""
+    model = small()
+    assert attend_to_next(model)
+    writer, given_up, steps = Writer(model, 1, frozenset()), Event(), list[int]()
+
+    def count(*_):
+        steps.append(len(steps))
+        if len(steps) == 5:
+            given_up.set()
+
+    hook = model.register_forward_pre_hook(count)
+    with pytest.raises(GivenUp):
+        writer.write(TEXTS[0], 200, chooser(model), given_up)
+    assert len(steps) == 5
+    with pytest.raises(GivenUp):
+        writer.write(TEXTS[1], 200, chooser(model), given_up)
+    hook.remove()
+    assert len(steps) == 5
+    assert writer.write(TEXTS[2], 12, chooser(model)) == generated(small(), TEXTS[2], 12)
 
 
 def test_an_error_in_a_step_reaches_all_it_was_for_and_the_next_is_written():

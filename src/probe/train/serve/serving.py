@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import socket
 import time
 import uuid
-from collections.abc import Generator
-from contextlib import contextmanager, suppress
+from collections.abc import AsyncGenerator, Generator
+from contextlib import asynccontextmanager, contextmanager, suppress
 from importlib import import_module
+from threading import Event
 from typing import Any, cast
 
 from probe.errors import BadData, MissingExtra, ProbeError
@@ -42,7 +44,8 @@ def application(speaker: ServedModel, called: str) -> Any:
     async def complete(request: Any) -> Any:
         try:
             body = _body(await request.body(), called)
-            said = await threads.run_in_threadpool(speaker.reply, body)
+            async with _watched(request) as gone:
+                said = await threads.run_in_threadpool(speaker.reply, body, gone)
         except NotServed as error:
             return responses.JSONResponse(_refusal(error, "model_not_found"), status_code=404)
         except ProbeError as error:
@@ -60,6 +63,23 @@ def application(speaker: ServedModel, called: str) -> Any:
             routing.Route("/v1/models", models),
         ]
     )
+
+
+@asynccontextmanager
+async def _watched(request: Any) -> AsyncGenerator[Event]:
+    """What is set once a client has hung up whose request was read."""
+    gone = Event()
+
+    async def watch() -> None:
+        while (await request.receive())["type"] != "http.disconnect":
+            pass
+        gone.set()
+
+    watching = asyncio.create_task(watch())
+    try:
+        yield gone
+    finally:
+        watching.cancel()
 
 
 @contextmanager

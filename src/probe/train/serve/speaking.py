@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from threading import Lock
+from threading import Event, Lock
 from typing import Any
 
 from probe.errors import BadData, ProbeError
@@ -107,10 +107,16 @@ class ServedModel:
         tools: Sequence[Mapping[str, Any]] | None = body.get("tools") or None
         return encoded(self._processor, of_request(body["messages"]), tools, asking=True)
 
-    def reply(self, body: Mapping[str, Any]) -> GeneratedReply:
+    def reply(self, body: Mapping[str, Any], given_up: Event | None = None) -> GeneratedReply:
         """Reply to a request.
 
+        Args:
+            body: In OpenAI's form.
+            given_up: To be set once nobody waits for the reply any more; a model that sees pays no
+                heed to it.
+
         Raises:
+            GivenUp: It was.
             NotUnderstood: It isn't in OpenAI's form.
             ConversationTooLong: No room is left for a reply.
         """
@@ -124,7 +130,7 @@ class ServedModel:
             fresh = self._generated(asked, most, warmth, kept_to)
         else:
             chooser = Chooser(self._model.generation_config, warmth, kept_to)
-            fresh = self._writer.write(asked["input_ids"][0].tolist(), most, chooser)
+            fresh = self._writer.write(asked["input_ids"][0].tolist(), most, chooser, given_up)
         tokenizer = tokenizer_of(self._processor)
         ended = tokenizer.eos_token_id in fresh
         # Tags of calls are no special tokens of Qwen's tokenizer, and stay.

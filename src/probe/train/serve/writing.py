@@ -9,13 +9,21 @@ from collections.abc import Generator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from threading import Lock
+from threading import Event, Lock
 from typing import Any
 
+from probe.errors import ProbeError
 from probe.train.serve.choosing import Chooser
 from probe.train.serve.growing import empty, side_by_side
 from probe.train.serve.read_before import KEPT, ReadBefore
 from probe.train.tune import libraries
+
+
+class GivenUp(ProbeError):
+    """Nobody waits for a reply any more."""
+
+    def __init__(self) -> None:
+        super().__init__("Who asked for this reply is gone.")
 
 
 @dataclass(eq=False)
@@ -27,6 +35,7 @@ class _Text:
         asked: How many the conversation has.
         most: Tokens that the reply may have.
         chooser: Of the next one.
+        given_up: Set once nobody waits for it any more.
         cache: Of all but the last one; None before it is read.
         reply: Its tokens, once all are there.
     """
@@ -35,6 +44,7 @@ class _Text:
     asked: int
     most: int
     chooser: Chooser
+    given_up: Event
     cache: Any = None
     reply: Future[list[int]] = field(default_factory=Future[list[int]])
 
@@ -59,15 +69,21 @@ class Writer:
         self._door = Lock()
         self._pen = ThreadPoolExecutor(1, "writer")
 
-    def write(self, asked: list[int], most: int, chooser: Chooser) -> list[int]:
+    def write(
+        self, asked: list[int], most: int, chooser: Chooser, given_up: Event | None = None
+    ) -> list[int]:
         """A reply's tokens, with the one that ends it; blocks until it is written.
 
         Args:
             asked: Tokens of the conversation.
             most: Tokens that the reply may have.
             chooser: Of each.
+            given_up: To be set once nobody waits for it any more.
+
+        Raises:
+            GivenUp: Nobody did.
         """
-        text = _Text([*asked], len(asked), most, chooser)
+        text = _Text([*asked], len(asked), most, chooser, given_up or Event())
         with self._door:
             self._waiting.append(text)
         self._pen.submit(self._until_written, text)
@@ -85,6 +101,10 @@ class Writer:
             fresh = self._waiting.pop(0) if room and self._waiting else None
         if fresh:
             self._writing.append(fresh)
+        for text in self._writing:
+            if text.given_up.is_set():
+                text.reply.set_exception(GivenUp())
+        if fresh and not fresh.reply.done():
             with _failing([fresh]):
                 self._read(fresh)
         if going_on := [it for it in self._writing if not it.reply.done()]:
