@@ -179,8 +179,10 @@ def test_after_each_list_it_says_what_is_still_there_and_what_is_new(play, quest
             f"Still there: {'; '.join(still)}." if still else "All that I was to move is gone."
         )
         new = {it.name for it in graph.named} - {it.name for it in told[0][0].named}
-        assert ("New: " in words) == bool(new) and all(name in words for name in new)
-        assert ("Nothing new shows." in words) == (number > 0 and not new)
+        assert ("New since the start: " in words) == bool(new) and all(
+            name in words for name in new
+        )
+        assert ("Nothing new can be named." in words) == (number > 0 and not new)
 
 
 def test_it_says_that_no_option_shows_and_then_at_which_one_it_points(play):
@@ -189,6 +191,21 @@ def test_it_says_that_no_option_shows_and_then_at_which_one_it_points(play):
         shown = ids(graph, "red die")
         assert ("None of the options shows." in words) != bool(shown)
         assert not shown or words.endswith(f"I point at {shown[0]}.")
+
+
+@pytest.mark.parametrize("question_type", ["count", "find"])
+def test_it_says_what_it_has_to_search_still_and_takes_the_first_of_it(play, question_type):
+    record = played(play, question_type, PhraseBook(rng()))
+    told = lists_and_words(record)
+    for (graph, words), step in zip(told, record.steps[1::3], strict=False):
+        left = re.search(r"Still to search: (.*?)\. ", words)
+        covers = [it for it in graph.named if it.name in ("blue bowl", "brown box", "green book")]
+        assert bool(left) == (bool(covers) and step.call.name == "find_object")
+        if left:
+            each = [part.rsplit(", ", 1) for part in left[1].split("; ")]
+            assert {(it.name, it.object_id) for it in covers} >= {(name, id) for name, id in each}
+            first = next(it for it in covers if it.object_id == each[0][1])
+            assert step.call.values["description"] == first.place
 
 
 @pytest.mark.parametrize("question_type", ["size", "compare"])

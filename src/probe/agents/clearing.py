@@ -19,6 +19,8 @@ LARGE_PX = 120
 """A thing whose box is at least this long and wide may hide something of everyday size."""
 
 _TRIES, _HIDERS_TRIES = 2, 5
+_TOLD = 4
+"""Of the things that may well hide something."""
 _WITHSTOOD = 0.45
 """What a failed try takes from a thing's promise: after two, a hollow one still comes first."""
 
@@ -102,6 +104,15 @@ class Search:
     def remark(self, words: str) -> None:
         """Say something of what shows, before what is done next."""
         self.remarks = f"{self.remarks} {words}".strip()
+
+    def remark_to_search(self) -> None:
+        """Say which listed things may well hide something, the most promising first."""
+        clearable = [seen for seen in self._unsearched() if self.may_clear(seen)]
+        promising = [seen for seen in clearable if seen.object_id and self._promise(seen)[0] > 0]
+        first = sorted(promising, key=self._promise, reverse=True)[:_TOLD]
+        if first:
+            each = "; ".join(f"{seen.name}, {seen.object_id}" for seen in first)
+            self.remark(self.say("to search", {"each": each}))
 
     @property
     def complete(self) -> bool:

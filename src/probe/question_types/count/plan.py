@@ -74,9 +74,11 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     yield from search.begin()
     now = most = _Tally(search.graph.called(name))
     search.remark(now.told(name, asked.say))
+    search.remark_to_search()
     while not search.complete and (yield from search.clear_one()):
         now = now.after(search.graph.called(name), removed=search.removed_last)
         search.remark(now.told(name, asked.say))
+        search.remark_to_search()
         # Of equal ones the last: things that were moved have other object_ids since.
         most = now if now.number >= most.number else most
     if search.complete or asked.bold:

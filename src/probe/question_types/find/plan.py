@@ -24,6 +24,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     known = {seen.name for seen in search.graph.named}
     while not (shown := _shown_options(question, search.graph)) and not search.complete:
         search.remark(say("find not yet", {}))
+        search.remark_to_search()
         if not (yield from search.clear_one()):
             break
         remark_new(search, known)

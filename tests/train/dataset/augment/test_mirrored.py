@@ -107,7 +107,7 @@ def test_it_is_what_the_tools_say_at_the_mirrored_table():
 
 
 def counted(*each):
-    said = "Everything that could hide one has been searched. I count "
+    said = "All that seemed able to hide one has been searched. I count "
     words = f"{said}{' and '.join(each)}. That is {len(each)}, so A."
     return Call.of("answer_question", {"choice": "A"}, words)
 
