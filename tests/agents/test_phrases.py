@@ -13,10 +13,12 @@ from probe.agents.phrases import PhraseBook, phrases, silent
 from probe.agents.reading import read_graph
 from probe.agents.scripted import Scripted
 from probe.agents.type_plan import FirstLookQuestion, plan_for
+from probe.episodes.turns import Question, Turn
 from probe.errors import UnknownName
 from probe.perception.oracle import Oracle
 from probe.toolshed.graph import scene_text
-from tabletops import Block, Obedient, paint, spec
+from probe.toolshed.result import ToolResult
+from tabletops import Block, Done, Obedient, paint, spec
 
 SPECS = {
     1: spec("blue bowl", "blue"),
@@ -151,8 +153,8 @@ def test_after_each_list_it_counts_those_that_it_has(play):
     assert {len(ids(graph, "red die")) for graph, _ in told} == {0, 1}
     for graph, words in told:
         counted = [f"{id} ({n})" for n, id in enumerate(ids(graph, "red die"), 1)]
-        so_far = f"Each red die so far: {', '.join(counted)}. "
-        assert words.startswith(so_far if counted else "So far no red die shows. ")
+        told_each = f"I count each red die: {', '.join(counted)}. "
+        assert words.startswith(told_each if counted else "I see no red die to count. ")
 
 
 def test_those_that_were_counted_before_stay_in_front(play):
@@ -164,8 +166,45 @@ def test_those_that_were_counted_before_stay_in_front(play):
     (first, words), *_, (last, final) = lists_and_words(record)
     (known,) = ids(first, "red die")
     new, again = ids(last, "red die")
-    assert again == known and f"so far: {known} (1)." in words
-    assert f"so far: {known} (1), {new} (2)." in final
+    assert again == known and f"each red die: {known} (1)." in words
+    assert f"each red die: {known} (1), {new} (2)." in final
+
+
+def test_what_was_counted_and_is_hidden_again_counts_at_the_end(play):
+    """A grasp of the book that fails covers one of two dice."""
+    subject, form, options, _, text = CASES["count"]
+    other = Block(7, (600, 700, 659, 759))
+
+    class Covering(Obedient):
+        def grasp_and_remove(self, station, frame, mask, drop_at):
+            if len(self.calls) == 1:
+                self.calls.append(("grasp",))
+                station.blocks.remove(other)
+                return Done("blocked", station.observe(rgb=False))
+            return super().grasp_and_remove(station, frame, mask, drop_at)
+
+    agent = Scripted("count", subject, rng(), form=form, say=PhraseBook(rng()))
+    blocks, specs = [other, COVER, BOOK, DIE], SPECS | {7: SPECS[2]}
+    record = play(agent, options, specs, blocks, Covering(), text)
+    told = lists_and_words(record)
+    both = next(ids(graph, "red die") for graph, _ in told if len(ids(graph, "red die")) == 2)
+    last, final = told[-1]
+    (left,) = ids(last, "red die")
+    assert final.startswith(f"I count each red die: {left} (1). ") and "That makes" not in final
+    assert all(id in final for id in both) and record.answer.choice == "B"
+
+
+def test_without_object_ids_it_remarks_on_none():
+    for question_type in ("count", "find", "reduce", "size"):
+        subject, form, options, blocks, text = CASES[question_type]
+        question = Question(text, tuple(zip("ABCDE", options, strict=False)))
+        agent = Scripted(question_type, subject, rng(), form=form, say=PhraseBook(rng()))
+        look = agent.act(question, [])
+        frame = paint(blocks)
+        listed = scene_text(Oracle(SPECS).detect(frame), (), frame)
+        assert look and "object_id:" not in listed
+        call = agent.act(question, [Turn(look, ToolResult(listed))])
+        assert call and call.words and not re.search(r"object_|this:| None\b", call.words)
 
 
 @pytest.mark.parametrize("question_type", ["beneath", "reduce"])
@@ -174,12 +213,11 @@ def test_after_each_list_it_says_what_is_still_there_and_what_is_new(play, quest
     subjects = CASES[question_type][0].split(", ")
     told = lists_and_words(record)
     for number, (graph, words) in enumerate(told):
-        still = [f"{name}, {id}" for name in subjects for id in ids(graph, name)]
-        assert words.startswith(
-            f"Still there: {'; '.join(still)}." if still else "All that I was to move is gone."
-        )
+        left = [f"{name}, {id}" for name in subjects for id in ids(graph, name)]
+        moving = f"I have to move this: {'; '.join(left)}."
+        assert words.startswith(moving if left else "Nothing that I have to move shows any more.")
         new = {it.name for it in graph.named} - {it.name for it in told[0][0].named}
-        assert ("New since the start: " in words) == bool(new) and all(
+        assert ("This is new since the start: " in words) == bool(new) and all(
             name in words for name in new
         )
         assert ("Nothing new can be named." in words) == (number > 0 and not new)
@@ -198,7 +236,7 @@ def test_it_says_what_it_has_to_search_still_and_takes_the_first_of_it(play, que
     record = played(play, question_type, PhraseBook(rng()))
     told = lists_and_words(record)
     for (graph, words), step in zip(told, record.steps[1::3], strict=False):
-        left = re.search(r"Still to search: (.*?)\. ", words)
+        left = re.search(r"I could search this: (.*?)\. ", words)
         covers = [it for it in graph.named if it.name in ("blue bowl", "brown box", "green book")]
         assert bool(left) == (bool(covers) and step.call.name == "find_object")
         if left:
@@ -222,7 +260,9 @@ def test_it_says_which_listed_things_the_marks_are_on(play, question_type):
     told = lists_and_words(play(agent, options, SPECS, blocks, Obedient(), text))
     first, words = told[0]
     die, duck = (ids(first, name)[0] for name in ("red die", "yellow duck"))
-    assert words.startswith(f"Mark A at {points[0]}: {die}. Mark B at {points[1]}: {duck}.")
+    assert words.startswith(
+        f"Mark A at {points[0]} is on {die}. Mark B at {points[1]} is on {duck}."
+    )
     assert f"Mark A is {die}, the red die." in words
     last, final = told[-1]
     assert f"Mark B is {ids(last, 'yellow duck')[0]}, the yellow duck." in final
@@ -264,8 +304,6 @@ def test_each_phrase_can_be_said():
 
 
 def glance(question_type, subject, form, options, blocks, text="?"):
-    from probe.episodes.turns import Question
-
     frame = paint(blocks)
     graph = read_graph(scene_text(Oracle(SPECS).detect(frame), (), frame))
     question = Question(text, tuple(zip("ABCDE", options, strict=False)))

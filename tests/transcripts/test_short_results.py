@@ -24,7 +24,8 @@ BLOCKS = (
 # The book's point: as far from the corner of the mug on it as from its own edges.
 FIRST = (
     "# All that shows, from top to bottom: object_id, [u, v] of a point on it, what it is, "
-    "object_id, [width, height] of its box, what lies on it or covers it."
+    "object_id, [width, height] of its box, what lies on it or covers it, what it touches if it "
+    "has no name."
 )
 LATER = "# Changed since the last list:"
 

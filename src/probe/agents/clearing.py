@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -19,8 +19,8 @@ LARGE_PX = 120
 """A thing whose box is at least this long and wide may hide something of everyday size."""
 
 _TRIES, _HIDERS_TRIES = 2, 5
-_TOLD = 4
-"""Of the things that may well hide something."""
+_MOST_TOLD = 4
+"""Things that it says may hide something."""
 _WITHSTOOD = 0.45
 """What a failed try takes from a thing's promise: after two, a hollow one still comes first."""
 
@@ -108,10 +108,11 @@ class Search:
     def remark_to_search(self) -> None:
         """Say which listed things may well hide something, the most promising first."""
         clearable = [seen for seen in self._unsearched() if self.may_clear(seen)]
-        promising = [seen for seen in clearable if seen.object_id and self._promise(seen)[0] > 0]
-        first = sorted(promising, key=self._promise, reverse=True)[:_TOLD]
-        if first:
-            each = "; ".join(f"{seen.name}, {seen.object_id}" for seen in first)
+        promising = [seen for seen in clearable if self._promise(seen)[0] > 0]
+        promising.sort(key=self._promise, reverse=True)
+        if each := with_ids(promising[:_MOST_TOLD]):
+            more = len(promising) - _MOST_TOLD
+            each = f"{each}; and {more} more" if more > 0 else each
             self.remark(self.say("to search", {"each": each}))
 
     @property
@@ -176,6 +177,11 @@ class Search:
         unclear = any(seen.number in self.graph.over(other) for other in self.graph.unclear)
         rank = _hides(seen) + 1.5 * unclear
         return rank - _WITHSTOOD * len(self._tried[seen.name or ""]), seen.area
+
+
+def with_ids(things: Iterable[Seen]) -> str:
+    """Things by name and object_id; empty where lists have no object_ids."""
+    return "; ".join(f"{seen.name}, {seen.object_id}" for seen in things if seen.object_id)
 
 
 def _names(graph: Graph) -> Counter[str]:

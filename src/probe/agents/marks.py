@@ -62,7 +62,7 @@ def _at_the_marks(search: Search, marks: Mapping[str, tuple[int, int]]) -> str:
 
 
 def _is_marked(seen: Seen, mark: tuple[int, int]) -> bool:
-    """Whether a mark is on a thing; it may be on something beneath, or much like it."""
+    """Whether a mark is where a list tells of a thing; else it may be on another one there."""
     return math.dist(seen.point, mark) <= _AT_PX
 
 

@@ -120,7 +120,7 @@ class Graph:
         return {first for first, _, second in above if second == seen.number}
 
     def touching(self, seen: Seen) -> set[int]:
-        """Numbers of those that it touches, none of which lies on or covers the other."""
+        """Numbers of those that it only touches: neither lies on the other or covers it."""
         ends = [(a, b) for a, kind, b in self.relations if kind == "touching"]
         return {b for a, b in ends if a == seen.number} | {a for a, b in ends if b == seen.number}
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from probe.agents.clearing import Search
+from probe.agents.clearing import Search, with_ids
 from probe.agents.moves import Plan, answer, none_of_them, option_by_option
 from probe.agents.phrases import Reason, Say
 from probe.agents.reading import Box, Graph, Seen, same
 from probe.agents.type_plan import ScriptedQuestion
 from probe.episodes.turns import Question
-from probe.tasks.english import joined
 
 _MARGIN_PX = 40
 """What lay beneath a cover may have been dragged so far when that was lifted."""
@@ -89,22 +88,20 @@ def around(boxes: Iterable[Box]) -> Box | None:
 
 
 def remark_left(search: Search, left: Sequence[Seen]) -> None:
-    """Say which of the things that are to go are still there."""
-    each = [f"{seen.name}, {seen.object_id}" for seen in left if seen.object_id]
-    if each:
-        search.remark(search.say("still there", {"each": "; ".join(each)}))
+    """Say which of the things that are to go show still."""
+    if each := with_ids(left):
+        search.remark(search.say("to move", {"each": each}))
     elif not left:
-        search.remark(search.say("all gone", {}))
+        search.remark(search.say("nothing to move", {}))
 
 
 def remark_new(search: Search, known: Collection[str | None]) -> None:
     """Say what shows that can be named and didn't show at first, once anything was moved."""
-    names = [seen.name or "" for seen in search.graph.named if seen.name not in known]
-    if not search.spent:
-        return
-    new = [*dict.fromkeys(names)]
-    words = search.say("new", {"each": joined(new)}) if new else search.say("nothing new", {})
-    search.remark(words)
+    new = [seen for seen in search.graph.named if seen.name not in known]
+    if search.spent and (each := with_ids(new)):
+        search.remark(search.say("new", {"each": each}))
+    elif search.spent and not new:
+        search.remark(search.say("nothing new", {}))
 
 
 def newcomers(graph: Graph, known: Collection[str | None], places: Sequence[Box]) -> list[Seen]:

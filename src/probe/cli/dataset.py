@@ -178,9 +178,9 @@ def _examples(
 
 def _told_again(again: Augmentation, points: Points) -> Iterator[TrainingExample]:
     """Examples of episodes that are told otherwise than they went, which have no pictures."""
-    times = Counter[tuple[str, str, int]]()
+    times = Counter[tuple[str, str, str, int]]()
     for way, task, record in again.episodes:
-        times[telling := (way, task.id, record.run)] += 1
+        times[telling := (way, task.id, record.agent, record.run)] += 1
         yield example_of(task, record, no_pictures(record), points, way, times[telling])
 
 

@@ -14,7 +14,8 @@ from probe.agents.reading import Graph, Seen, read_graph
 # object_id stands on both sides of the point and the name.
 _FIRST = (
     "# All that shows, from top to bottom: object_id, [u, v] of a point on it, what it is, "
-    "object_id, [width, height] of its box, what lies on it or covers it."
+    "object_id, [width, height] of its box, what lies on it or covers it, what it touches if it "
+    "has no name."
 )
 _LATER = "# Changed since the last list:"
 _SAME = "# Nothing has changed since the last list."
@@ -59,7 +60,9 @@ class ListEntry:
 
     def is_told_by(self, other: ListEntry | None) -> bool:
         """Whether nothing of it is new, up to two pixels, to who knows another entry of it."""
-        if other is None or replace(self, point=other.point, size=other.size) != other:
+        if other is None or self.what != other.what:
+            return False
+        if {*self.under} != {*other.under} or {*self.touching} != {*other.touching}:
             return False
         return _still(self.point, other.point) and _still(self.size, other.size)
 

@@ -54,7 +54,7 @@ def test_it_counts_all_that_have_the_name_and_numbers_them(said):
     notes = [
         (known, found)
         for _, known, words in said
-        if (found := re.match(r"Each (.*?) so far: (.*?)\. ", words))
+        if (found := re.match(r"I count each (.*?): (.*?)\. ", words))
     ]
     assert len(notes) > 100
     for known, (name, each) in ((known, found.groups()) for known, found in notes):
@@ -67,7 +67,7 @@ def test_nothing_of_that_name_shows_where_it_says_so(said):
     names = [
         (known, found[1])
         for _, known, words in said
-        if (found := re.match(r"So far no (.*?) shows\.", words))
+        if (found := re.match(r"I see no (.*?) to count\.", words))
     ]
     assert names and not [name for known, name in names if called(known, name)]
 
@@ -76,7 +76,7 @@ def test_marks_are_where_the_question_and_the_list_say(said):
     notes = [
         (question, known, *found)
         for question, known, words in said
-        for found in re.findall(r"Mark ([AB]) at \((\d+), (\d+)\): (object_\d+)\.", words)
+        for found in re.findall(r"Mark ([AB]) at \((\d+), (\d+)\) is on (object_\d+)\.", words)
     ]
     assert len(notes) > 100
     for question, known, letter, u, v, id in notes:
@@ -90,7 +90,7 @@ def test_object_ids_and_names_belong_together(said):
     forms = (
         r"(?:Next is|I turn to) the (?P<what>.*?), (?P<id>object_\d+)\.",
         r"Mark [AB] is (?P<id>object_\d+), the (?P<what>.*?)\.(?: |$)",
-        r"(?:Still there: |; )(?P<what>[^.;]*?), (?P<id>object_\d+)(?=[.;])",
+        r"(?:this: |since the start: |; )(?P<what>[^.;]*?), (?P<id>object_\d+)(?=[.;])",
     )
     for form in forms:
         found = [(known, it) for _, known, words in said for it in re.finditer(form, words)]
@@ -100,7 +100,7 @@ def test_object_ids_and_names_belong_together(said):
 
 
 def test_what_hides_a_marked_thing_is_in_its_line(said):
-    """Or it touches the thing, or is where the mark was, which no short list says."""
+    """Or it touches the thing, or is where the mark was."""
     told = re.compile(
         r"Mark (?P<letter>[AB]) is (?P<id>object_\d+), (?:(?!Mark ).)*?"
         r"what is marked (?P=letter)(?: I see|, I have to take) (?P<over>object_\d+)"

@@ -115,8 +115,8 @@ def test_who_gives_up_leaves_the_place_to_the_next():
     assert attend_to_next(model)
     writer, given_up, steps = Writer(model, 1, frozenset()), Event(), list[int]()
 
-    def count(*_):
-        steps.append(len(steps))
+    def count(_, given):
+        steps.append(given[0].shape[1])
         if len(steps) == 5:
             given_up.set()
 
@@ -126,8 +126,11 @@ def test_who_gives_up_leaves_the_place_to_the_next():
     assert len(steps) == 5
     with pytest.raises(GivenUp):
         writer.write(TEXTS[1], 200, chooser(model), given_up)
-    hook.remove()
     assert len(steps) == 5
+    # What was read is known to who asks again.
+    assert writer.write(TEXTS[0], 3, chooser(model)) == generated(small(), TEXTS[0], 3)
+    assert steps[0] == len(TEXTS[0]) and steps[5] == 1
+    hook.remove()
     assert writer.write(TEXTS[2], 12, chooser(model)) == generated(small(), TEXTS[2], 12)
 
 

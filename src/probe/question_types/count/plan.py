@@ -56,11 +56,11 @@ class _Tally:
     def told(self, name: str, say: Say) -> str:
         """Each of them with how many they are up to it."""
         if not self.number:
-            return say("count none yet", {"thing": name})
+            return say("count nothing", {"thing": name})
         each = [f"{seen.object_id or seen.place} ({n})" for n, seen in enumerate(self.shown, 1)]
         if self.gone:
             each.append(f"{self.gone} that went along with what I lifted ({self.number})")
-        return say("count so far", {"thing": name, "each": ", ".join(each)})
+        return say("count each", {"thing": name, "each": ", ".join(each)})
 
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:

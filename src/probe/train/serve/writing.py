@@ -99,11 +99,11 @@ class Writer:
         with self._door:
             room = len(self._writing) < self._at_once
             fresh = self._waiting.pop(0) if room and self._waiting else None
-        if fresh:
-            self._writing.append(fresh)
-        for text in self._writing:
-            if text.given_up.is_set():
-                text.reply.set_exception(GivenUp())
+            self._writing += [fresh] if fresh else []
+            for text in [*self._waiting, *self._writing]:
+                if text.given_up.is_set():
+                    self._give_up(text)
+            self._waiting = [it for it in self._waiting if not it.reply.done()]
         if fresh and not fresh.reply.done():
             with _failing([fresh]):
                 self._read(fresh)
@@ -111,6 +111,11 @@ class Writer:
             with _failing(going_on):
                 self._write_on(going_on)
         self._writing = [it for it in self._writing if not it.reply.done()]
+
+    def _give_up(self, text: _Text) -> None:
+        if text.cache is not None:  # who asks again needn't wait until it is read again
+            self._before.keep(text.tokens, text.cache)
+        text.reply.set_exception(GivenUp())
 
     def _read(self, text: _Text) -> None:
         """A conversation, as far as it wasn't read before, and the first token of its reply."""

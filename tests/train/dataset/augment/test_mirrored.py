@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from packed_teacher import packed_episodes
 from probe.episodes.grading import question_of
 from probe.episodes.participation import ModelReply, Participation
 from probe.episodes.record import EpisodeRecord, Step, TableState
@@ -15,8 +16,11 @@ from probe.scene.setup import UR5_TABLE
 from probe.tasks.suite_file import demo_suite, packaged_suite
 from probe.toolshed.result import Answer
 from probe.toolshed.toolshed import Toolshed
+from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding
 from probe.train.dataset.augment.mirrored import mirrored
+from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.text_only import no_pictures
 from tabletops import Block, Done, Obedient, PaintedStation, spec
@@ -151,17 +155,17 @@ def test_marks_that_the_teacher_names_are_mirrored():
     task = next(it for it in packaged_suite("v1").tasks if it.question_type == "compare")
     look = played(BLOCKS, [LOOK])
     u, v = task.marks[1].point
-    named = replace(LOOK, words=f"Mark B at ({u}, {v}): object_2.")
+    named = replace(LOOK, words=f"Mark B at ({u}, {v}) is on object_2.")
     asked = replace(look, task=task.id, question=question_of(task))
     record = replace(asked, steps=(replace(look.steps[0], call=named),))
     said = mirrored(task, record).steps[0].call.words
-    assert said.startswith(f"Mark B at ({1023 - u}, {v}): object_")
+    assert said.startswith(f"Mark B at ({1023 - u}, {v}) is on object_")
     whole = f"({round(u / 1.024)}, {round(v / 1.024)})"
-    counted = replace(LOOK, words=f"Mark B at {whole}: object_2.")
+    counted = replace(LOOK, words=f"Mark B at {whole} is on object_2.")
     seat = seated(replace(record, steps=(replace(look.steps[0], call=counted),)))
     said = mirrored(task, seat).steps[0].call.words
     assert f"({round((1023 - u) / 1.024)}, {round(v / 1.024)})" in said
-    elsewhere = replace(LOOK, words="Mark B at (5, 6): object_2.")
+    elsewhere = replace(LOOK, words="Mark B at (5, 6) is on object_2.")
     with pytest.raises(NotCertain, match="a place that isn't a mark's"):
         mirrored(task, replace(record, steps=(replace(look.steps[0], call=elsewhere),)))
 
@@ -219,3 +223,21 @@ def test_late_object_ids_of_equally_high_things_are_refused():
     steps = (*here.steps[:3], replace(here.steps[3], text=late))
     with pytest.raises(NotCertain, match="equally high things got their object_ids late"):
         mirrored(FIND, replace(here, steps=steps))
+
+
+def test_to_what_it_is_told_at_the_mirrored_table_the_teacher_says_the_mirrored_words(tmp_path):
+    """Of the packed episodes, those without pushes, for which it chooses among ways by chance."""
+    compared = 0
+    for task, record in packed_episodes(tmp_path):
+        say = SayWithoutFinding(speaker(task, record.run))
+        spoken = rephrased(task, record, say)
+        try:
+            told = mirrored(task, spoken)
+        except NotCertain:
+            continue
+        if "push" in [step.call.name for step in record.steps]:
+            continue
+        again = rephrased(task, told, SayWithoutFinding(speaker(task, record.run)))
+        assert [it.call.words for it in again.steps] == [it.call.words for it in told.steps]
+        compared += 1
+    assert compared > 10

@@ -70,17 +70,18 @@ def augmented(
         for task, record in episodes:
             # There is one mirror; and the first time is as without balance.
             often = 1 if way == "mirrored" else max(1, times[task.question_type])
-            before = list[tuple[Task, EpisodeRecord]]()
+            before, doubts = list[tuple[Task, EpisodeRecord]](), list[str]()
             for seeds in [(seed,), *((seed, time) for time in range(1, often))]:
                 try:
                     again = _told(way, task, record, seeds, find=find)
-                    if again in before:
-                        raise NotCertain(record.task, "it had come out the same before")
                 except NotCertain as doubt:
-                    left_out[way][doubt.reason] += 1
-                else:
+                    doubts.append(doubt.reason)
+                    continue
+                if again not in before:
                     before.append(again)
                     told.append((way, *again))
+            if not before:
+                left_out[way][doubts[0]] += 1
     return Augmentation(tuple(told), {way: dict(some) for way, some in left_out.items()})
 
 
