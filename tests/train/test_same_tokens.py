@@ -62,7 +62,7 @@ class Overheard(ServedModel):
     def begin(self, replies):
         self.replies, self.heard, self.bodies = list(replies), [], []
 
-    def reply(self, body):
+    def reply(self, body, given_up=None):
         asked = self.asked(body)
         self.heard.append(asked)
         self.bodies.append(body)
