@@ -65,7 +65,7 @@ class Search:
 
     def clear_one(self) -> Plan[bool]:
         """Move the most promising thing away and look again; False if there is none left."""
-        candidates = [seen for seen in self._unsearched() if self.may_clear(seen)]
+        candidates = self._candidates()
         if not candidates:
             return False
         chosen = max(candidates, key=self._promise)
@@ -103,12 +103,15 @@ class Search:
 
     def remark(self, words: str) -> None:
         """Say something of what shows, before what is done next."""
-        self.remarks = f"{self.remarks} {words}".strip()
+        self.remarks = self.after_remarks(words)
+
+    def after_remarks(self, words: str) -> str:
+        """Words of what is done next, after what is said of the graph."""
+        return f"{self.remarks} {words}".strip()
 
     def remark_to_search(self) -> None:
         """Say which listed things may well hide something, the most promising first."""
-        clearable = [seen for seen in self._unsearched() if self.may_clear(seen)]
-        promising = [seen for seen in clearable if self._promise(seen)[0] > 0]
+        promising = [seen for seen in self._candidates() if self._promise(seen)[0] > 0]
         promising.sort(key=self._promise, reverse=True)
         if each := with_ids(promising[:_MOST_TOLD]):
             more = len(promising) - _MOST_TOLD
@@ -122,6 +125,10 @@ class Search:
 
     def _look(self, words: str) -> Plan[None]:
         self.graph, self.remarks = (yield from look(words)), ""
+
+    def _candidates(self) -> list[Seen]:
+        """Things to search that may be cleared."""
+        return [seen for seen in self._unsearched() if self.may_clear(seen)]
 
     def _unsearched(self) -> list[Seen]:
         """Things that still stand where something may lie under them.
@@ -161,7 +168,7 @@ class Search:
         tried = self._tried[name]
         how = f"{way} {tried[-1][1]}" if tried else way
         slots = {"thing": name, "id": seen.object_id or "", **why.slots}
-        return f"{self.remarks} {self.say(why.reason, slots)} {self.say(how, slots)}".strip()
+        return self.after_remarks(f"{self.say(why.reason, slots)} {self.say(how, slots)}".strip())
 
     def _attraction(self, seen: Seen) -> str:
         """Why this thing, of all that might hide something: the occasion to say so."""

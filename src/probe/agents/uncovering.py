@@ -38,7 +38,7 @@ def conclude(asked: ScriptedQuestion, found: FoundAnswer | None, search: Search)
         options = asked.question.options
         found = FoundAnswer(options[int(search.rng.integers(len(options)))][0], "guess", {})
     if found is not None:
-        words = f"{search.remarks} {found.told(asked.question, search.say)}".strip()
+        words = search.after_remarks(found.told(asked.question, search.say))
         yield from answer(found.letter, words=words)
 
 

@@ -36,7 +36,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         both = yield from uncover_both(asked.question, search, bold=bold)
         letter = _fitting(form, wanted, both) if bold or all(both) else None
     if letter and all(both):
-        words = f"{search.remarks} {_reason(asked, letter, wanted, both, say)}".strip()
+        words = search.after_remarks(_reason(asked, letter, wanted, both, say))
         yield from answer(letter, words=words)
     elif letter:
         yield from answer(letter, words=say("guess", {"letter": letter}))

@@ -37,8 +37,7 @@ class _Tally:
             removed: Whether something was taken off the table since; what lay on it went along.
         """
         lost = max(0, len(self.shown) - len(shown)) if removed else 0
-        before = [seen.object_id for seen in self.shown]
-        order = {id: number for number, id in enumerate(before)}
+        order = {seen.object_id: number for number, seen in enumerate(self.shown)}
         kept = sorted(shown, key=lambda seen: order.get(seen.object_id, len(order)))
         return _Tally(kept, self.gone + lost)
 

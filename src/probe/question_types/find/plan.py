@@ -30,13 +30,12 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         remark_new(search, known)
     if shown:
         letter, seen = shown[0]
-        words = f"{search.remarks} {_found(letter, seen).told(question, say)}".strip()
+        words = search.after_remarks(_found(letter, seen).told(question, say))
         pointing = say("find point", {"id": seen.object_id}) if seen.object_id else ""
         yield from answer(letter, seen.point, f"{words} {pointing}".strip())
     elif (search.complete or asked.bold) and (none := none_of_them(question)):
         lacking = FoundAnswer(none, "find none" if search.complete else "guess", {})
-        words = f"{search.remarks} {lacking.told(question, say)}".strip()
-        yield from answer(none, words=words)
+        yield from answer(none, words=search.after_remarks(lacking.told(question, say)))
 
 
 def _shown_options(question: Question, graph: Graph) -> list[tuple[str, Seen]]:

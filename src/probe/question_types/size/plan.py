@@ -20,7 +20,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     one, other = yield from uncover_both(asked.question, search, bold=asked.bold)
     if one is not None and other is not None:
         letter = _larger(form, one, other)
-        words = f"{search.remarks} {_reason(form, letter, (one, other), say)}".strip()
+        words = search.after_remarks(_reason(form, letter, (one, other), say))
         yield from answer(letter, words=words)
     elif asked.bold:
         yield from guess_mark(asked.rng, say)

@@ -94,7 +94,7 @@ def example_of(
     )
     id = f"{task.id}-{record.agent}-{setting}-{record.run}".replace("/", "-")
     made = TrainingExample(
-        id="-".join([id, *([augmented] if augmented else []), *([str(time)] if time > 1 else [])]),
+        id="-".join(filter(None, [id, augmented, str(time) if time > 1 else ""])),
         question_type=task.question_type,
         setting=told_so,
         letter=task.answer,

@@ -18,11 +18,11 @@ from probe.train.choose.chosen import LoadedSelection
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.teacher_words import by_id
 from probe.transcripts.messages import PLAIN
 
 _LISTED = re.compile(r"^  object_id: (object_\d+)$", re.MULTILINE)
 _ID = re.compile(r"\bobject_\d+\b")
-_THE_ID = re.compile(r"\b[Tt]he (?=object_\d)")
 _OCCASIONS = {"grasp": "listed grasp", "push": "listed push"}
 _SILENT = ("do grasp", "do push")
 _OF_A_LIST = ("mark on", "mark touching", "mark place")
@@ -48,13 +48,13 @@ class SayWithoutFinding:
         kind = occasion.split()[0]
         if kind in _OCCASIONS or not slots.get("id") or "thing" not in slots:
             return self.say(_OCCASIONS.get(occasion, occasion), slots)
-        by_id = {**slots, "thing": slots["id"]}
+        told = {**slots, "thing": slots["id"]}
         if kind == "look" or occasion in _OF_A_LIST:
-            return _THE_ID.sub("", self.say(occasion, by_id))
+            return by_id(self.say(occasion, told))
         if kind == "marked":
             return self.say(occasion, slots)
-        said = self.say(occasion, by_id if occasion in _NAMED_BEFORE else slots)
-        return f"{self.say('listed thing', slots)} {_THE_ID.sub('', said)}"
+        said = self.say(occasion, told if occasion in _NAMED_BEFORE else slots)
+        return f"{self.say('listed thing', slots)} {by_id(said)}"
 
 
 def said_without_finding(chosen: LoadedSelection) -> LoadedSelection:

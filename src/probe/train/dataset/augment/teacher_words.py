@@ -19,9 +19,9 @@ _AS_THEY_ARE = (_DIRECTION, "place", "size_one", "size_two")
 mirror."""
 
 
-def by_id(phrase: str) -> str:
-    """A phrase whose slot {thing} is filled with an object_id."""
-    return re.sub(r"\b[Tt]he {thing}", "{thing}", phrase)
+def by_id(text: str) -> str:
+    """A phrase whose slot {thing} an object_id fills, or such a phrase once it is filled."""
+    return re.sub(r"\b[Tt]he (?=object_\d|{thing})", "", text)
 
 
 def mirrored_words(words: str, direction: str | None = None) -> str | None:
