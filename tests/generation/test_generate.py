@@ -13,12 +13,12 @@ from probe.assets.colour.difference import ciede2000
 from probe.assets.colour.names import lab
 from probe.assets.library import Library
 from probe.assets.tables import load_table
-from probe.generation.colour_words import colour_words_in
 from probe.generation.generate import generate
 from probe.generation.plan import ATTEMPTS, plan
 from probe.generation.result import TaskCandidate
 from probe.generation.task_plan import CROSSED, MORE_CUES
 from probe.generation.toppings import TOPPED
+from probe.perception.colour_words import colour_words_in
 from probe.question_types.count.generator import instances
 from probe.question_types.find.generator import PARTLY_SEEN
 from probe.question_types.reduce.generator import REMOVALS

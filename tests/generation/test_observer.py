@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from probe.generation.colour_words import colour_words_in, colours_in
 from probe.generation.first_look import FirstLook, VisibleThing
 from probe.generation.observer import observe, visible_count
+from probe.perception.colour_words import colour_words_in, colours_in
 from probe.perception.scene_graph import Relation
 
 RED, BLUE, DARK = (45.0, 60.0, 40.0), (40.0, 10.0, -50.0), (12.0, 0.0, 0.0)

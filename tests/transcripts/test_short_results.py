@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import pytest
@@ -23,9 +24,9 @@ BLOCKS = (
 )
 # The book's point: as far from the corner of the mug on it as from its own edges.
 FIRST = (
-    "# All that shows, from top to bottom: object_id, [u, v] of a point on it, what it is, "
-    "object_id, [width, height] of its box, what lies on it or covers it, what it touches if it "
-    "has no name."
+    "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, "
+    "object_id, [width, height] of its box, colours if its name has none, what lies on or covers "
+    'it, what it touches if it has no name. Later "new" stands before a name that is not here.'
 )
 LATER = "# Changed since the last list:"
 
@@ -51,14 +52,53 @@ def test_the_first_list_tells_all_and_later_ones_what_changed():
     assert done.startswith("Done: object_2 was lifted and dropped into the basket.")
     assert told(tools, texts, "perceive_scene").split("\n") == [
         LATER,
-        "- object_4 at [374, 574]: red coin, object_4, [30, 30]",
+        "- object_4 at [374, 574], new: red coin, object_4, [30, 30]",
         "- object_3 at [435, 635]: blue book, object_3, [200, 200], under object_4",
         "out of date: object_2",
     ]
 
 
 def entry(u: int, v: int = 50, width: int = 20, under: tuple[str, ...] = ()) -> ListEntry:
-    return ListEntry("red mug", (u, v), (width, 20), under)
+    return ListEntry("red mug", (u, v), size=(width, 20), under=under)
+
+
+def test_a_name_that_the_first_list_lacked_stays_new():
+    texts = ShortResults()
+    listed = [("red mug", 40), ("blue book", 80)], [("red coin", 40), ("blue book", 80)]
+    for things in (*listed, [("red coin", 60), ("blue book", 90), ("red mug", 200)]):
+        told = texts.shortened("perceive_scene", whole_list(things))
+    assert told.split("\n")[1:] == [
+        "- object_1 at [60, 50], new: red coin, object_1, [11, 11]",
+        "- object_2 at [90, 50]: blue book, object_2, [11, 11]",
+        "- object_3 at [200, 50]: red mug, object_3, [11, 11]",
+    ]
+
+
+def whole_list(things: Sequence[tuple[str, int]], description: str = "It.") -> str:
+    """A list of things by name and where they are."""
+    entries = "".join(
+        f'- number: {n}\n  object_id: object_{n}\n  name: "{name}"\n'
+        f'  description: "{description}"\n'
+        f"  point: [{u}, 50]\n  box: [{u - 5}, 45, {u + 5}, 55]\n"
+        for n, (name, u) in enumerate(things, start=1)
+    )
+    return f"# x\nobjects:\n{entries}relations: []\ncluttered: []\nclear: []"
+
+
+@pytest.mark.parametrize(
+    ("name", "description", "colours"),
+    [
+        ("viking helmet", "A gray and gold Viking helmet with two horns.", ", gray and gold"),
+        ("young leek", "A light green leek with a white shaft.", ", light green"),
+        ("raw shrimp", "An orange curled shrimp.", ", orange"),
+        ("red and blue mug", "A red mug.", ""),
+        ("wooden crate", "A wooden crate, red inside.", ""),
+        ("greenhouse", "A greenhouse of white bars.", ""),
+    ],
+)
+def test_colours_are_told_where_the_name_has_none(name, description, colours):
+    told = ShortResults().shortened("perceive_scene", whole_list([(name, 50)], description))
+    assert told.split("\n")[1] == f"- object_1 at [50, 50]: {name}, object_1, [11, 11]{colours}"
 
 
 def test_a_place_that_differs_is_told_again_and_two_pixels_are_not_much():

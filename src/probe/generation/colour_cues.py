@@ -8,7 +8,7 @@ import numpy as np
 
 from probe.assets.colour.difference import ciede2000
 from probe.errors import UnknownName
-from probe.generation.colour_words import KNOWN, colours_in
+from probe.perception.colour_words import KNOWN, colours_in
 from probe.tasks.type_rules import Form
 from probe.types import Array
 

@@ -10,7 +10,7 @@ from itertools import combinations
 import numpy as np
 
 from probe.assets.spec import ObjectSpec
-from probe.generation.colour_words import colour_words_in
+from probe.perception.colour_words import colour_words_in
 from probe.tasks.task import DEPTH_RULES, RulesVersion
 from probe.types import Array
 

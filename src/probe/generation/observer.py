@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from probe.assets.colour.difference import ciede2000
-from probe.generation.colour_words import colours_in
 from probe.generation.first_look import FirstLook, VisibleThing
+from probe.perception.colour_words import colours_in
 from probe.tasks.english import plural
 from probe.tasks.registry import part_of
 from probe.tasks.task import LETTERS, NONE_OF_THE_ABOVE, PAIR, Letter, QuestionType

@@ -11,11 +11,11 @@ from probe.assets.colour.difference import ciede2000
 from probe.assets.library import Library
 from probe.assets.spec import ObjectSpec
 from probe.generation.colour_cues import least_lead, misfit, wanted
-from probe.generation.colour_words import colours_in
 from probe.generation.likeness import told_apart
 from probe.generation.paint_twins import PaintTwins
 from probe.generation.palettes import dimmed, main_colour
 from probe.generation.task_plan import CROSSED, TaskPlan
+from probe.perception.colour_words import colours_in
 from probe.tasks.task import PAIR
 from probe.tasks.truth import which_fits
 from probe.tasks.type_rules import Form

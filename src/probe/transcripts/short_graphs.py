@@ -9,13 +9,14 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
 from probe.agents.reading import Graph, Seen, read_graph
+from probe.perception.colour_words import colour_words_in, first_colours
 
 # Small models read forwards: they find what follows a word, and hardly what stood before it. So an
-# object_id stands on both sides of the point and the name.
+# object_id stands on both sides of the point and the name, and "new" in front of what is new.
 _FIRST = (
-    "# All that shows, from top to bottom: object_id, [u, v] of a point on it, what it is, "
-    "object_id, [width, height] of its box, what lies on it or covers it, what it touches if it "
-    "has no name."
+    "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, "
+    "object_id, [width, height] of its box, colours if its name has none, what lies on or covers "
+    'it, what it touches if it has no name. Later "new" stands before a name that is not here.'
 )
 _LATER = "# Changed since the last list:"
 _SAME = "# Nothing has changed since the last list."
@@ -32,21 +33,27 @@ class ListEntry:
     Attributes:
         what: It is.
         point: Pixel (u, v) on it.
+        new: Whether it has a name that nothing in the first list has.
         size: Width and height of its box, pixels; none where the box itself is told.
+        colours: Those that its description names first, if its name has none.
         under: The object_ids of what lies on it or covers it.
         touching: Those of what it touches, if too little of it shows to be named.
     """
 
     what: str
     point: tuple[int, int]
+    new: bool = False
     size: tuple[int, int] | None = None
+    colours: str = ""
     under: tuple[str, ...] = ()
     touching: tuple[str, ...] = ()
 
     def line(self, object_id: str) -> str:
         """All of it."""
-        told = [f"- {object_id} at {list(self.point)}: {self.what}", object_id]
+        new = ", new" if self.new else ""
+        told = [f"- {object_id} at {list(self.point)}{new}: {self.what}", object_id]
         told += [str(list(self.size))] if self.size else []
+        told += [self.colours] if self.colours else []
         told += [f"under {' and '.join(self.under)}"] if self.under else []
         told += [f"touching {' and '.join(self.touching)}"] if self.touching else []
         return ", ".join(told)
@@ -67,15 +74,24 @@ class ListEntry:
         return _still(self.point, other.point) and _still(self.size, other.size)
 
 
-def entries_of(text: str) -> dict[str, ListEntry] | None:
-    """The things of a list by their object_ids; None for another text, or a list without ids."""
+def listed_graph(text: str) -> Graph | None:
+    """A list with object_ids; None for another text, or a list without ids."""
     if "\nobjects:" not in text:
         return None
     graph = read_graph(text)
-    ids = {seen.number: seen.object_id for seen in graph.objects if seen.object_id}
-    if len(ids) < len(graph.objects):
-        return None
-    return {ids[seen.number]: _entry(seen, graph, ids) for seen in graph.objects}
+    return graph if all(seen.object_id for seen in graph.objects) else None
+
+
+def entries_of(graph: Graph, first: Graph) -> dict[str, ListEntry]:
+    """The things of a list by their object_ids.
+
+    Args:
+        graph: The list; all of it has object_ids.
+        first: The first one; the same if this is it.
+    """
+    ids = {seen.number: seen.object_id or "" for seen in graph.objects}
+    known = {seen.name for seen in first.named}
+    return {ids[seen.number]: _entry(seen, graph, ids, known) for seen in graph.objects}
 
 
 def known_after(
@@ -115,8 +131,25 @@ def short_list(known: Mapping[str, ListEntry] | None, now: Mapping[str, ListEntr
     return "\n".join([_LATER, *told]) if told else _SAME
 
 
-def _entry(seen: Seen, graph: Graph, ids: Mapping[int, str]) -> ListEntry:
+def _entry(
+    seen: Seen, graph: Graph, ids: Mapping[int, str], known: Collection[str | None]
+) -> ListEntry:
     over = graph.over(seen)
     touching = set[int]() if seen.name else graph.touching(seen)
     under, beside = (tuple(ids[it] for it in sorted(numbers)) for numbers in (over, touching))
-    return ListEntry(seen.name or seen.description, seen.point, seen.size, under, beside)
+    return ListEntry(
+        what=seen.name or seen.description,
+        point=seen.point,
+        new=seen.name is not None and seen.name not in known,
+        size=seen.size,
+        colours=_colours(seen),
+        under=under,
+        touching=beside,
+    )
+
+
+def _colours(seen: Seen) -> str:
+    """What a description alone tells of a thing's colours."""
+    if seen.name is None or colour_words_in(seen.name):
+        return ""
+    return first_colours(seen.description)

@@ -11,8 +11,15 @@ from typing import Any, cast
 
 import yaml
 
+from probe.agents.reading import Graph
 from probe.toolshed.result import LAST_TURN, MOVING
-from probe.transcripts.short_graphs import ListEntry, entries_of, known_after, short_list
+from probe.transcripts.short_graphs import (
+    ListEntry,
+    entries_of,
+    known_after,
+    listed_graph,
+    short_list,
+)
 
 _MOVED = re.compile(
     r"Also moved: .*?\. (?=(?:Also moved, and|May have moved|Beside the basket|Out of sight, and|"
@@ -30,6 +37,7 @@ class ShortResults:
     """The replies to one episode's calls, one after another."""
 
     def __init__(self) -> None:
+        self._first: Graph | None = None
         self._known: Mapping[str, ListEntry] | None = None
 
     def shortened(self, tool: str, text: str) -> str:
@@ -50,9 +58,11 @@ class ShortResults:
             return _MOVED.sub(_OTHERS, text)
         if tool == "find_object" and text.startswith(_FOUND):
             return _found(text)
-        entries = entries_of(text) if tool == "perceive_scene" else None
-        if entries is None:
+        graph = listed_graph(text) if tool == "perceive_scene" else None
+        if graph is None:
             return text
+        self._first = self._first or graph
+        entries = entries_of(graph, self._first)
         known, self._known = self._known, known_after(self._known, entries)
         return short_list(known, entries)
 

@@ -14,10 +14,12 @@ from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_fi
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.transcripts.result_texts import ResultTexts
 
-LINE = re.compile(r"^- (object_\d+) at (\[\d+, \d+\]): (.*), \1, \[\d+, \d+\](.*)$", re.MULTILINE)
+LINE = re.compile(
+    r"^- (object_\d+) at (\[\d+, \d+\])(, new)?: (.*), \1, \[\d+, \d+\](.*)$", re.MULTILINE
+)
 
-Known = dict[str, tuple[str, str, str]]
-"""By object_id: its point, what it is, and what follows the size of its box."""
+Known = dict[str, tuple[str, str, str, str]]
+"""By object_id: its point, what it is, what follows the size of its box, and whether it is new."""
 
 
 @pytest.fixture(scope="module")
@@ -43,11 +45,16 @@ def known_and_said(record: EpisodeRecord) -> Iterator[tuple[Known, str]]:
         if step.call.name == "perceive_scene":
             for id in re.findall(r"object_\d+", text.partition("out of date: ")[2]):
                 del known[id]
-            known |= {id: (point, what, more) for id, point, what, more in LINE.findall(text)}
+            known |= {id: (at, what, *others) for id, at, *others, what in _lines(text)}
+
+
+def _lines(text: str) -> Iterator[tuple[str, str, str, str, str]]:
+    for id, point, new, what, more in LINE.findall(text):
+        yield id, point, more, new, what
 
 
 def called(known: Known, name: str) -> set[str]:
-    return {id for id, (_, what, _) in known.items() if what == name}
+    return {id for id, (_, what, *_) in known.items() if what == name}
 
 
 def test_it_counts_all_that_have_the_name_and_numbers_them(said):
@@ -84,6 +91,23 @@ def test_marks_are_where_the_question_and_the_list_say(said):
         assert mark and [round(int(it) / 1.024) for it in mark.groups()] == [int(u), int(v)]
         point = [int(it) for it in re.findall(r"\d+", known[id][0])]
         assert abs(point[0] - int(u)) <= 9 and abs(point[1] - int(v)) <= 9
+
+
+def test_what_it_calls_new_is_what_the_lists_call_new(said):
+    notes = [
+        (known, found[1] or "")
+        for _, known, words in said
+        if (
+            found := re.search(
+                r"(?:This is new since the start: (.*?)|Nothing new can be named)\.", words
+            )
+        )
+    ]
+    assert len(notes) > 100
+    for known, each in notes:
+        new = {id for id, (_, _, _, is_new) in known.items() if is_new}
+        assert {*re.findall(r"object_\d+", each)} == new
+    assert sum(bool(each) for _, each in notes) > 20
 
 
 def test_object_ids_and_names_belong_together(said):

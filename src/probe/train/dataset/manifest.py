@@ -74,7 +74,9 @@ _WAYS = {
     "mirrored": "episodes of these, mirrored left to right",
     "wordings": "episodes of these, asked in other words",
     "phrases": "episodes of these, with other phrases of the teacher",
-    "options": "episodes of these, with their options under other letters",
+    "options": "episodes of these, with their options or marks under other letters",
+    "names": "episodes of these, with other names of all things",
+    "ids": "episodes of these, with other object_ids",
 }
 
 

@@ -109,9 +109,39 @@ def test_an_example_has_the_new_letter(episodes, find):
         )
 
 
-def test_marked_things_keep_their_letters():
-    with pytest.raises(NotCertain, match="two marked things"):
-        told(SIZE, taught())
+@pytest.mark.parametrize("find", [True, False])
+def test_marks_have_each_others_letters(find):
+    """The marks' places tell what is meant: each is called by the other letter throughout."""
+    before = taught()
+    if not find:
+        before = rephrased(SIZE, before, SayWithoutFinding(speaker(SIZE, 0)))
+    say = speaker(SIZE, 0) if find else SayWithoutFinding(speaker(SIZE, 0))
+    now, after = reordered(SIZE, before, np.random.default_rng(0), say)
+    a, b = (mark.point for mark in SIZE.marks)
+    assert f"A at ({b[0]}, {b[1]}) and B at ({a[0]}, {a[1]})" in after.question.text
+    assert after.question.text == now.question
+    assert after.question.options == before.question.options
+    assert {letter_of(before), letter_of(after)} == {"A", "B"}
+    assert (now.answer == letter_of(after)) == (SIZE.answer == letter_of(before))
+    assert [it.text for it in after.steps] == [it.text for it in before.steps]
+    swapped = str.maketrans("AB", "BA")
+    spoken = ""
+    for old, new in zip(before.steps[:-1], after.steps[:-1], strict=True):
+        letters = [re.findall(r"[Mm]ark(?:ed)? ([AB])\b", it.call.words) for it in (old, new)]
+        assert "".join(letters[0]).translate(swapped) == "".join(letters[1])
+        spoken += "".join(letters[0])
+        assert (old.call.name, old.call.arguments) == (new.call.name, new.call.arguments)
+    assert spoken
+
+
+def test_an_answer_says_the_same_of_each_mark_by_its_new_letter():
+    before = taught()
+    _, after = reordered(SIZE, before, np.random.default_rng(0), speaker(SIZE, 0))
+    boxes = r"A is the (.*?),.*?(\[\d+, \d+\]).*B.*? the (.*?),.*?(\[\d+, \d+\])"
+    found = [re.search(boxes, it.steps[-1].call.words) for it in (before, after)]
+    assert found[0] and found[1]
+    one, two = (it.groups() for it in found if it)
+    assert one == (*two[2:], *two[:2]) and one[:2] != two[:2]
 
 
 def test_what_isnt_sure_is_left_out(episodes):

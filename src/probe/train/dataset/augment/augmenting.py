@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
 
-from probe.agents.phrases import PhraseBook, Say
+from probe.agents.phrases import PhraseBook
 from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
@@ -17,13 +17,20 @@ from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
 from probe.train.dataset.augment.mirrored import mirrored
+from probe.train.dataset.augment.renaming import (
+    Descriptions,
+    descriptions_in,
+    renamed,
+    renumbered,
+)
 from probe.train.dataset.augment.reordering import reordered
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.rewording import reworded
 
-AugmentationWay = Literal["mirrored", "wordings", "phrases", "options"]
+AugmentationWay = Literal["mirrored", "wordings", "phrases", "options", "names", "ids"]
 """How an episode may be told again: mirrored left to right, asked in other words, with other
-phrases of its teacher, or with its options under other letters."""
+phrases of its teacher, with its options or marks under other letters, with other names of all
+things, or with other object_ids."""
 
 
 _MOST_TIMES = 4
@@ -66,6 +73,9 @@ def augmented(
     told = list[tuple[AugmentationWay, Task, EpisodeRecord]]()
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
     times = _times(episodes) if balanced else Counter[str]()
+    known = (
+        descriptions_in(record for _, record in episodes) if "names" in ways else dict[str, str]()
+    )
     for way in left_out:
         for task, record in episodes:
             # There is one mirror; and the first time is as without balance.
@@ -73,7 +83,7 @@ def augmented(
             before, doubts = list[tuple[Task, EpisodeRecord]](), list[str]()
             for seeds in [(seed,), *((seed, time) for time in range(1, often))]:
                 try:
-                    again = _told(way, task, record, seeds, find=find)
+                    again = _told(way, task, record, seeds, known, find=find)
                 except NotCertain as doubt:
                     doubts.append(doubt.reason)
                     continue
@@ -97,25 +107,44 @@ def _told(
     task: Task,
     record: EpisodeRecord,
     seeds: tuple[int, ...],
+    known: Descriptions,
     *,
     find: bool,
 ) -> tuple[Task, EpisodeRecord]:
     def rng(name: str) -> np.random.Generator:
         return generator(seeds[0], name, task.id, record.run, *seeds[1:])
 
-    def said(say: Say) -> Say:
-        return say if find else SayWithoutFinding(say)
+    if way in ("mirrored", "wordings"):
+        shown = record if find else without_finding(record)
+        again = (
+            mirrored(task, shown) if way == "mirrored" else reworded(task, shown, rng("wording"))
+        )
+        return task, again
+    task, again = _said(way, task, record, rng, known, find=find)
+    return task, again if find else without_finding(again)
 
+
+def _said(
+    way: AugmentationWay,
+    task: Task,
+    record: EpisodeRecord,
+    rng: Callable[[str], np.random.Generator],
+    known: Descriptions,
+    *,
+    find: bool,
+) -> tuple[Task, EpisodeRecord]:
+    """An episode whose teacher is asked again what it would say."""
+    usual = speaker(task, record.run) if way == "options" else PhraseBook(rng("phrases"))
+    say = usual if find else SayWithoutFinding(usual)
     match way:
-        case "mirrored":
-            return task, mirrored(task, record if find else without_finding(record))
-        case "wordings":
-            return task, reworded(task, record if find else without_finding(record), rng("wording"))
-        case "phrases":
-            told = rephrased(task, record, said(PhraseBook(rng("phrases"))))
-            if told == record:
-                raise NotCertain(record.task, "its teacher's phrases came out the same")
         case "options":
-            say = said(speaker(task, record.run))
-            task, told = reordered(task, record, rng("options"), say)
-    return task, told if find else without_finding(told)
+            return reordered(task, record, rng("options"), say)
+        case "names":
+            return renamed(task, record, rng("names"), say, known)
+        case "ids":
+            return renumbered(task, record, rng("ids"), say)
+        case _:
+            again = rephrased(task, record, say)
+            if again == record:
+                raise NotCertain(record.task, "its teacher's phrases came out the same")
+            return task, again

@@ -1,18 +1,24 @@
-"""The same episode with its options under other letters."""
+"""The same episode with its options, or its two marks, under other letters."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.turns import Call
-from probe.tasks.task import LETTERS, Option, Task
+from probe.generation.task_writer import asked
+from probe.tasks.task import LETTERS, Mark, Option, Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.rewording import worded
+
+_PAIRS = (("one", "two"), ("size_one", "size_two"), ("colour_one", "colour_two"))
+_OTHER = {a: b for pair in _PAIRS for a, b in (pair, pair[::-1])}
+"""Slots of phrases that tell of mark A, and what tells the same of mark B."""
 
 
 def reordered(
@@ -20,8 +26,8 @@ def reordered(
 ) -> tuple[Task, EpisodeRecord]:
     """A task with its options in another order, and an episode in which it was asked so.
 
-    "None of the above" stays the last one. The scripted teacher must make the same calls, but for
-    the letter of its answer.
+    "None of the above" stays the last one. Where the options are the two marked things, mark A
+    becomes mark B. The scripted teacher must make the same calls, but for the letter of its answer.
 
     Args:
         task: What the episode is about.
@@ -30,13 +36,12 @@ def reordered(
         say: Chooses the teacher's words.
 
     Raises:
-        NotCertain: The options are the two marked things, no answer was given, or the teacher
-            would do something else.
+        NotCertain: No answer was given, or the teacher would do something else.
     """
-    if len(task.options) != len(LETTERS):
-        raise NotCertain(record.task, "its options are the two marked things")
     if record.answer is None or not record.steps:
         raise NotCertain(record.task, "it has no answer")
+    if task.marks:
+        return _swapped(task, record, say)
     order = _other_order(len(LETTERS) - 1, rng)
     texts = [*(task.options[old].text for old in order), task.options[-1].text]
     new = {LETTERS[old]: letter for old, letter in zip(order, LETTERS, strict=False)}
@@ -46,17 +51,53 @@ def reordered(
     return now, rephrased(now, _asked_so(record, options, given), say)
 
 
+def _swapped(task: Task, record: EpisodeRecord, say: Say) -> tuple[Task, EpisodeRecord]:
+    """A task whose marks have each other's letters, and an episode that begins with mark B."""
+    assert record.answer
+    a, b = (mark.letter for mark in task.marks)
+    new = {a: b, b: a}
+    marks = tuple(
+        replace(mark, letter=new[mark.letter])
+        for mark in sorted(task.marks, key=_letter, reverse=True)
+    )
+    known = worded(task, record)
+    text = asked(known.wording.text, known.slots, marks)
+    told = rephrased(task, record, _SayOfTheOther(say))
+    now = replace(task, marks=marks, question=text, answer=new[task.answer])
+    told = _answered(told, new[record.answer.choice])
+    return now, replace(told, question=replace(told.question, text=text))
+
+
+def _letter(mark: Mark) -> str:
+    return mark.letter
+
+
+@dataclass(frozen=True)
+class _SayOfTheOther:
+    """Says of mark B what is true of mark A, and the other way round; a Say."""
+
+    say: Say
+
+    def __call__(self, occasion: str, slots: Mapping[str, str]) -> str:
+        other = {slot: slots[_OTHER.get(slot, slot)] for slot in slots}
+        if letter := slots.get("letter"):
+            other["letter"] = {"A": "B", "B": "A"}.get(letter, letter)
+        return self.say(occasion, other)
+
+
 def _asked_so(record: EpisodeRecord, options: Sequence[Option], given: str) -> EpisodeRecord:
     """An episode with other options, and another letter for its answer."""
+    question = replace(record.question, options=tuple((it.letter, it.text) for it in options))
+    return replace(_answered(record, given), question=question)
+
+
+def _answered(record: EpisodeRecord, given: str) -> EpisodeRecord:
+    """An episode with another letter for its answer."""
     assert record.answer
     *before, last = record.steps
     call = Call.of(last.call.name, {**last.call.values, "choice": given}, last.call.words)
-    return replace(
-        record,
-        question=replace(record.question, options=tuple((it.letter, it.text) for it in options)),
-        steps=(*before, replace(last, call=call)),
-        answer=replace(record.answer, choice=given),
-    )
+    answer = replace(record.answer, choice=given)
+    return replace(record, steps=(*before, replace(last, call=call)), answer=answer)
 
 
 def _other_order(count: int, rng: np.random.Generator) -> list[int]:

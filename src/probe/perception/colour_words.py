@@ -22,7 +22,9 @@ KNOWN = tuple(_WORDS)
 """Colours that have a meaning, also with "light" or "dark" before them."""
 
 _SHADES = {"light": 18.0, "dark": -18.0}
+_COLOUR = rf"(?:(?:light|dark) )?(?:{'|'.join(_WORDS)})"
 _NAMED = re.compile(rf"\b(?:(light|dark) )?({'|'.join(_WORDS)})\b")
+_FIRST = re.compile(rf"(?:an? )?({_COLOUR}(?: and {_COLOUR})*)\b", re.IGNORECASE)
 
 
 def colours_in(text: str) -> tuple[Array, ...]:
@@ -33,6 +35,12 @@ def colours_in(text: str) -> tuple[Array, ...]:
 def colour_words_in(text: str) -> frozenset[str]:
     """Colours that a text names, in words: "light blue", "red"."""
     return frozenset(" ".join(filter(None, found)) for found in _NAMED.findall(text.lower()))
+
+
+def first_colours(text: str) -> str:
+    """The colours with which a description begins: "white and red"; empty if it doesn't."""
+    found = _FIRST.match(text)
+    return found[1].lower() if found else ""
 
 
 def _meant(shade: str, word: str) -> Array:

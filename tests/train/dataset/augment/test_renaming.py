@@ -1,0 +1,172 @@
+"""Other names and object_ids: all that is said of a thing goes along, and nothing else changes."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from packed_teacher import episodes_of, packed_batches
+from painted_teacher import SIZE, taught
+from probe.agents.cover_nouns import hider
+from probe.agents.reading import read_graph
+from probe.tasks.task import NONE_OF_THE_ABOVE
+from probe.train.collect.teacher import speaker
+from probe.train.dataset.augment.augmenting import augmented
+from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.renaming import descriptions_in, renamed, renumbered
+
+ID = re.compile(r"\bobject_\d+\b")
+
+
+@pytest.fixture(scope="module")
+def episodes(tmp_path_factory):
+    """Some of each type of the packed ones."""
+    folder = tmp_path_factory.mktemp("packed")
+    found = [each for batch in packed_batches(folder) for each in episodes_of(batch)]
+    kinds = sorted({task.question_type for task, _ in found})
+    return [each for kind in kinds for each in found if each[0].question_type == kind][::12]
+
+
+@pytest.fixture(scope="module")
+def known(episodes):
+    return descriptions_in(record for _, record in episodes)
+
+
+def with_other_names(task, record, known, seed=0):
+    rng = np.random.default_rng(seed)
+    return renamed(task, record, rng, speaker(task, record.run), known)
+
+
+def with_other_ids(task, record, seed=0):
+    return renumbered(task, record, np.random.default_rng(seed), speaker(task, record.run))
+
+
+def names_in(record):
+    """Names of all lists, in order."""
+    graphs = (read_graph(it.text) for it in record.steps if it.call.name == "perceive_scene")
+    return [[seen.name for seen in graph.objects] for graph in graphs]
+
+
+def said(record):
+    return "\n".join(
+        [record.question.text, *(text for _, text in record.question.options)]
+        + [f"{step.call.words}\n{step.call.arguments}\n{step.text}" for step in record.steps]
+    )
+
+
+def test_every_name_is_another_one_in_all_that_is_said(episodes, known):
+    told = 0
+    for task, record in episodes:
+        if task.question_type == "compare":
+            continue
+        now, after = with_other_names(task, record, known)
+        before = {name for names in names_in(record) for name in names if name}
+        pairs = {
+            (old, new)
+            for olds, news in zip(names_in(record), names_in(after), strict=True)
+            for old, new in zip(olds, news, strict=True)
+        }
+        renames = dict(pairs)
+        assert len(renames) == len(pairs) == len({new for _, new in pairs})
+        assert not [old for old, new in pairs if (old and old == new) or (not old and new)]
+        assert {hider(old) for old, new in pairs if old} == {hider(new) for _, new in pairs if new}
+        assert not [
+            name
+            for name in before
+            if re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", said(after))
+        ]
+        for (letter, old), (same, new) in zip(
+            record.question.options, after.question.options, strict=True
+        ):
+            assert letter == same and (new == renames[old] if old in renames else True)
+        assert [it.text for it in now.options] == [text for _, text in after.question.options]
+        assert (now.answer, after.answer) == (task.answer, record.answer)
+        told += 1
+    assert told > 15
+
+
+def test_numbers_none_and_marks_stay(episodes, known):
+    for task, record in episodes:
+        if task.question_type == "compare":
+            continue
+        _, after = with_other_names(task, record, known)
+        for (_, old), (_, new) in zip(record.question.options, after.question.options, strict=True):
+            kept = old == NONE_OF_THE_ABOVE or old.isdecimal() or old.startswith("Object ")
+            assert (old == new) is kept
+
+
+def test_descriptions_go_with_their_names(episodes, known):
+    task, record = next(it for it in episodes if it[0].question_type == "count")
+    _, after = with_other_names(task, record, known)
+    graphs = [read_graph(it.text) for it in after.steps if it.call.name == "perceive_scene"]
+    named = [seen for graph in graphs for seen in graph.named]
+    assert named and all(known[seen.name or ""] == seen.description for seen in named)
+
+
+def test_what_is_counted_has_its_plural(episodes, known):
+    task, record = next(it for it in episodes if it[0].question_type == "count")
+    now, after = with_other_names(replace(task, subject=task.subject), record, known)
+    assert now.subject != task.subject and now.subject in known
+    assert task.subject not in after.question.text
+    assert after.question.text == now.question
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_every_object_id_is_changed_the_same_way_everywhere(episodes, seed):
+    for task, record in episodes:
+        now, after = with_other_ids(task, record, seed)
+        assert now == task
+        for old, new in zip(record.steps, after.steps, strict=True):
+            assert ID.sub("object", old.text) == ID.sub("object", new.text)
+            assert ID.sub("object", old.call.arguments) == ID.sub("object", new.call.arguments)
+        texts = [
+            "\n".join(f"{step.call.arguments}\n{step.text}" for step in it.steps)
+            for it in (record, after)
+        ]
+        pairs = {*zip(*(ID.findall(text) for text in texts), strict=True)}
+        assert len(dict(pairs)) == len(pairs) == len({new for _, new in pairs})
+        assert {*ID.findall(said(after))} <= {new for _, new in pairs}
+
+
+def test_the_draw_alone_decides(episodes, known):
+    task, record = next(it for it in episodes if it[0].question_type == "find")
+    for tell in (lambda seed: with_other_names(task, record, known, seed)[1],
+                 lambda seed: with_other_ids(task, record, seed)[1]):  # fmt: skip
+        assert tell(1) == tell(1) != tell(2)
+
+
+def test_colours_that_are_asked_for_keep_their_names(episodes, known):
+    task, record = next(it for it in episodes if it[0].question_type == "compare")
+    with pytest.raises(NotCertain, match="names tell the colours"):
+        with_other_names(task, record, known)
+    assert with_other_ids(task, record)
+
+
+def test_without_other_names_it_is_left_out(episodes):
+    task, record = next(it for it in episodes if it[0].question_type == "find")
+    with pytest.raises(NotCertain, match="too few other names"):
+        with_other_names(task, record, descriptions_in([record]))
+
+
+def test_another_teacher_may_have_quoted_them(episodes, known):
+    task, record = next(it for it in episodes if it[0].question_type == "find")
+    with pytest.raises(NotCertain, match="isn't the scripted one"):
+        with_other_ids(task, replace(record, agent="a-model"))
+
+
+@pytest.mark.parametrize("find", [True, False])
+def test_they_are_ways_to_tell_a_selection_again(find):
+    from probe.train.dataset.augment.listed_ids import SayWithoutFinding
+    from probe.train.dataset.augment.rephrasing import rephrased
+
+    record = taught()
+    if not find:
+        record = rephrased(SIZE, record, SayWithoutFinding(speaker(SIZE, 0)))
+    again = augmented([(SIZE, record)], ["ids", "names"], 0, find=find)
+    assert [way for way, _, _ in again.episodes] == ["ids"]
+    assert again.left_out == {"ids": {}, "names": {"there are too few other names": 1}}
+    calls = {step.call.name for step in again.episodes[0][2].steps}
+    assert ("find_object" in calls) is find
