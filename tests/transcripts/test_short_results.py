@@ -64,10 +64,10 @@ def entry(u: int, v: int = 50, width: int = 20, under: tuple[str, ...] = ()) -> 
 
 def test_a_name_that_the_first_list_lacked_stays_new():
     texts = ShortResults()
-    listed = [("red mug", 40), ("blue book", 80)], [("red coin", 40), ("blue book", 80)]
-    for things in (*listed, [("red coin", 60), ("blue book", 90), ("red mug", 200)]):
-        told = texts.shortened("perceive_scene", whole_list(things))
-    assert told.split("\n")[1:] == [
+    texts.shortened("perceive_scene", whole_list([("red mug", 40), ("blue book", 80)]))
+    texts.shortened("perceive_scene", whole_list([("red coin", 40), ("blue book", 80)]))
+    last = whole_list([("red coin", 60), ("blue book", 90), ("red mug", 200)])
+    assert texts.shortened("perceive_scene", last).split("\n")[1:] == [
         "- object_1 at [60, 50], new: red coin, object_1, [11, 11]",
         "- object_2 at [90, 50]: blue book, object_2, [11, 11]",
         "- object_3 at [200, 50]: red mug, object_3, [11, 11]",

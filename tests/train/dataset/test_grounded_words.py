@@ -45,12 +45,9 @@ def known_and_said(record: EpisodeRecord) -> Iterator[tuple[Known, str]]:
         if step.call.name == "perceive_scene":
             for id in re.findall(r"object_\d+", text.partition("out of date: ")[2]):
                 del known[id]
-            known |= {id: (at, what, *others) for id, at, *others, what in _lines(text)}
-
-
-def _lines(text: str) -> Iterator[tuple[str, str, str, str, str]]:
-    for id, point, new, what, more in LINE.findall(text):
-        yield id, point, more, new, what
+            known |= {
+                id: (point, what, more, new) for id, point, new, what, more in LINE.findall(text)
+            }
 
 
 def called(known: Known, name: str) -> set[str]:
