@@ -24,9 +24,9 @@ BLOCKS = (
 )
 # The book's point: as far from the corner of the mug on it as from its own edges.
 FIRST = (
-    "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, "
-    "object_id, [width, height] of its box, colours if its name has none, what lies on or covers "
-    'it, what it touches if it has no name. Later "new" stands before a name that is not here.'
+    "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, object_id, its "
+    "[width, height], colours if its name has none, what lies on or covers it, what it touches if "
+    'it has no name. In later lists "new" stands before names that this one lacks.'
 )
 LATER = "# Changed since the last list:"
 
@@ -90,15 +90,31 @@ def whole_list(things: Sequence[tuple[str, int]], description: str = "It.") -> s
     [
         ("viking helmet", "A gray and gold Viking helmet with two horns.", ", gray and gold"),
         ("young leek", "A light green leek with a white shaft.", ", light green"),
-        ("raw shrimp", "An orange curled shrimp.", ", orange"),
-        ("red and blue mug", "A red mug.", ""),
-        ("wooden crate", "A wooden crate, red inside.", ""),
-        ("greenhouse", "A greenhouse of white bars.", ""),
+        ("espresso cup", "A small white espresso cup.", ", white"),
+        ("tray", "A rectangular gray metal baking tin.", ", gray"),
+        ("red and blue mug", "A green mug.", ""),
+        ("wooden crate", "A wooden crate.", ""),
+        ("greenhouse", "A greenhouse of white bars.", ", white"),
     ],
 )
 def test_colours_are_told_where_the_name_has_none(name, description, colours):
     told = ShortResults().shortened("perceive_scene", whole_list([(name, 50)], description))
     assert told.split("\n")[1] == f"- object_1 at [50, 50]: {name}, object_1, [11, 11]{colours}"
+
+
+def test_what_is_listed_after_an_empty_table_is_a_first_list():
+    texts = ShortResults()
+    empty = "# x\nobjects: []\nrelations: []\ncluttered: []\nclear: []"
+    assert texts.shortened("perceive_scene", empty) == "# Nothing shows."
+    told = texts.shortened("perceive_scene", whole_list([("red mug", 40)]))
+    assert told == f"{FIRST}\n- object_1 at [40, 50]: red mug, object_1, [11, 11]"
+
+
+def test_colours_that_a_description_has_now_are_told():
+    texts = ShortResults()
+    texts.shortened("perceive_scene", whole_list([("crate", 50)], "A wooden crate."))
+    told = texts.shortened("perceive_scene", whole_list([("crate", 50)], "A brown crate."))
+    assert told == f"{LATER}\n- object_1 at [50, 50]: crate, object_1, [11, 11], brown"
 
 
 def test_a_place_that_differs_is_told_again_and_two_pixels_are_not_much():

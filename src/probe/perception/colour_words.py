@@ -22,9 +22,9 @@ KNOWN = tuple(_WORDS)
 """Colours that have a meaning, also with "light" or "dark" before them."""
 
 _SHADES = {"light": 18.0, "dark": -18.0}
-_COLOUR = rf"(?:(?:light|dark) )?(?:{'|'.join(_WORDS)})"
 _NAMED = re.compile(rf"\b(?:(light|dark) )?({'|'.join(_WORDS)})\b")
-_FIRST = re.compile(rf"(?:an? )?({_COLOUR}(?: and {_COLOUR})*)\b", re.IGNORECASE)
+_COLOUR = rf"(?:(?:light|dark) )?(?:{'|'.join(_WORDS)})"
+_FIRST = re.compile(rf"\b{_COLOUR}(?: and {_COLOUR})*\b")
 
 
 def colours_in(text: str) -> tuple[Array, ...]:
@@ -38,9 +38,9 @@ def colour_words_in(text: str) -> frozenset[str]:
 
 
 def first_colours(text: str) -> str:
-    """The colours with which a description begins: "white and red"; empty if it doesn't."""
-    found = _FIRST.match(text)
-    return found[1].lower() if found else ""
+    """The first colours that a description names: "white and red"; empty if it names none."""
+    found = _FIRST.search(text.lower())
+    return found[0] if found else ""
 
 
 def _meant(shade: str, word: str) -> Array:

@@ -14,9 +14,9 @@ from probe.perception.colour_words import colour_words_in, first_colours
 # Small models read forwards: they find what follows a word, and hardly what stood before it. So an
 # object_id stands on both sides of the point and the name, and "new" in front of what is new.
 _FIRST = (
-    "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, "
-    "object_id, [width, height] of its box, colours if its name has none, what lies on or covers "
-    'it, what it touches if it has no name. Later "new" stands before a name that is not here.'
+    "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, object_id, its "
+    "[width, height], colours if its name has none, what lies on or covers it, what it touches if "
+    'it has no name. In later lists "new" stands before names that this one lacks.'
 )
 _LATER = "# Changed since the last list:"
 _SAME = "# Nothing has changed since the last list."
@@ -67,7 +67,7 @@ class ListEntry:
 
     def is_told_by(self, other: ListEntry | None) -> bool:
         """Whether nothing of it is new, up to two pixels, to who knows another entry of it."""
-        if other is None or self.what != other.what:
+        if other is None or (self.what, self.colours) != (other.what, other.colours):
             return False
         if {*self.under} != {*other.under} or {*self.touching} != {*other.touching}:
             return False
@@ -82,15 +82,15 @@ def listed_graph(text: str) -> Graph | None:
     return graph if all(seen.object_id for seen in graph.objects) else None
 
 
-def entries_of(graph: Graph, first: Graph) -> dict[str, ListEntry]:
+def entries_of(graph: Graph, known: Collection[str | None] | None) -> dict[str, ListEntry]:
     """The things of a list by their object_ids.
 
     Args:
         graph: The list; all of it has object_ids.
-        first: The first one; the same if this is it.
+        known: Names in the first list; None if this is it.
     """
     ids = {seen.number: seen.object_id or "" for seen in graph.objects}
-    known = {seen.name for seen in first.named}
+    known = {seen.name for seen in graph.named} if known is None else known
     return {ids[seen.number]: _entry(seen, graph, ids, known) for seen in graph.objects}
 
 

@@ -11,7 +11,6 @@ from typing import Any, cast
 
 import yaml
 
-from probe.agents.reading import Graph
 from probe.toolshed.result import LAST_TURN, MOVING
 from probe.transcripts.short_graphs import (
     ListEntry,
@@ -37,7 +36,7 @@ class ShortResults:
     """The replies to one episode's calls, one after another."""
 
     def __init__(self) -> None:
-        self._first: Graph | None = None
+        self._names: frozenset[str | None] | None = None
         self._known: Mapping[str, ListEntry] | None = None
 
     def shortened(self, tool: str, text: str) -> str:
@@ -61,9 +60,12 @@ class ShortResults:
         graph = listed_graph(text) if tool == "perceive_scene" else None
         if graph is None:
             return text
-        self._first = self._first or graph
-        entries = entries_of(graph, self._first)
-        known, self._known = self._known, known_after(self._known, entries)
+        entries = entries_of(graph, self._names)
+        known = self._known
+        if entries or known is not None:  # an empty table is no first list
+            self._known = known_after(known, entries)
+            if known is None:
+                self._names = frozenset(seen.name for seen in graph.named)
         return short_list(known, entries)
 
 

@@ -1,1 +1,1 @@
-"""Further examples from the same episodes: mirrored left to right, or asked in other words."""
+"""Further examples from the same episodes: mirrored, or told in other words."""

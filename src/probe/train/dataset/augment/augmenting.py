@@ -64,7 +64,7 @@ def augmented(
     Args:
         episodes: In the setting "text-only", with their tasks.
         ways: How.
-        seed: Chooses among other wordings and phrases.
+        seed: Chooses among other wordings, phrases, letters, names and object_ids.
         find: Whether what the teacher looks for by find_object is told; if not, in words of
             said_without_finding().
         balanced: Whether those of rare types are told several times in each way, up to four, each
@@ -134,7 +134,8 @@ def _said(
     find: bool,
 ) -> tuple[Task, EpisodeRecord]:
     """An episode whose teacher is asked again what it would say."""
-    usual = speaker(task, record.run) if way == "options" else PhraseBook(rng("phrases"))
+    drawn = "phrases" if way == "phrases" else f"{way} phrases"
+    usual = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
     say = usual if find else SayWithoutFinding(usual)
     match way:
         case "options":

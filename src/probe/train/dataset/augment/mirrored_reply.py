@@ -27,6 +27,7 @@ _OTHERS = (
     "Not found again",
 )
 _SENTENCE = re.compile(rf"\b(?:{'|'.join(_OTHERS)})[^:;\[\]]*: ")
+_END = re.compile(r"\.(?: (?=[A-Z])|$)")
 _NEW_ID = re.compile(r"\bobject_\d+ now\b")
 _POINT = re.compile(r"\[\d+, (\d+)\]")
 
@@ -72,3 +73,9 @@ def orders_others(moved: str) -> bool:
     told = _SENTENCE.split(moved)[1:]
     several = any("; " in part or "] and [" in part for part in told)
     return several or len(_NEW_ID.findall(moved)) > 1
+
+
+def others_told(moved: str) -> list[str]:
+    """What a reply to a grasp or a push says of each other thing: "red mug by about 5 cm"."""
+    parts = [_END.split(part)[0] for part in _SENTENCE.split(moved)[1:]]
+    return [each for part in parts for each in part.split("; ")]

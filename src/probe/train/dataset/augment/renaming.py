@@ -17,28 +17,38 @@ from probe.agents.cover_nouns import hider
 from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call
+from probe.generation.likeness import says_in_part
+from probe.perception.colour_words import colour_words_in
 from probe.tasks.english import plural
-from probe.tasks.task import NONE_OF_THE_ABOVE, Task
+from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, Task
+from probe.train.collect.teacher import TEACHER
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.mirrored_reply import others_told
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.rewording import worded
 
 Descriptions = Mapping[str, str]
 """What lists say of things, by their names."""
 
-_NAMED = re.compile(
+_ENTRY = re.compile(
     r'(?P<name>name: )(?P<is>"[^\n]*")(?P<then>\n\s*description: )(?P<said>"[^\n]*")'
 )
 _ID = re.compile(r"\bobject_(\d+)\b")
+_PART = "part of something"
+_MARKED = tuple(f"Object {letter}" for letter in PAIR)
 _MOST_IDS = 3
 """Times as many object_ids to draw from as an episode has."""
 
 
 def descriptions_in(records: Iterable[EpisodeRecord]) -> Descriptions:
-    """All names in the lists of some episodes, each with what was first said of such a thing."""
+    """All names in the lists of some episodes, each with the least that was said of such a thing.
+
+    More is said of one that lies on its side, say.
+    """
     found = dict[str, str]()
     for record in records:
-        for name, said in _told_in(record):
-            found.setdefault(name, said)
+        for name, said in _entries_of(record):
+            found[name] = min(found.get(name, said), said, key=len)
     return found
 
 
@@ -55,18 +65,22 @@ def renamed(
         record: What happened.
         rng: Chooses the names.
         say: Chooses the teacher's words.
-        known: Names to choose from.
+        known: Names to choose from, those of this episode's lists included.
 
     Raises:
-        NotCertain: The question is about colours, there are too few names, or the teacher would do
-            something else.
+        NotCertain: The question is about colours, a name is a colour or stands where it can't be
+            told for sure, there are too few others, or the teacher isn't the scripted one or would
+            do something else.
     """
+    _check(record)
     if task.question_type == "compare":
         raise NotCertain(record.task, "names tell the colours that it asks for")
-    asked = [it.text for it in task.options if not _is_no_name(it.text)]
-    named = task.subject.split(", ") if task.subject else []
-    names = dict.fromkeys([*(name for name, _ in _told_in(record)), *asked, *named])
-    others = _Others.drawn(record.task, list(names), rng, known)
+    names = _names_of(task, record, known)
+    if any(colour_words_in(name) == {name} for name in names):
+        raise NotCertain(record.task, "a name is a colour, too")
+    others = _OtherNames.drawn(record.task, names, rng, known)
+    if any(value == others(value) for value in worded(task, record).slots.values()):
+        raise NotCertain(record.task, "its question may have a name that no list has")
     return _retold(task, record, others, say)
 
 
@@ -82,8 +96,9 @@ def renumbered(
         say: Chooses the teacher's words.
 
     Raises:
-        NotCertain: The teacher would do something else.
+        NotCertain: The teacher isn't the scripted one, or would do something else.
     """
+    _check(record)
     texts = "\n".join(step.text for step in record.steps)
     before = sorted({int(number) for number in _ID.findall(texts)})
     drawn = rng.choice(_MOST_IDS * len(before) or 1, len(before), replace=False)
@@ -96,7 +111,7 @@ def renumbered(
 
 
 @dataclass(frozen=True)
-class _Others:
+class _OtherNames:
     """Other names for some; a call changes a text.
 
     Attributes:
@@ -112,22 +127,21 @@ class _Others:
     @classmethod
     def drawn(
         cls, task: str, names: Collection[str], rng: np.random.Generator, known: Descriptions
-    ) -> _Others:
+    ) -> _OtherNames:
         """Another name for each of some, among those that may hide as much."""
         free = [it for it in sorted(known) if it not in names and plural(it)]
         order: list[str] = rng.permutation(free).tolist()
         now = dict[str, str]()
         for name in names:
-            fitting = next((it for it in order if hider(it) == hider(name)), None)
-            if fitting is None:
+            fitting = (it for it in order if hider(it) == hider(name))
+            chosen = next((it for it in fitting if not _alike(it, now.values())), None)
+            if chosen is None:
                 raise NotCertain(task, "there are too few other names")
-            order.remove(fitting)
-            now[name] = fitting
+            now[name] = chosen
         many = {plural(old): plural(new) for old, new in now.items()}
         all_of_them = now | {old: new for old, new in many.items() if old and new}
-        longest_first = sorted(all_of_them, key=len, reverse=True)
-        words = "|".join(map(re.escape, longest_first))
-        pattern = re.compile(rf"{_NAMED.pattern}|(?<![\w-])(?:{words})(?![\w-])")
+        words = "|".join(map(re.escape, sorted(all_of_them, key=len, reverse=True)))
+        pattern = re.compile(rf"{_ENTRY.pattern}|(?<![\w-])(?:{words})(?![\w-])")
         return cls(all_of_them, known, pattern)
 
     def __call__(self, text: str) -> str:
@@ -142,13 +156,62 @@ class _Others:
         return f"{found['name']}{next(words)}{found['then']}{next(words)}"
 
 
+def _alike(name: str, others: Collection[str]) -> bool:
+    return any(name == it or says_in_part(name, it) for it in others)
+
+
+def _names_of(task: Task, record: EpisodeRecord, known: Descriptions) -> list[str]:
+    """All names in an episode: in its lists, its options, and known ones in all that is said.
+
+    Raises:
+        NotCertain: A reply says of something that it has moved, and no list names that.
+    """
+    listed = {name for name, _ in _entries_of(record)}
+    offered = {it.text for it in task.options if _is_name(it.text)}
+    subjects = {*filter(None, task.subject.split(", "))}
+    texts = [_ENTRY.sub("", step.text) for step in record.steps]
+    names = listed | offered | subjects | _spoken("\n".join([task.question, *texts]), known)
+    moved = [it for text in texts for it in others_told(text)]
+    if any(_PART not in it and not any(name in it for name in names) for it in moved):
+        raise NotCertain(record.task, "a reply names something that no list has")
+    return sorted(names)
+
+
+def _spoken(text: str, known: Descriptions) -> set[str]:
+    """Known names in a text; a word for a colour is none."""
+    likely = [it for it in known if it in text and colour_words_in(it) != {it}]
+    if not likely:
+        return set()
+    words = "|".join(map(re.escape, sorted(likely, key=len, reverse=True)))
+    return {*re.findall(rf"(?<![\w-])(?:{words})(?![\w-])", text)}
+
+
+def _is_name(option: str) -> bool:
+    """Whether an option isn't "None of the above", a number or a mark."""
+    return not (option == NONE_OF_THE_ABOVE or option.isdecimal() or option in _MARKED)
+
+
+def _entries_of(record: EpisodeRecord) -> Iterable[tuple[str, str]]:
+    """Names in lists, with descriptions."""
+    for step in record.steps:
+        for found in _ENTRY.finditer(step.text):
+            yield json.loads(found["is"]), json.loads(found["said"])
+
+
+def _check(record: EpisodeRecord) -> None:
+    """See that the scripted teacher taught, and that its calls have arguments."""
+    if record.agent != TEACHER:
+        raise NotCertain(record.task, "its teacher isn't the scripted one")
+    if not all(isinstance(step.call.values, dict) for step in record.steps):
+        raise NotCertain(record.task, "a call is written in another way")
+
+
 def _retold(
     task: Task, record: EpisodeRecord, change: Callable[[str], str], say: Say
 ) -> tuple[Task, EpisodeRecord]:
     """A task and an episode with changed texts, and what the teacher says of that."""
-    asked = record.question
-    options = tuple((letter, change(text)) for letter, text in asked.options)
-    question = replace(asked, text=change(asked.text), options=options)
+    options = tuple((letter, change(text)) for letter, text in record.question.options)
+    question = replace(record.question, text=change(record.question.text), options=options)
     now = replace(
         task,
         subject=change(task.subject),
@@ -164,14 +227,3 @@ def _step(step: Step, change: Callable[[str], str]) -> Step:
     values = {key: change(it) if isinstance(it, str) else it for key, it in said.items()}
     call = Call.of(step.call.name, values, step.call.words)
     return replace(step, call=call, text=change(step.text))
-
-
-def _told_in(record: EpisodeRecord) -> Iterable[tuple[str, str]]:
-    """Names in lists, with descriptions."""
-    for step in record.steps:
-        for found in _NAMED.finditer(step.text):
-            yield json.loads(found["is"]), json.loads(found["said"])
-
-
-def _is_no_name(text: str) -> bool:
-    return text == NONE_OF_THE_ABOVE or text.isdecimal() or text in ("Object A", "Object B")

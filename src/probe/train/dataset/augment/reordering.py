@@ -26,8 +26,9 @@ def reordered(
 ) -> tuple[Task, EpisodeRecord]:
     """A task with its options in another order, and an episode in which it was asked so.
 
-    "None of the above" stays the last one. Where the options are the two marked things, mark A
-    becomes mark B. The scripted teacher must make the same calls, but for the letter of its answer.
+    "None of the above" stays the last one, and the scripted teacher, asked again, must make the
+    same calls but for the letter of its answer. Where the options are the two marked things, mark
+    A becomes mark B: what was done for A first is now done for B first.
 
     Args:
         task: What the episode is about.
@@ -36,7 +37,8 @@ def reordered(
         say: Chooses the teacher's words.
 
     Raises:
-        NotCertain: No answer was given, or the teacher would do something else.
+        NotCertain: No answer was given, the teacher would do something else, or the question with
+            the marks is in no wording of today, or in several.
     """
     if record.answer is None or not record.steps:
         raise NotCertain(record.task, "it has no answer")
