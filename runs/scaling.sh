@@ -22,6 +22,7 @@ WAYS=${WAYS:-plain augmented}
 VALIDATION=${VALIDATION:---lighting ambient --looks 1 --counts.count 16 --counts.find 16 --counts.size 12 --counts.compare 7 --counts.reduce 6}
 CHOOSE=${CHOOSE:---slack 3 --least 1}   # more options of probe select
 DATASET=${DATASET:---no-find}           # and of probe dataset
+AUGMENT=${AUGMENT:-mirrored wordings options names ids}
 TUNE=${TUNE:---learning-rate 2e-4 --global-batch 1 --warmup 0.1 --save-every 100 --no-save-memory}
 SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200 --at-once 2}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
@@ -39,7 +40,7 @@ check_port "$PORT"
 # With more to choose from, a small choice wouldn't be a part of a large one.
 collected=$(cat "$STUDENT"/collected/batches/*/grades.json | sha256sum | cut -c 1-16)
 same_settings "$OUT" "STUDENT=$STUDENT" "COLLECTED=$collected" "VALIDATION=$VALIDATION" \
-    "CHOOSE=$CHOOSE" "DATASET=$DATASET" "TUNE=$TUNE" "SERVE=$SERVE" "BASE=$BASE"
+    "CHOOSE=$CHOOSE" "DATASET=$DATASET" "AUGMENT=$AUGMENT" "TUNE=$TUNE" "SERVE=$SERVE" "BASE=$BASE"
 
 export SUITE=$OUT/validation.json WORKERS PORT OUT SERVE PROBE="$probe" ARMS=text-only RUN="--graphs short"
 step "validation: tasks that no example is of"
@@ -61,8 +62,8 @@ for size in $SIZES; do
     for way in $WAYS; do
         name=$way-$size here=$OUT/$size/$way
         case $way in
-            plain) augment="" epochs=6 ;;
-            augmented) augment="--augment mirrored wordings options names ids" epochs=1 ;;
+            plain) augment="" epochs=$((1 + $(wc -w <<< "$AUGMENT"))) ;;
+            augmented) augment="--augment $AUGMENT" epochs=1 ;;
             *) echo "WAYS has plain and augmented, not $way." >&2; exit 1 ;;
         esac
         step "$name: data set, training, evaluation"

@@ -12,11 +12,13 @@ from packed_teacher import episodes_of, packed_batches
 from painted_teacher import SIZE, taught
 from probe.agents.cover_nouns import hider
 from probe.agents.reading import read_graph
+from probe.tasks.english import plural
 from probe.tasks.task import NONE_OF_THE_ABOVE
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.augmenting import augmented
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.renaming import descriptions_in, renamed, renumbered
+from probe.train.dataset.augment.rewording import worded
 
 ID = re.compile(r"\bobject_\d+\b")
 
@@ -27,7 +29,8 @@ def episodes(tmp_path_factory):
     folder = tmp_path_factory.mktemp("packed")
     found = [each for batch in packed_batches(folder) for each in episodes_of(batch)]
     kinds = sorted({task.question_type for task, _ in found})
-    return [each for kind in kinds for each in found if each[0].question_type == kind][::12]
+    of_a_kind = ([it for it in found if it[0].question_type == kind] for kind in kinds)
+    return [each for some in of_a_kind for each in some[:: len(some) // 6]]
 
 
 @pytest.fixture(scope="module")
@@ -107,10 +110,60 @@ def test_descriptions_go_with_their_names(episodes, known):
 
 def test_what_is_counted_has_its_plural(episodes, known):
     task, record = next(it for it in episodes if it[0].question_type == "count")
-    now, after = with_other_names(replace(task, subject=task.subject), record, known)
+    now, after = with_other_names(task, record, known)
     assert now.subject != task.subject and now.subject in known
     assert task.subject not in after.question.text
+    assert (plural(now.subject) or "no plural") in after.question.text
     assert after.question.text == now.question
+
+
+LAMP = "white flashlight"
+
+
+def with_a_reply_of(record, name):
+    """An episode in which the first grasp or push has also moved something that no list has."""
+    first = next(step for step in record.steps if "Manipulations left" in step.text)
+    more = f"Also in the basket now: {name}. Manipulations left"
+    told = replace(first, text=first.text.replace("Manipulations left", more))
+    return replace(record, steps=tuple(told if it is first else it for it in record.steps))
+
+
+def test_names_that_only_a_reply_has_are_changed_or_it_is_left_out(episodes, known):
+    task, record = next(it for it in episodes if it[0].question_type == "reduce")
+    told = with_a_reply_of(record, LAMP)
+    with_it = {**known, LAMP: "A white flashlight."}
+    _, after = with_other_names(task, told, with_it)
+    assert LAMP not in said(after) and "Also in the basket now: " in said(after)
+    without = {name: it for name, it in known.items() if name != LAMP}
+    with pytest.raises(NotCertain, match="a reply names something that no list has"):
+        with_other_names(task, told, without)
+
+
+def test_a_name_that_is_a_colour_is_left_out(episodes, known):
+    """Descriptions of parts have it, too: "orange, what shows is long"."""
+    task, record = next(it for it in episodes if it[0].question_type == "find")
+    name = next(iter(names_in(record)[0]))
+    steps = tuple(replace(it, text=it.text.replace(f'"{name}"', '"orange"')) for it in record.steps)
+    with pytest.raises(NotCertain, match="a name is a colour"):
+        with_other_names(task, replace(record, steps=steps), known)
+
+
+def test_a_question_with_a_name_that_no_list_has_is_left_out(episodes, known):
+    task, record = next(it for it in episodes if it[0].question_type == "reduce")
+    text = worded(task, record).wording.text.format(names="the glass unicorn")
+    told = replace(record, question=replace(record.question, text=text))
+    with pytest.raises(NotCertain, match="its question may have a name that no list has"):
+        with_other_names(replace(task, question=text, subject=""), told, known)
+
+
+@pytest.mark.parametrize("tell", ["names", "ids"])
+def test_calls_without_arguments_by_name_are_left_out(episodes, known, tell):
+    task, record = next(it for it in episodes if it[0].question_type == "find")
+    call = replace(record.steps[1].call, arguments="[]")
+    steps = (record.steps[0], replace(record.steps[1], call=call), *record.steps[2:])
+    told = replace(record, steps=steps)
+    with pytest.raises(NotCertain, match="a call is written in another way"):
+        with_other_names(task, told, known) if tell == "names" else with_other_ids(task, told)
 
 
 @pytest.mark.parametrize("seed", [0, 1])
@@ -154,6 +207,15 @@ def test_another_teacher_may_have_quoted_them(episodes, known):
     task, record = next(it for it in episodes if it[0].question_type == "find")
     with pytest.raises(NotCertain, match="isn't the scripted one"):
         with_other_ids(task, replace(record, agent="a-model"))
+
+
+def test_names_come_from_all_lists_of_a_selection(episodes, known):
+    count = [it for it in episodes if it[0].question_type == "count"]
+    others = [it for it in episodes if it[0].question_type == "compare"]
+    alone, together = (augmented(some, ["names"], 0) for some in (count[:1], [*others, count[0]]))
+    assert not alone.episodes and len(together.episodes) == 1
+    listed = {name for names in names_in(together.episodes[0][2]) for name in names}
+    assert listed - {None} <= {*known}
 
 
 @pytest.mark.parametrize("find", [True, False])

@@ -32,6 +32,13 @@ def episodes(tmp_path_factory):
     return [(task, it) for task, it in some if it.answer and len(it.question.options) == 5]
 
 
+@pytest.fixture(scope="module")
+def marked(tmp_path_factory):
+    """Some of the teacher's whose options are two marks."""
+    some = packed_episodes(tmp_path_factory.mktemp("packed"))
+    return [(task, it) for task, it in some if it.answer and task.marks]
+
+
 def told(task, record, seed=0):
     return reordered(task, record, np.random.default_rng(seed), speaker(task, record.run))
 
@@ -142,6 +149,22 @@ def test_an_answer_says_the_same_of_each_mark_by_its_new_letter():
     assert found[0] and found[1]
     one, two = (it.groups() for it in found if it)
     assert one == (*two[2:], *two[:2]) and one[:2] != two[:2]
+
+
+def test_colours_stay_with_the_things_that_have_them(marked):
+    colours = (
+        r"A(?: is)?,? the (.*?),(?: which)? is (\w+)(?:\.|,) .*?B,? the (.*?),(?: which)? is (\w+)"
+    )
+    told = 0
+    for task, record in marked:
+        _, after = reordered(task, record, np.random.default_rng(0), speaker(task, record.run))
+        found = [re.search(colours, it.steps[-1].call.words) for it in (record, after)]
+        if task.question_type != "compare" or not all(found):
+            continue
+        one, two = (it.groups() for it in found if it)
+        assert one == (*two[2:], *two[:2])
+        told += 1
+    assert told > 1
 
 
 def test_what_isnt_sure_is_left_out(episodes):

@@ -76,7 +76,7 @@ def renamed(
     if task.question_type == "compare":
         raise NotCertain(record.task, "names tell the colours that it asks for")
     names = _names_of(task, record, known)
-    if any(colour_words_in(name) == {name} for name in names):
+    if any(name in colour_words_in(name) for name in names):
         raise NotCertain(record.task, "a name is a colour, too")
     others = _OtherNames.drawn(record.task, names, rng, known)
     if any(value == others(value) for value in worded(task, record).slots.values()):
@@ -179,7 +179,7 @@ def _names_of(task: Task, record: EpisodeRecord, known: Descriptions) -> list[st
 
 def _spoken(text: str, known: Descriptions) -> set[str]:
     """Known names in a text; a word for a colour is none."""
-    likely = [it for it in known if it in text and colour_words_in(it) != {it}]
+    likely = [it for it in known if it in text and it not in colour_words_in(it)]
     if not likely:
         return set()
     words = "|".join(map(re.escape, sorted(likely, key=len, reverse=True)))
