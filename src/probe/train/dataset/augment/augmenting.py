@@ -73,25 +73,16 @@ def augmented(
     told = list[tuple[AugmentationWay, Task, EpisodeRecord]]()
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
     times = _times(episodes) if balanced else Counter[str]()
-    known = (
-        descriptions_in(record for _, record in episodes) if "names" in ways else dict[str, str]()
-    )
+    teller = _Teller(seed, find, descriptions_in(record for _, record in episodes))
     for way in left_out:
         for task, record in episodes:
-            # There is one mirror; and the first time is as without balance.
             often = 1 if way == "mirrored" else max(1, times[task.question_type])
-            before, doubts = list[tuple[Task, EpisodeRecord]](), list[str]()
-            for seeds in [(seed,), *((seed, time) for time in range(1, often))]:
-                try:
-                    again = _told(way, task, record, seeds, known, find=find)
-                except NotCertain as doubt:
-                    doubts.append(doubt.reason)
-                    continue
-                if again not in before:
-                    before.append(again)
-                    told.append((way, *again))
-            if not before:
-                left_out[way][doubts[0]] += 1
+            try:
+                again = teller.several(way, task, record, often)
+            except NotCertain as doubt:
+                left_out[way][doubt.reason] += 1
+            else:
+                told += [(way, *each) for each in again]
     return Augmentation(tuple(told), {way: dict(some) for way, some in left_out.items()})
 
 
@@ -102,50 +93,75 @@ def _times(episodes: Sequence[tuple[Task, EpisodeRecord]]) -> Counter[str]:
     return Counter({kind: min(_MOST_TIMES, most // count) for kind, count in counts.items()})
 
 
-def _told(
-    way: AugmentationWay,
-    task: Task,
-    record: EpisodeRecord,
-    seeds: tuple[int, ...],
-    known: Descriptions,
-    *,
-    find: bool,
-) -> tuple[Task, EpisodeRecord]:
-    def rng(name: str) -> np.random.Generator:
-        return generator(seeds[0], name, task.id, record.run, *seeds[1:])
+@dataclass(frozen=True)
+class _Teller:
+    """Tells episodes again.
 
-    if way in ("mirrored", "wordings"):
-        shown = record if find else without_finding(record)
-        again = (
-            mirrored(task, shown) if way == "mirrored" else reworded(task, shown, rng("wording"))
-        )
-        return task, again
-    task, again = _said(way, task, record, rng, known, find=find)
-    return task, again if find else without_finding(again)
+    Attributes:
+        seed, find: As in augmented().
+        known: Names that things may have.
+    """
 
+    seed: int
+    find: bool
+    known: Descriptions
 
-def _said(
-    way: AugmentationWay,
-    task: Task,
-    record: EpisodeRecord,
-    rng: Callable[[str], np.random.Generator],
-    known: Descriptions,
-    *,
-    find: bool,
-) -> tuple[Task, EpisodeRecord]:
-    """An episode whose teacher is asked again what it would say."""
-    drawn = "phrases" if way == "phrases" else f"{way} phrases"
-    usual = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
-    say = usual if find else SayWithoutFinding(usual)
-    match way:
-        case "options":
-            return reordered(task, record, rng("options"), say)
-        case "names":
-            return renamed(task, record, rng("names"), say, known)
-        case "ids":
-            return renumbered(task, record, rng("ids"), say)
-        case _:
-            again = rephrased(task, record, say)
-            if again == record:
-                raise NotCertain(record.task, "its teacher's phrases came out the same")
-            return task, again
+    def several(
+        self, way: AugmentationWay, task: Task, record: EpisodeRecord, often: int
+    ) -> list[tuple[Task, EpisodeRecord]]:
+        """An episode told so often, each time otherwise; what comes out the same is left out.
+
+        Raises:
+            NotCertain: It can't be told so even once.
+        """
+        told, doubts = list[tuple[Task, EpisodeRecord]](), list[NotCertain]()
+        for time in range(often):
+            try:
+                again = self._once(way, task, record, time)
+            except NotCertain as doubt:
+                doubts.append(doubt)
+                continue
+            if again not in told:
+                told.append(again)
+        if not told:
+            raise doubts[0]
+        return told
+
+    def _once(
+        self, way: AugmentationWay, task: Task, record: EpisodeRecord, time: int
+    ) -> tuple[Task, EpisodeRecord]:
+        def rng(name: str) -> np.random.Generator:
+            # The first time is as without balance.
+            return generator(self.seed, name, task.id, record.run, *([time] if time else []))
+
+        shown = record if self.find else without_finding(record)
+        if way == "mirrored":
+            return task, mirrored(task, shown)
+        if way == "wordings":
+            return task, reworded(task, shown, rng("wording"))
+        task, again = self._said(way, task, record, rng)
+        return task, again if self.find else without_finding(again)
+
+    def _said(
+        self,
+        way: AugmentationWay,
+        task: Task,
+        record: EpisodeRecord,
+        rng: Callable[[str], np.random.Generator],
+    ) -> tuple[Task, EpisodeRecord]:
+        """An episode whose teacher is asked again what it would say."""
+        drawn = "phrases" if way == "phrases" else f"{way} phrases"
+        usual = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
+        say = usual if self.find else SayWithoutFinding(usual)
+        match way:
+            case "options":
+                return reordered(task, record, rng("options"), say)
+            case "names":
+                return renamed(task, record, rng("names"), say, self.known)
+            case "ids":
+                return renumbered(task, record, rng("ids"), say)
+            case _:
+                again = rephrased(task, record, say)
+                if again == record:
+                    raise NotCertain(record.task, "its teacher's phrases came out the same")
+                return task, again
