@@ -5,6 +5,7 @@ from __future__ import annotations
 import tarfile
 from pathlib import Path
 
+from probe.agents.reading import read_graph
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.record import EpisodeRecord
@@ -32,3 +33,25 @@ def episodes_of(batch: Batch) -> list[tuple[Task, EpisodeRecord]]:
     tasks = {task.id: task for task in read_suite(batch.folder / SUITE).tasks}
     records = read_records(batch.setting("agentic") / RECORDS)
     return [(tasks[record.task], record) for record in records]
+
+
+def some_of_each_type(folder: Path) -> list[tuple[Task, EpisodeRecord]]:
+    """Some six episodes of each type, from all batches."""
+    found = [each for batch in packed_batches(folder) for each in episodes_of(batch)]
+    kinds = sorted({task.question_type for task, _ in found})
+    of_a_kind = ([it for it in found if it[0].question_type == kind] for kind in kinds)
+    return [each for some in of_a_kind for each in some[:: len(some) // 6]]
+
+
+def names_in(record: EpisodeRecord) -> list[list[str | None]]:
+    """Names in each of its lists, in order."""
+    graphs = (read_graph(it.text) for it in record.steps if it.call.name == "perceive_scene")
+    return [[seen.name for seen in graph.objects] for graph in graphs]
+
+
+def said_in(record: EpisodeRecord) -> str:
+    """Question, options, words, calls and replies."""
+    return "\n".join(
+        [record.question.text, *(text for _, text in record.question.options)]
+        + [f"{step.call.words}\n{step.call.arguments}\n{step.text}" for step in record.steps]
+    )

@@ -34,6 +34,14 @@ def test_a_list_holds_the_ids_and_a_failed_search_no_single_one():
     assert read_handle(reply("find_object", description="green mug")) is None
 
 
+def test_what_is_no_list_is_an_empty_graph():
+    done = (
+        "Done: object_1 was lifted and dropped into the basket. Also moved: red mug by about 5 cm."
+    )
+    assert read_graph(done).objects == ()
+    assert read_graph("There is no object_id object_9.").objects == ()
+
+
 @pytest.mark.parametrize(
     ("tool", "arguments"), [("perceive_scene", {}), ("find_object", {"description": "mug"})]
 )

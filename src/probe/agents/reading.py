@@ -149,6 +149,8 @@ def read_graph(text: str) -> Graph:
     """
     if _SHORT_LIST.search(text):
         raise ShortList
+    if "objects:" not in text:
+        return Graph()
     told = _loaded(text)
     if not isinstance(told, dict) or "objects" not in told:
         return Graph()

@@ -77,6 +77,8 @@ _WAYS = {
     "options": "episodes of these, with their options or marks under other letters",
     "names": "episodes of these, with other names of all things",
     "ids": "episodes of these, with other object_ids",
+    "colours": "episodes of Compare, with other colours",
+    "sizes": "episodes of Size, with other sizes of the marked things",
 }
 
 

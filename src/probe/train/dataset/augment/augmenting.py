@@ -17,20 +17,21 @@ from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
 from probe.train.dataset.augment.mirrored import mirrored
-from probe.train.dataset.augment.renaming import (
-    Descriptions,
-    descriptions_in,
-    renamed,
-    renumbered,
-)
+from probe.train.dataset.augment.recolouring import recoloured
+from probe.train.dataset.augment.renaming import Descriptions, descriptions_in, renamed
+from probe.train.dataset.augment.renumbering import renumbered
 from probe.train.dataset.augment.reordering import reordered
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.resizing import resized
 from probe.train.dataset.augment.rewording import reworded
 
-AugmentationWay = Literal["mirrored", "wordings", "phrases", "options", "names", "ids"]
+AugmentationWay = Literal[
+    "mirrored", "wordings", "phrases", "options", "names", "ids", "colours", "sizes"
+]
 """How an episode may be told again: mirrored left to right, asked in other words, with other
 phrases of its teacher, with its options or marks under other letters, with other names of all
-things, or with other object_ids."""
+things, with other object_ids, with other colours (Compare), or with other sizes of the marked
+things (Size)."""
 
 
 _MOST_TIMES = 4
@@ -82,7 +83,7 @@ def augmented(
             except NotCertain as doubt:
                 left_out[way][doubt.reason] += 1
             else:
-                told += [(way, *each) for each in again]
+                told.extend((way, *each) for each in again)
     return Augmentation(tuple(told), {way: dict(some) for way, some in left_out.items()})
 
 
@@ -160,6 +161,10 @@ class _Teller:
                 return renamed(task, record, rng("names"), say, self.known)
             case "ids":
                 return renumbered(task, record, rng("ids"), say)
+            case "colours":
+                return recoloured(task, record, rng("colours"), say)
+            case "sizes":
+                return resized(task, record, rng("sizes"), say)
             case _:
                 again = rephrased(task, record, say)
                 if again == record:

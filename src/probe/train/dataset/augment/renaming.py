@@ -1,30 +1,27 @@
-"""The same episode with other names of things, or other object_ids, in all that is said of them.
+"""The same episode with other names of things, in all that is said of them.
 
-A student that meets each name and number in many places learns to read them where they stand.
+A student that meets each name in many places learns to read it where it stands.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import dataclass, replace
-from typing import Any, cast
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
 from probe.agents.cover_nouns import hider
 from probe.agents.phrases import Say
-from probe.episodes.record import EpisodeRecord, Step
-from probe.episodes.turns import Call
+from probe.episodes.record import EpisodeRecord
 from probe.generation.likeness import says_in_part
 from probe.perception.colour_words import colour_words_in
 from probe.tasks.english import plural
 from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, Task
-from probe.train.collect.teacher import TEACHER
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.mirrored_reply import others_told
-from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.retelling import check_scripted, retold
 from probe.train.dataset.augment.rewording import worded
 
 Descriptions = Mapping[str, str]
@@ -33,11 +30,8 @@ Descriptions = Mapping[str, str]
 _ENTRY = re.compile(
     r'(?P<name>name: )(?P<is>"[^\n]*")(?P<then>\n\s*description: )(?P<said>"[^\n]*")'
 )
-_ID = re.compile(r"\bobject_(\d+)\b")
 _PART = "part of something"
 _MARKED = tuple(f"Object {letter}" for letter in PAIR)
-_MOST_IDS = 3
-"""Times as many object_ids to draw from as an episode has."""
 
 
 def descriptions_in(records: Iterable[EpisodeRecord]) -> Descriptions:
@@ -72,7 +66,7 @@ def renamed(
             told for sure, there are too few others, or the teacher isn't the scripted one or would
             do something else.
     """
-    _check(record)
+    check_scripted(record)
     if task.question_type == "compare":
         raise NotCertain(record.task, "names tell the colours that it asks for")
     names = _names_of(task, record, known)
@@ -81,33 +75,7 @@ def renamed(
     others = _OtherNames.drawn(record.task, names, rng, known)
     if any(value == others(value) for value in worded(task, record).slots.values()):
         raise NotCertain(record.task, "its question may have a name that no list has")
-    return _retold(task, record, others, say)
-
-
-def renumbered(
-    task: Task, record: EpisodeRecord, rng: np.random.Generator, say: Say
-) -> tuple[Task, EpisodeRecord]:
-    """An episode in which all things have other object_ids.
-
-    Args:
-        task: What the episode is about.
-        record: What happened.
-        rng: Chooses the object_ids.
-        say: Chooses the teacher's words.
-
-    Raises:
-        NotCertain: The teacher isn't the scripted one, or would do something else.
-    """
-    _check(record)
-    texts = "\n".join(step.text for step in record.steps)
-    before = sorted({int(number) for number in _ID.findall(texts)})
-    drawn = rng.choice(_MOST_IDS * len(before) or 1, len(before), replace=False)
-    now = {old: int(new) + 1 for old, new in zip(before, drawn, strict=True)}
-
-    def change(text: str) -> str:
-        return _ID.sub(lambda it: f"object_{now.get(int(it[1]), int(it[1]))}", text)
-
-    return _retold(task, record, change, say)
+    return retold(task, record, others, say)
 
 
 @dataclass(frozen=True)
@@ -196,34 +164,3 @@ def _entries_of(record: EpisodeRecord) -> Iterable[tuple[str, str]]:
     for step in record.steps:
         for found in _ENTRY.finditer(step.text):
             yield json.loads(found["is"]), json.loads(found["said"])
-
-
-def _check(record: EpisodeRecord) -> None:
-    """See that the scripted teacher taught, and that its calls have arguments."""
-    if record.agent != TEACHER:
-        raise NotCertain(record.task, "its teacher isn't the scripted one")
-    if not all(isinstance(step.call.values, dict) for step in record.steps):
-        raise NotCertain(record.task, "a call is written in another way")
-
-
-def _retold(
-    task: Task, record: EpisodeRecord, change: Callable[[str], str], say: Say
-) -> tuple[Task, EpisodeRecord]:
-    """A task and an episode with changed texts, and what the teacher says of that."""
-    options = tuple((letter, change(text)) for letter, text in record.question.options)
-    question = replace(record.question, text=change(record.question.text), options=options)
-    now = replace(
-        task,
-        subject=change(task.subject),
-        question=change(task.question),
-        options=tuple(replace(it, text=change(it.text)) for it in task.options),
-    )
-    steps = tuple(_step(step, change) for step in record.steps)
-    return now, rephrased(now, replace(record, question=question, steps=steps), say)
-
-
-def _step(step: Step, change: Callable[[str], str]) -> Step:
-    said = cast("Mapping[str, Any]", step.call.values)
-    values = {key: change(it) if isinstance(it, str) else it for key, it in said.items()}
-    call = Call.of(step.call.name, values, step.call.words)
-    return replace(step, call=call, text=change(step.text))

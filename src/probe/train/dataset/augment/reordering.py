@@ -9,11 +9,11 @@ import numpy as np
 
 from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord
-from probe.episodes.turns import Call
 from probe.generation.task_writer import asked
 from probe.tasks.task import LETTERS, Mark, Option, Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.retelling import answered
 from probe.train.dataset.augment.rewording import worded
 
 _PAIRS = (("one", "two"), ("size_one", "size_two"), ("colour_one", "colour_two"))
@@ -66,7 +66,7 @@ def _swapped(task: Task, record: EpisodeRecord, say: Say) -> tuple[Task, Episode
     text = asked(known.wording.text, known.slots, marks)
     told = rephrased(task, record, _SayOfTheOther(say))
     now = replace(task, marks=marks, question=text, answer=new[task.answer])
-    told = _answered(told, new[record.answer.choice])
+    told = answered(told, new[record.answer.choice])
     return now, replace(told, question=replace(told.question, text=text))
 
 
@@ -90,16 +90,7 @@ class _SayOfTheOther:
 def _asked_so(record: EpisodeRecord, options: Sequence[Option], given: str) -> EpisodeRecord:
     """An episode with other options, and another letter for its answer."""
     question = replace(record.question, options=tuple((it.letter, it.text) for it in options))
-    return replace(_answered(record, given), question=question)
-
-
-def _answered(record: EpisodeRecord, given: str) -> EpisodeRecord:
-    """An episode with another letter for its answer."""
-    assert record.answer
-    *before, last = record.steps
-    call = Call.of(last.call.name, {**last.call.values, "choice": given}, last.call.words)
-    answer = replace(record.answer, choice=given)
-    return replace(record, steps=(*before, replace(last, call=call)), answer=answer)
+    return replace(answered(record, given), question=question)
 
 
 def _other_order(count: int, rng: np.random.Generator) -> list[int]:

@@ -1,0 +1,68 @@
+"""Other colours in Compare: the same thing is right, by another colour."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from packed_teacher import names_in, some_of_each_type
+from probe.perception.colour_words import KNOWN
+from probe.train.collect.teacher import speaker
+from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.recolouring import recoloured
+
+COLOUR = re.compile(rf"\b(?:{'|'.join(KNOWN)})\b")
+
+
+@pytest.fixture(scope="module")
+def episodes(tmp_path_factory):
+    return some_of_each_type(tmp_path_factory.mktemp("packed"))
+
+
+def told(task, record, seed=0):
+    return recoloured(task, record, np.random.default_rng(seed), speaker(task, record.run))
+
+
+def all_told(record):
+    return "\n".join([record.question.text, *(step.text for step in record.steps)])
+
+
+def asked_for_colours(episodes):
+    return [it for it in episodes if it[0].question_type == "compare" and it[0].form != "darker"]
+
+
+def test_each_colour_is_another_one_everywhere_and_the_answer_stays(episodes):
+    some = asked_for_colours(episodes)
+    assert len(some) > 2
+    for task, record in some:
+        now, after = told(task, record)
+        texts = [all_told(it) for it in (record, after)]
+        assert COLOUR.sub("", texts[0]) == COLOUR.sub("", texts[1])
+        pairs = {*zip(*(COLOUR.findall(text) for text in texts), strict=True)}
+        assert len(dict(pairs)) == len(pairs) == len({new for _, new in pairs})
+        assert sum(old != new for old, new in pairs) > len(pairs) / 2
+        assert (now.answer, after.answer) == (task.answer, record.answer)
+        assert now.question == after.question.text
+
+
+def test_the_teacher_speaks_of_the_new_colours(episodes):
+    for task, record in asked_for_colours(episodes):
+        _, after = told(task, record)
+        listed = {name for names in names_in(after) for name in names if name}
+        last = after.steps[-1].call.words
+        named = [name for name in listed if name in last]
+        assert named and {*COLOUR.findall(last)} <= {*COLOUR.findall(all_told(after))}
+
+
+def test_which_is_darker_may_be_another_one_then(episodes):
+    task, record = next(it for it in episodes if it[0].form == "darker")
+    with pytest.raises(NotCertain, match="which of other colours is darker may be close"):
+        told(task, record)
+
+
+def test_where_no_colour_is_asked_for_they_stay(episodes):
+    task, record = next(it for it in episodes if it[0].question_type == "size")
+    with pytest.raises(NotCertain, match="its colours don't matter"):
+        told(task, record)
