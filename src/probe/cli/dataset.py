@@ -77,9 +77,10 @@ def dataset(
         augment: Tell each episode once more in each of these ways, where that is certain: mirrored
             left to right, with its question in another wording, with other phrases of the scripted
             teacher, with its options or marks under other letters, with other names of all things,
-            with other object_ids, with other colours (Compare alone), or with other sizes of the
-            two marked things (Size alone). Such examples are marked and counted apart. In the
-            setting text-only alone; by default nothing is told again.
+            with other object_ids, with other colours (Compare alone), with other sizes of the two
+            marked things (Size alone), or without some things that nobody speaks of. Such examples
+            are marked and counted apart. In the setting text-only alone; by default nothing is
+            told again.
         balance: Tell episodes of rare types up to four times in each of these ways, each time
             otherwise (mirrored once), the rarer the oftener.
         seed: Chooses the wordings, phrases, letters, names and so on of --augment.

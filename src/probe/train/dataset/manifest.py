@@ -79,6 +79,7 @@ _WAYS = {
     "ids": "episodes of these, with other object_ids",
     "colours": "episodes of Compare, with other colours",
     "sizes": "episodes of Size, with other sizes of the marked things",
+    "fewer": "episodes of these, with fewer things on the table",
 }
 
 

@@ -24,14 +24,15 @@ from probe.train.dataset.augment.reordering import reordered
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.resizing import resized
 from probe.train.dataset.augment.rewording import reworded
+from probe.train.dataset.augment.thinning import thinned
 
 AugmentationWay = Literal[
-    "mirrored", "wordings", "phrases", "options", "names", "ids", "colours", "sizes"
+    "mirrored", "wordings", "phrases", "options", "names", "ids", "colours", "sizes", "fewer"
 ]
 """How an episode may be told again: mirrored left to right, asked in other words, with other
 phrases of its teacher, with its options or marks under other letters, with other names of all
-things, with other object_ids, with other colours (Compare), or with other sizes of the marked
-things (Size)."""
+things, with other object_ids, with other colours (Compare), with other sizes of the marked things
+(Size), or with fewer things on the table."""
 
 
 _MOST_TIMES = 4
@@ -165,6 +166,8 @@ class _Teller:
                 return recoloured(task, record, rng("colours"), say)
             case "sizes":
                 return resized(task, record, rng("sizes"), say)
+            case "fewer":
+                return thinned(task, record, rng("fewer"), say)
             case _:
                 again = rephrased(task, record, say)
                 if again == record:
