@@ -13,13 +13,15 @@ from probe.tasks.suite_file import read_suite
 from probe.tasks.task import Task
 from probe.train.collect.batches import Batch, batches
 
-_PACKED = Path(__file__).parents[1] / "runs/data/teacher.tar.xz"
+_DATA = Path(__file__).parents[1] / "runs/data"
+_PACKED = ("teacher.tar.xz", "reduce.tar.xz")
 
 
 def packed_batches(folder: Path) -> list[Batch]:
     """All batches, unpacked into a folder."""
-    with tarfile.open(_PACKED) as archive:
-        archive.extractall(folder, filter="data")
+    for name in _PACKED:
+        with tarfile.open(_DATA / name) as archive:
+            archive.extractall(folder, filter="data")
     return batches(folder / "collected")
 
 

@@ -54,6 +54,8 @@ def test_every_name_is_another_one_in_all_that_is_said(episodes, known):
         named = [(old, new) for old, new in pairs if old and new]
         assert all(hider(old) == hider(new) for old, new in named)
         texts = said_in(after)
+        for new in sorted((it for _, it in named), key=len, reverse=True):
+            texts = texts.replace(new, "")  # "herring can" has an old name in it
         assert not [it for it in before if re.search(rf"(?<![\w-]){re.escape(it)}(?![\w-])", texts)]
         for (letter, old), (same, new) in zip(
             record.question.options, after.question.options, strict=True
