@@ -82,15 +82,14 @@ def listed_graph(text: str) -> Graph | None:
     return graph if all(seen.object_id for seen in graph.objects) else None
 
 
-def entries_of(graph: Graph, known: Collection[str | None] | None) -> dict[str, ListEntry]:
+def entries_of(graph: Graph, known: Collection[str | None]) -> dict[str, ListEntry]:
     """The things of a list by their object_ids.
 
     Args:
         graph: The list; all of it has object_ids.
-        known: Names in the first list; None if this is it.
+        known: Names in the first list.
     """
     ids = {seen.number: seen.object_id or "" for seen in graph.objects}
-    known = {seen.name for seen in graph.named} if known is None else known
     return {ids[seen.number]: _entry(seen, graph, ids, known) for seen in graph.objects}
 
 

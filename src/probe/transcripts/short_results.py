@@ -36,7 +36,7 @@ class ShortResults:
     """The replies to one episode's calls, one after another."""
 
     def __init__(self) -> None:
-        self._names: frozenset[str | None] | None = None
+        self._names: frozenset[str | None] = frozenset()
         self._known: Mapping[str, ListEntry] | None = None
 
     def shortened(self, tool: str, text: str) -> str:
@@ -60,12 +60,12 @@ class ShortResults:
         graph = listed_graph(text) if tool == "perceive_scene" else None
         if graph is None:
             return text
-        entries = entries_of(graph, self._names)
         known = self._known
+        if known is None:
+            self._names = frozenset(seen.name for seen in graph.named)
+        entries = entries_of(graph, self._names)
         if entries or known is not None:  # an empty table is no first list
             self._known = known_after(known, entries)
-            if known is None:
-                self._names = frozenset(seen.name for seen in graph.named)
         return short_list(known, entries)
 
 

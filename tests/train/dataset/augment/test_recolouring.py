@@ -7,18 +7,13 @@ import re
 import numpy as np
 import pytest
 
-from packed_teacher import names_in, some_of_each_type
+from packed_teacher import names_in
 from probe.perception.colour_words import KNOWN
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.recolouring import recoloured
 
 COLOUR = re.compile(rf"\b(?:{'|'.join(KNOWN)})\b")
-
-
-@pytest.fixture(scope="module")
-def episodes(tmp_path_factory):
-    return some_of_each_type(tmp_path_factory.mktemp("packed"))
 
 
 def told(task, record, seed=0):

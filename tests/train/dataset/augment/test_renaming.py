@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from packed_teacher import names_in, said_in, some_of_each_type
+from packed_teacher import names_in, said_in
 from probe.agents.cover_nouns import hider
 from probe.agents.reading import read_graph
 from probe.tasks.english import plural
@@ -18,11 +18,6 @@ from probe.train.dataset.augment.augmenting import augmented
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.renaming import descriptions_in, renamed
 from probe.train.dataset.augment.rewording import worded
-
-
-@pytest.fixture(scope="module")
-def episodes(tmp_path_factory):
-    return some_of_each_type(tmp_path_factory.mktemp("packed"))
 
 
 @pytest.fixture(scope="module")

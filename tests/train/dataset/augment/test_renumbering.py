@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from packed_teacher import said_in, some_of_each_type
+from packed_teacher import said_in
 from painted_teacher import SIZE, taught
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.augmenting import augmented
@@ -16,11 +16,6 @@ from probe.train.dataset.augment.renumbering import renumbered
 from probe.train.dataset.augment.rephrasing import rephrased
 
 ID = re.compile(r"\bobject_\d+\b")
-
-
-@pytest.fixture(scope="module")
-def episodes(tmp_path_factory):
-    return some_of_each_type(tmp_path_factory.mktemp("packed"))
 
 
 def renumbering(task, record, seed=0):

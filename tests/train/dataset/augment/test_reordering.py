@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from packed_teacher import packed_episodes
 from painted_teacher import SIZE, taught
 from probe.agents.phrases import silent
 from probe.tasks.task import NONE_OF_THE_ABOVE
@@ -26,17 +25,15 @@ LETTER = re.compile(r"\b([A-E]): ([^?]+)\?")
 
 
 @pytest.fixture(scope="module")
-def episodes(tmp_path_factory):
+def episodes(first_batch):
     """Some of the teacher's with five options."""
-    some = packed_episodes(tmp_path_factory.mktemp("packed"))
-    return [(task, it) for task, it in some if it.answer and len(it.question.options) == 5]
+    return [(task, it) for task, it in first_batch if it.answer and len(it.question.options) == 5]
 
 
 @pytest.fixture(scope="module")
-def marked(tmp_path_factory):
+def marked(first_batch):
     """Some of the teacher's whose options are two marks."""
-    some = packed_episodes(tmp_path_factory.mktemp("packed"))
-    return [(task, it) for task, it in some if it.answer and task.marks]
+    return [(task, it) for task, it in first_batch if it.answer and task.marks]
 
 
 def told(task, record, seed=0):

@@ -10,7 +10,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from packed_teacher import some_of_each_type
 from probe.agents.reading import read_graph
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
@@ -21,9 +20,8 @@ SIDE_PX = 1024
 
 
 @pytest.fixture(scope="module")
-def episodes(tmp_path_factory):
-    some = some_of_each_type(tmp_path_factory.mktemp("packed"))
-    return [it for it in some if it[0].question_type == "size" and it[1].answer]
+def of_size(episodes):
+    return [it for it in episodes if it[0].question_type == "size" and it[1].answer]
 
 
 def told(task, record, seed=0):
@@ -44,9 +42,9 @@ def sizes_of(record):
     return [(int(w), int(h)) for w, h in re.findall(BOX, words)]
 
 
-def test_the_letter_fits_the_new_sizes(episodes):
+def test_the_letter_fits_the_new_sizes(of_size):
     letters = list[tuple[str, str]]()
-    for task, _, now, after in those_told(episodes, range(6)):
+    for task, _, now, after in those_told(of_size, range(6)):
         a, b = sizes_of(after)
         measure = math.hypot if task.form == "longer" else lambda w, h: w * h
         larger = "A" if measure(*a) > measure(*b) else "B"
@@ -58,8 +56,8 @@ def test_the_letter_fits_the_new_sizes(episodes):
     assert len({*letters}) == 4
 
 
-def test_sizes_differ_clearly_and_are_told_by_the_lists(episodes):
-    for _, record, _, after in those_told(episodes):
+def test_sizes_differ_clearly_and_are_told_by_the_lists(of_size):
+    for _, record, _, after in those_told(of_size):
         a, b = sizes_of(after)
         assert sizes_of(record) != [a, b]
         small, large = sorted((a[0] * a[1], b[0] * b[1]))
@@ -69,9 +67,9 @@ def test_sizes_differ_clearly_and_are_told_by_the_lists(episodes):
         assert {a, b} <= thousandths
 
 
-def test_only_the_boxes_of_the_two_change(episodes):
+def test_only_the_boxes_of_the_two_change(of_size):
     numbers = re.compile(r"box: \[[^\]]*\]")
-    for _, record, _, after in those_told(episodes):
+    for _, record, _, after in those_told(of_size):
         changed = set[str]()
         for old, new in zip(record.steps, after.steps, strict=True):
             assert numbers.sub("", old.text) == numbers.sub("", new.text)
@@ -83,16 +81,14 @@ def test_only_the_boxes_of_the_two_change(episodes):
         assert changed and len(changed) <= 2
 
 
-def test_a_wrong_answer_isnt_told_with_other_sizes(episodes):
-    task, record, *_ = next(those_told(episodes))
+def test_a_wrong_answer_isnt_told_with_other_sizes(of_size):
+    task, record, *_ = next(those_told(of_size))
     other = {"A": "B", "B": "A"}[task.answer]
     with pytest.raises(NotCertain, match="its answer wasn't right"):
         told(replace(task, answer=other), record)
 
 
-def test_where_sizes_arent_asked_for_they_stay(tmp_path):
-    task, record = next(
-        it for it in some_of_each_type(tmp_path) if it[0].question_type == "compare"
-    )
+def test_where_sizes_arent_asked_for_they_stay(episodes):
+    task, record = next(it for it in episodes if it[0].question_type == "compare")
     with pytest.raises(NotCertain, match="its sizes don't matter"):
         told(task, record)

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import pytest
 
-from packed_teacher import packed_episodes
 from probe.agents.phrases import silent
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.retelling import (
@@ -19,10 +18,9 @@ from probe.train.dataset.augment.retelling import (
 
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory):
+def found(first_batch):
     """A task of Find whose answer is A or B, and the teacher's episode."""
-    some = packed_episodes(tmp_path_factory.mktemp("packed"))
-    of_find = [it for it in some if it[0].question_type == "find" and it[1].answer]
+    of_find = [it for it in first_batch if it[0].question_type == "find" and it[1].answer]
     answers = ((it, it[1].answer.choice if it[1].answer else None) for it in of_find)
     return next(it for it, answer in answers if it[0].answer == answer in ("A", "B"))
 

@@ -8,17 +8,12 @@ from contextlib import suppress
 import numpy as np
 import pytest
 
-from packed_teacher import names_in, some_of_each_type
+from packed_teacher import names_in
 from painted_teacher import SIZE, taught
 from probe.agents.reading import read_graph
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.thinning import thinned
-
-
-@pytest.fixture(scope="module")
-def episodes(tmp_path_factory):
-    return some_of_each_type(tmp_path_factory.mktemp("packed"))
 
 
 def told(task, record, seed=0):

@@ -75,7 +75,8 @@ def augmented(
     told = list[tuple[AugmentationWay, Task, EpisodeRecord]]()
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
     times = _times(episodes) if balanced else Counter[str]()
-    teller = _Teller(seed, find, descriptions_in(record for _, record in episodes))
+    records = [record for _, record in episodes] if "names" in ways else []
+    teller = _Teller(seed, find, descriptions_in(records))
     for way in left_out:
         for task, record in episodes:
             often = 1 if way == "mirrored" else max(1, times[task.question_type])
@@ -136,13 +137,15 @@ class _Teller:
             # The first time is as without balance.
             return generator(self.seed, name, task.id, record.run, *([time] if time else []))
 
-        shown = record if self.find else without_finding(record)
         if way == "mirrored":
-            return task, mirrored(task, shown)
+            return task, mirrored(task, self._shown(record))
         if way == "wordings":
-            return task, reworded(task, shown, rng("wording"))
+            return task, reworded(task, self._shown(record), rng("wording"))
         task, again = self._said(way, task, record, rng)
-        return task, again if self.find else without_finding(again)
+        return task, self._shown(again)
+
+    def _shown(self, record: EpisodeRecord) -> EpisodeRecord:
+        return record if self.find else without_finding(record)
 
     def _said(
         self,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ _ENTRY = re.compile(
     r"- number: (\d+)\n  object_id: (object_\d+)\n((?:  name: [^\n]*\n)?  description: [^\n]*\n)"
     r"  point: \[(\d+), (\d+)\]\n  box: \[(\d+), (\d+), (\d+), (\d+)\]\n"
 )
+_NAME = re.compile(r'name: ("[^\n]*")')
 _RELATION = re.compile(r"- (\d+) ([a-z_]+) (\d+)\n")
 _OBJECTS, _RELATIONS, _CLUTTERED, _CLEAR = (
     "\nobjects:\n",
@@ -38,6 +40,12 @@ class ListedThing:
     words: str
     point: Place
     box: Box
+
+    @property
+    def name(self) -> str | None:
+        """What it is; None where too little of it shows to be named."""
+        found = _NAME.search(self.words)
+        return json.loads(found[1]) if found else None
 
 
 @dataclass(frozen=True)

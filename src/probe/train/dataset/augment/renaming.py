@@ -18,7 +18,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.generation.likeness import says_in_part
 from probe.perception.colour_words import colour_words_in
 from probe.tasks.english import plural
-from probe.tasks.task import NONE_OF_THE_ABOVE, PAIR, Task
+from probe.tasks.task import NONE_OF_THE_ABOVE, Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.mirrored_reply import others_told
 from probe.train.dataset.augment.retelling import check_scripted, retold
@@ -31,7 +31,6 @@ _ENTRY = re.compile(
     r'(?P<name>name: )(?P<is>"[^\n]*")(?P<then>\n\s*description: )(?P<said>"[^\n]*")'
 )
 _PART = "part of something"
-_MARKED = tuple(f"Object {letter}" for letter in PAIR)
 
 
 def descriptions_in(records: Iterable[EpisodeRecord]) -> Descriptions:
@@ -108,8 +107,7 @@ class _OtherNames:
             now[name] = chosen
         many = {plural(old): plural(new) for old, new in now.items()}
         all_of_them = now | {old: new for old, new in many.items() if old and new}
-        words = "|".join(map(re.escape, sorted(all_of_them, key=len, reverse=True)))
-        pattern = re.compile(rf"{_ENTRY.pattern}|(?<![\w-])(?:{words})(?![\w-])")
+        pattern = re.compile(rf"{_ENTRY.pattern}|{_whole_names(all_of_them)}")
         return cls(all_of_them, known, pattern)
 
     def __call__(self, text: str) -> str:
@@ -135,7 +133,7 @@ def _names_of(task: Task, record: EpisodeRecord, known: Descriptions) -> list[st
         NotCertain: A reply says of something that it has moved, and no list names that.
     """
     listed = {name for name, _ in _entries_of(record)}
-    offered = {it.text for it in task.options if _is_name(it.text)}
+    offered = {it.text for it in task.options if not task.marks and _is_name(it.text)}
     subjects = {*filter(None, task.subject.split(", "))}
     texts = [_ENTRY.sub("", step.text) for step in record.steps]
     names = listed | offered | subjects | _spoken("\n".join([task.question, *texts]), known)
@@ -150,13 +148,18 @@ def _spoken(text: str, known: Descriptions) -> set[str]:
     likely = [it for it in known if it in text and it not in colour_words_in(it)]
     if not likely:
         return set()
-    words = "|".join(map(re.escape, sorted(likely, key=len, reverse=True)))
-    return {*re.findall(rf"(?<![\w-])(?:{words})(?![\w-])", text)}
+    return {*re.findall(_whole_names(likely), text)}
+
+
+def _whole_names(names: Iterable[str]) -> str:
+    """A pattern of names that stand for themselves, not within another of them."""
+    words = "|".join(map(re.escape, sorted(names, key=len, reverse=True)))
+    return rf"(?<![\w-])(?:{words})(?![\w-])"
 
 
 def _is_name(option: str) -> bool:
-    """Whether an option isn't "None of the above", a number or a mark."""
-    return not (option == NONE_OF_THE_ABOVE or option.isdecimal() or option in _MARKED)
+    """Whether an option isn't "None of the above" or a number."""
+    return option != NONE_OF_THE_ABOVE and not option.isdecimal()
 
 
 def _entries_of(record: EpisodeRecord) -> Iterable[tuple[str, str]]:

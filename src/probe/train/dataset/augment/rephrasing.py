@@ -14,6 +14,16 @@ from probe.train.dataset.augment.certain import NotCertain
 from probe.transcripts.messages import PLAIN
 
 
+def check_teacher(record: EpisodeRecord) -> None:
+    """See that the scripted teacher taught.
+
+    Raises:
+        NotCertain: Somebody else did.
+    """
+    if record.agent != TEACHER:
+        raise NotCertain(record.task, "its teacher isn't the scripted one")
+
+
 def rephrased(task: Task, record: EpisodeRecord, say: Say | None = None) -> EpisodeRecord:
     """An episode in which the teacher does the same and says it otherwise.
 
@@ -27,8 +37,7 @@ def rephrased(task: Task, record: EpisodeRecord, say: Say | None = None) -> Epis
     Raises:
         NotCertain: Somebody else taught, or today's teacher would have done something else.
     """
-    if record.agent != TEACHER:
-        raise NotCertain(record.task, "its teacher isn't the scripted one")
+    check_teacher(record)
     agent = teacher(task, record.run, (record.participation or PLAIN).points, say)
     history, steps = list[Turn](), list[Step]()
     for step in record.steps:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -52,12 +52,12 @@ def resized(
     rephrased(task, record, asked)
     if len(asked.compared) != 2:
         raise NotCertain(record.task, "its teacher named no two things")
-    doubts = list[NotCertain]()
+    doubts, side_px = list[NotCertain](), record.scale.side_px
     for _ in range(_TRIES):
         shares = np.exp(rng.uniform(np.log(_SMALLEST), np.log(_LARGEST), (2, 2)))
-        drawn = np.rint(shares * record.scale.side_px).astype(int).tolist()
+        drawn = np.rint(shares * side_px).astype(int).tolist()
         sizes = {name: (w, h) for name, (w, h) in zip(asked.compared, drawn, strict=True)}
-        told = changed(task, record, lambda text, by=sizes: _with_sizes(text, by, record))[1]
+        told = changed(task, record, lambda text, by=sizes: _with_sizes(text, by, side_px))[1]
         again = _Listener(say)
         try:
             now, told = with_its_answer(task, told, again)
@@ -75,7 +75,7 @@ class _Listener:
 
     say: Say
     compared: tuple[str, ...] = ()
-    sizes: tuple[tuple[int, int], ...] = field(default=())
+    sizes: tuple[tuple[int, int], ...] = ()
 
     def __call__(self, occasion: str, slots: Mapping[str, str]) -> str:
         if "size_one" in slots:
@@ -85,7 +85,7 @@ class _Listener:
         return self.say(occasion, slots)
 
 
-def _with_sizes(text: str, sizes: Sizes, record: EpisodeRecord) -> str:
+def _with_sizes(text: str, sizes: Sizes, side_px: int) -> str:
     """A text in which the boxes of some things have other sizes about their middles."""
 
     def sized(found: re.Match[str]) -> str:
@@ -93,8 +93,8 @@ def _with_sizes(text: str, sizes: Sizes, record: EpisodeRecord) -> str:
         if size is None:
             return found[0]
         left, top, right, bottom = map(int, found["box"].split(", "))
-        across = _around(left, right, size[0], record.scale.side_px)
-        down = _around(top, bottom, size[1], record.scale.side_px)
+        across = _around(left, right, size[0], side_px)
+        down = _around(top, bottom, size[1], side_px)
         return f"{found['before']}{[across[0], down[0], across[1], down[1]]}"
 
     return _SIZED.sub(sized, text)

@@ -10,9 +10,8 @@ from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call
 from probe.tasks.task import LETTERS, Task
-from probe.train.collect.teacher import TEACHER
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.rephrasing import check_teacher, rephrased
 
 
 def check_scripted(record: EpisodeRecord) -> None:
@@ -21,8 +20,7 @@ def check_scripted(record: EpisodeRecord) -> None:
     Raises:
         NotCertain: The scripted teacher didn't teach, or a call's arguments have no names.
     """
-    if record.agent != TEACHER:
-        raise NotCertain(record.task, "its teacher isn't the scripted one")
+    check_teacher(record)
     if not all(isinstance(step.call.values, dict) for step in record.steps):
         raise NotCertain(record.task, "a call is written in another way")
 

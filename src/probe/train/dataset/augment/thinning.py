@@ -5,7 +5,6 @@ Shorter lists take less time to learn from, and have less in them to mix up.
 
 from __future__ import annotations
 
-import json
 import re
 from collections import defaultdict
 from collections.abc import Collection
@@ -17,12 +16,11 @@ from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord
 from probe.tasks.task import Task
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.listing import ListedThing, Listing, read_listing
+from probe.train.dataset.augment.listing import Listing, read_listing
 from probe.train.dataset.augment.retelling import check_scripted, retold
 
 _SHARE = 0.7
 """Of what nobody speaks of."""
-_NAME = re.compile(r'name: ("[^\n]*")')
 _ID = re.compile(r"\bobject_\d+\b")
 
 
@@ -61,7 +59,7 @@ def _unspoken(record: EpisodeRecord) -> list[str]:
         if listing is None:
             spoken.append(step.text)
         for thing in listing.things if listing else ():
-            ids[_name(thing)].add(thing.object_id)
+            ids[thing.name].add(thing.object_id)
     text = "\n".join(spoken)
     known = {*_ID.findall(text)} | ids.pop(None, set())
     return sorted(name for name in ids if name and name not in text and not ids[name] & known)
@@ -74,7 +72,7 @@ def _without(text: str, names: Collection[str]) -> str:
 
 
 def _shortened(listing: Listing, names: Collection[str]) -> Listing:
-    kept = [n for n, thing in enumerate(listing.things) if _name(thing) not in names]
+    kept = [n for n, thing in enumerate(listing.things) if thing.name not in names]
     now = {old: new for new, old in enumerate(kept)}
     return replace(
         listing,
@@ -83,8 +81,3 @@ def _shortened(listing: Listing, names: Collection[str]) -> Listing:
             (now[a], kind, now[b]) for a, kind, b in listing.relations if a in now and b in now
         ),
     )
-
-
-def _name(thing: ListedThing) -> str | None:
-    found = _NAME.search(thing.words)
-    return json.loads(found[1]) if found else None
