@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# How a student gets better with more examples, and what augmented ones bring, after runs/student.sh:
-# for each number of examples two trainings, each evaluated on tasks for validation. One reads the
-# examples alone, six times; the other each of them once in six ways (as it went, mirrored, asked in
+# How a student gets better with more episodes, and what augmented ones bring, after runs/student.sh:
+# for each number of episodes two trainings, each evaluated on tasks for validation. One reads the
+# episodes alone, six times; the other each of them once in six ways (as it went, mirrored, asked in
 # other words, with options under other letters, with other names, with other object_ids), so that both
-# make about as many updates. The tasks have objects of the pool for training, as examples have, and
+# make about as many updates. The tasks have objects of the pool for training, as episodes have, and
 # seeds of their own, in the same light, so nothing is chosen here by a suite. Each step goes on where
 # it was stopped: run it again, with the same settings. SIZES and WAYS may grow.
 #
-#   runs/student.sh && runs/scaling.sh     # 75 and 150 examples, into outputs/scaling
+#   runs/student.sh && runs/scaling.sh     # 75 and 150 episodes, into outputs/scaling
 #   SIZES="75 150 200" WAYS=augmented STUDENT=outputs/teacher OUT=there runs/scaling.sh
 #
-# On two cores with bfloat16, a training on 75 examples takes two hours, and one on twice
+# On two cores with bfloat16, a training on 75 episodes takes two hours, and one on twice
 # as many twice as long; each evaluation takes some 20 minutes. Tables: ladder.md and table.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -43,7 +43,7 @@ same_settings "$OUT" "STUDENT=$STUDENT" "COLLECTED=$collected" "VALIDATION=$VALI
     "CHOOSE=$CHOOSE" "DATASET=$DATASET" "AUGMENT=$AUGMENT" "TUNE=$TUNE" "SERVE=$SERVE" "BASE=$BASE"
 
 export SUITE=$OUT/validation.json WORKERS PORT OUT SERVE PROBE="$probe" ARMS=text-only RUN="--graphs short"
-step "validation: tasks that no example is of"
+step "validation: tasks that no episode is of"
 if [ ! -e "$SUITE" ]; then
     $probe suite build "$SUITE" --public --first 2900000 --unchecked --pool train --workers "$WORKERS" \
         $VALIDATION || [ -e "$SUITE" ]  # some may lack; tables say how many there are
@@ -55,7 +55,7 @@ fi
 
 for size in $SIZES; do
     chosen=$OUT/$size/selected
-    step "select: $size examples"
+    step "select: $size episodes"
     [ -e "$chosen/selection.json" ] ||
         $probe select "$STUDENT/collected" --out "$chosen" --direct-share 0 --total "$size" \
             --against "$SUITE" $CHOOSE

@@ -5,7 +5,10 @@
 # it again, with the same settings.
 #
 #   runs/student.sh                     # everything into outputs/student, at a small setting
-#   OUT=elsewhere SUITE=v1 COUNTS="--total 300" SELECT="--slack 3" runs/student.sh
+#   OUT=elsewhere SUITE=v1 SELECT="--slack 3 --least 1" \
+#       DATASET="--no-find --augment mirrored wordings options names ids --balance" \
+#       TRAIN="--learning-rate 3e-4 --global-batch 1 --epochs 0.5 --warmup 0.05 --no-save-memory" \
+#       SERVERS=2 WORKERS=8 SERVE="--cpu-bfloat16 --most-tokens 250 --at-once 8" runs/student.sh  # hours
 #   TEACHER= COUNTS="--total 40" runs/student.sh              # nothing is taken over
 #   SERVERS=8 runs/student.sh           # on many cores or a GPU: see runs/serve_and_run.sh
 #
@@ -17,7 +20,7 @@ OUT=${OUT:-outputs/student}
 SUITE=${SUITE:-demo}                    # what models are evaluated on
 WORKERS=${WORKERS:-2}
 PORT=${PORT:-8001}
-TEACHER=${TEACHER-runs/data/teacher.tar.xz}
+TEACHER=${TEACHER-runs/data/teacher.tar.xz runs/data/reduce.tar.xz}
 COUNTS=${COUNTS:---counts.count 6 --counts.find 6 --counts.size 4 --counts.reduce 2 --counts.compare 4}
 SELECT=${SELECT:---slack 3 --least 1 --no-near --counts count 6 find 6 size 4 reduce 2 compare 4}
 DATASET=${DATASET:---no-find}           # more options of probe dataset
@@ -36,7 +39,7 @@ same_settings "$OUT" "SUITE=$SUITE" "TEACHER=$TEACHER" "COUNTS=$COUNTS" "SELECT=
 step "collect: the scripted teacher answers training tasks, with tools alone"
 if [ -n "$TEACHER" ] && [ ! -d "$OUT/collected" ]; then
     mkdir -p "$OUT/.teacher"
-    tar xf "$TEACHER" -C "$OUT/.teacher"
+    for archive in $TEACHER; do tar xf "$archive" -C "$OUT/.teacher"; done
     mv "$OUT/.teacher/collected" "$OUT/collected"  # whole or not at all
     rmdir "$OUT/.teacher"
 fi

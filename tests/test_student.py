@@ -55,7 +55,7 @@ def test_from_the_packaged_episodes_to_a_table(student):
     told, out = student
     card = (out / "trained/README.md").read_text()
     assert "| count | 2 | 0 |" in card and "| find | 2 | 0 |" in card
-    assert "347 episodes, 0 missing" in told
+    assert "379 episodes, 0 missing" in told
     check_tables(out, "base", "student")
 
 

@@ -81,6 +81,29 @@ def test_only_the_boxes_of_the_two_change(of_size):
         assert changed and len(changed) <= 2
 
 
+def test_boxes_hold_the_mark_and_what_showed_before(of_size):
+    checked = 0
+    for task, record, _, after in those_told(of_size, range(3)):
+        old, new = (
+            [it for step in told.steps for it in read_graph(step.text).objects]
+            for told in (record, after)
+        )
+        parts = [it for it in old if it.name is None]
+        for one, two in zip(old, new, strict=True):
+            inner = [(*mark.point, *mark.point) for mark in task.marks]
+            inner += [(*one.point, *one.point)]
+            inner += [it.box for it in parts if it.object_id == one.object_id]
+            held = [it for it in inner if holds(one.box, it)]
+            assert all(holds(two.box, it) for it in held)
+            checked += len(held) if one.box != two.box else 0
+    assert checked > 20
+
+
+def holds(box, inner):
+    (left, top, right, bottom), (u, v, s, t) = box, inner
+    return left <= u and s <= right and top <= v and t <= bottom
+
+
 def test_a_wrong_answer_isnt_told_with_other_sizes(of_size):
     task, record, *_ = next(those_told(of_size))
     other = {"A": "B", "B": "A"}[task.answer]

@@ -6,28 +6,24 @@ import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
 from probe.agents.phrases import Say
+from probe.agents.reading import read_graph
 from probe.episodes.record import EpisodeRecord
 from probe.tasks.task import Task
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.other_boxes import Factors, other_factors, resized_box
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.retelling import changed, check_scripted, with_its_answer
 
-_SMALLEST, _LARGEST = 0.05, 0.25
-"""Width and height of a box, as shares of the picture's side."""
-_CLEARLY = 1.2
-"""By how much one diagonal and one area must be larger than the other."""
 _TRIES = 8
 _SIZED = re.compile(
     r'(?P<before>name: (?P<name>"[^\n]*")\n\s*description: [^\n]*\n\s*point: [^\n]*\n\s*box: )'
     r"\[(?P<box>\d+, \d+, \d+, \d+)\]"
 )
-
-Sizes = Mapping[str, tuple[int, int]]
-"""Width and height of boxes in pixels, by names."""
 
 
 def resized(
@@ -38,7 +34,7 @@ def resized(
     Args:
         task: What the episode is about.
         record: What happened.
-        rng: Chooses the sizes.
+        rng: Chooses the sizes, and the right letter where sizes that fit allow either.
         say: Chooses the teacher's words.
 
     Raises:
@@ -50,66 +46,42 @@ def resized(
         raise NotCertain(record.task, "its sizes don't matter")
     asked = _Listener(say)
     rephrased(task, record, asked)
-    if len(asked.compared) != 2:
+    if asked.compared is None:
         raise NotCertain(record.task, "its teacher named no two things")
     doubts, side_px = list[NotCertain](), record.scale.side_px
-    for _ in range(_TRIES):
-        shares = np.exp(rng.uniform(np.log(_SMALLEST), np.log(_LARGEST), (2, 2)))
-        drawn = np.rint(shares * side_px).astype(int).tolist()
-        sizes = {name: (w, h) for name, (w, h) in zip(asked.compared, drawn, strict=True)}
-        told = changed(task, record, lambda text, by=sizes: _with_sizes(text, by, side_px))[1]
-        again = _Listener(say)
+    seen = [it for step in record.steps for it in read_graph(step.text).objects]
+    marks = [mark.point for mark in task.marks]
+    for factors in islice(other_factors(asked.compared, seen, marks, side_px, rng), _TRIES):
+        told = changed(task, record, lambda text, by=factors: _with_sizes(text, by, side_px))[1]
         try:
-            now, told = with_its_answer(task, told, again)
+            return with_its_answer(task, told, say)
         except NotCertain as doubt:
             doubts.append(doubt)
-            continue
-        if _differ(again.sizes):
-            return now, told
-    raise doubts[0] if doubts else NotCertain(record.task, "no other sizes differ clearly")
+    raise doubts[0] if doubts else NotCertain(record.task, "no other sizes fit what shows")
 
 
 @dataclass
 class _Listener:
-    """A Say that remembers what the two marked things are called, and their boxes' sizes."""
+    """A Say that remembers what the two marked things are called."""
 
     say: Say
-    compared: tuple[str, ...] = ()
-    sizes: tuple[tuple[int, int], ...] = ()
+    compared: tuple[str, str] | None = None
 
     def __call__(self, occasion: str, slots: Mapping[str, str]) -> str:
         if "size_one" in slots:
             self.compared = (slots["one"], slots["two"])
-            one, two = (json.loads(slots[it]) for it in ("size_one", "size_two"))
-            self.sizes = ((one[0], one[1]), (two[0], two[1]))
         return self.say(occasion, slots)
 
 
-def _with_sizes(text: str, sizes: Sizes, side_px: int) -> str:
+def _with_sizes(text: str, factors: Factors, side_px: int) -> str:
     """A text in which the boxes of some things have other sizes about their middles."""
 
     def sized(found: re.Match[str]) -> str:
-        size = sizes.get(json.loads(found["name"]))
-        if size is None:
+        factor = factors.get(json.loads(found["name"]))
+        if factor is None:
             return found[0]
         left, top, right, bottom = map(int, found["box"].split(", "))
-        across = _around(left, right, size[0], side_px)
-        down = _around(top, bottom, size[1], side_px)
-        return f"{found['before']}{[across[0], down[0], across[1], down[1]]}"
+        box = resized_box((left, top, right, bottom), factor, side_px)
+        return f"{found['before']}{[*box]}"
 
     return _SIZED.sub(sized, text)
-
-
-def _around(low: int, high: int, length: int, side_px: int) -> tuple[int, int]:
-    """First and last pixel of so long a side of a box, inside the picture."""
-    first = min(max(round((low + high + 1 - length) / 2), 0), side_px - length)
-    return first, first + length - 1
-
-
-def _differ(sizes: tuple[tuple[int, int], ...]) -> bool:
-    """Whether one of two boxes is clearly larger, whichever way one looks at it."""
-    if len(sizes) != 2:
-        return False
-    (w, h), (v, g) = sizes
-    diagonals, areas = sorted((w * w + h * h, v * v + g * g)), sorted((w * h, v * g))
-    return diagonals[1] > _CLEARLY**2 * diagonals[0] and areas[1] > _CLEARLY * areas[0]
