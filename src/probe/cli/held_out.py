@@ -38,8 +38,8 @@ def held_out(
 
     Args:
         runs: Folders that `probe run` wrote, of one suite.
-        types: Which nobody was trained on; by default all that `probe collect` makes no tasks of
-            unless it is told.
+        types: Which nobody was trained on; by default those that `probe collect` doesn't collect by
+            default.
         learnt: What question-only learnt (`probe suite learn`); by default the package's.
         out: File for the table.
     """
