@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from probe.agents.phrases import PhraseBook, phrases, silent
+from probe.agents.phrases import PhraseBook, phrases, plainly, silent
 from probe.agents.reading import read_graph
 from probe.agents.scripted import Scripted
 from probe.agents.type_plan import FirstLookQuestion, plan_for
@@ -106,6 +106,15 @@ def test_it_says_what_its_answer_rests_on(play):
     assert "[150, 100]" in last_words(play, "size") and "[100, 80]" in last_words(play, "size")
     said = last_words(play, "compare")
     assert re.search(r"\bis red\b", said) and re.search(r"\bis yellow\b", said)
+
+
+def test_plainly_each_thing_is_said_in_one_way():
+    slots = {"id": "object_3", "thing": "red die"}
+    assert plainly("do grasp", slots) == plainly("do grasp", slots)
+    first = phrases()["listed thing"][0]
+    assert plainly("listed thing", slots) == first.format(**slots)
+    with pytest.raises(UnknownName):
+        plainly("no such occasion", slots)
 
 
 def test_of_two_that_look_as_large_it_guesses(play):
@@ -218,9 +227,14 @@ def test_after_each_list_it_says_what_is_still_there_and_what_is_new(play, quest
         assert words.startswith(moving if left else "Nothing that I have to move shows any more.")
         new = {it.name for it in graph.named} - {it.name for it in told[0][0].named}
         assert ("This is new since the start: " in words) == bool(new) and all(
-            name in words for name in new
+            re.search(rf"{name}, object_\d+, {as_option(record, name)}[;.]", words) for name in new
         )
         assert ("Nothing new can be named." in words) == (number > 0 and not new)
+
+
+def as_option(record, name):
+    letters = [letter for letter, text in record.question.options if text == name]
+    return f"option {letters[0]}" if letters else "no option"
 
 
 def test_it_says_that_no_option_shows_and_then_at_which_one_it_points(play):

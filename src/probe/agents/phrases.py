@@ -45,6 +45,15 @@ def silent(occasion: str, slots: Mapping[str, str]) -> str:
     return ""
 
 
+def plainly(occasion: str, slots: Mapping[str, str]) -> str:
+    """Says each thing in one way alone, the first of its phrases; a Say.
+
+    Raises:
+        UnknownName: There are none for this occasion.
+    """
+    return _ways(occasion)[0].format(**slots)
+
+
 class PhraseBook:
     """Says each thing in one of several ways, as its generator draws; a Say."""
 
@@ -57,11 +66,15 @@ class PhraseBook:
         Raises:
             UnknownName: There are none for it.
         """
-        known = phrases()
-        if occasion not in known:
-            raise UnknownName("occasion to say something", occasion, sorted(known))
-        ways = known[occasion]
+        ways = _ways(occasion)
         return ways[int(self._rng.integers(len(ways)))].format(**slots)
+
+
+def _ways(occasion: str) -> Sequence[str]:
+    known = phrases()
+    if occasion not in known:
+        raise UnknownName("occasion to say something", occasion, sorted(known))
+    return known[occasion]
 
 
 @lru_cache(1)

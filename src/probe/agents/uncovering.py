@@ -61,7 +61,7 @@ def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[
     while place is not None:
         left = [seen for name in names for seen in search.graph.called(name)]
         remark_left(search, left)
-        remark_new(search, known)
+        remark_new(search, known, question)
         fresh = [seen for seen in left if search.may_clear(seen)]
         # Pushed, a cover takes along what is beneath: that is where it went.
         place = around([place, *(seen.box for seen in left)]) or place
@@ -95,10 +95,14 @@ def remark_left(search: Search, left: Sequence[Seen]) -> None:
         search.remark(search.say("nothing to move", {}))
 
 
-def remark_new(search: Search, known: Collection[str | None]) -> None:
-    """Say what shows that can be named and didn't show at first, once anything was moved."""
+def remark_new(search: Search, known: Collection[str | None], question: Question) -> None:
+    """Say what shows that can be named and didn't show at first, once anything was moved.
+
+    Of each it is said which option it is, where it is still next to its name.
+    """
     new = [seen for seen in search.graph.named if seen.name not in known]
-    if search.spent and (each := with_ids(new)):
+    told = (f"{with_ids([seen])}, {_as_option(question, seen)}" for seen in new if seen.object_id)
+    if search.spent and (each := "; ".join(told)):
         search.remark(search.say("new", {"each": each}))
     elif search.spent and not new:
         search.remark(search.say("nothing new", {}))
@@ -112,6 +116,11 @@ def newcomers(graph: Graph, known: Collection[str | None], places: Sequence[Box]
 def is_offered(question: Question, seen: Seen) -> bool:
     """Whether what is seen is one of a question's options."""
     return any(same(seen.name or "", text) for _, text in question.options)
+
+
+def _as_option(question: Question, seen: Seen) -> str:
+    letters = [letter for letter, text in question.options if same(seen.name or "", text)]
+    return f"option {letters[0]}" if letters else "no option"
 
 
 def uncovered(

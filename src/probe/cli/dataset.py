@@ -29,7 +29,7 @@ from probe.train.dataset.augment.augmenting import (
     augmented,
 )
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.listed_ids import said_without_finding, without_finding
+from probe.train.dataset.augment.listed_ids import said_otherwise, without_finding
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
 from probe.train.dataset.folder import Form, write_dataset
@@ -38,6 +38,13 @@ from probe.train.dataset.text_only import as_text_only, no_pictures
 from probe.transcripts.prompts import Graphs
 
 _SMALLEST_PX = 32
+_IN_TEXT = {
+    "--graphs": "does nothing without --setting",
+    "--no-find": "pictures that were drawn show what was found",
+    "--plain": "the teacher's words beside pictures stay as they were",
+    "--augment": "pictures can't be told again, only texts",
+}
+"""Why some options need the setting text-only."""
 
 
 def dataset(
@@ -50,6 +57,7 @@ def dataset(
     setting: Literal["text-only"] | None = None,
     graphs: Graphs | None = None,
     find: bool = True,
+    plain: bool = False,
     augment: list[AugmentationWay] | None = None,
     balance: bool = False,
     seed: int = 0,
@@ -74,6 +82,8 @@ def dataset(
         find: Tell what the scripted teacher looked for by find_object. If not, grasps and pushes
             take their object_ids from the lists, about a quarter of all calls is left out, and
             the teacher's words are others. Can be left out in the setting text-only alone.
+        plain: Have the scripted teacher say each thing in one way alone, so that a small model
+            needn't learn which of several ways comes next. In the setting text-only alone.
         augment: Tell each episode once more in each of these ways, where that is certain: mirrored
             left to right, with its question in another wording, with other phrases of the scripted
             teacher, with its options or marks under other letters, with other names of all things,
@@ -89,11 +99,13 @@ def dataset(
     """
     check_new(out)
     check_numbers({"--workers": workers})
-    _check(side, setting, graphs, augment, find=find)
+    _check(side, setting, graphs, augment, find=find, plain=plain)
     if balance and not augment:
         raise BadData("--balance", "does nothing without --augment", "Say --augment, too")
-    chosen = _in_setting(read_selection(selected), setting, graphs, find=find)
-    again = augmented(chosen.episodes, augment or [], seed, find=find, balanced=balance)
+    chosen = _in_setting(read_selection(selected), setting, graphs, find=find, plain=plain)
+    again = augmented(
+        chosen.episodes, augment or [], seed, find=find, plain=plain, balanced=balance
+    )
     chosen = chosen if find else _without_finding(chosen)
     opened = opener(pool)
     things = opened()
@@ -108,7 +120,7 @@ def dataset(
             pass
     counting = points or _points_of(chosen)
     specs = {spec.id: spec for spec in things.specs}
-    form = Form(name, counting, side, others, find)
+    form = Form(name, counting, side, others, find, plain)
     examples = _examples(chosen, worker if setting is None else None, counting)
     told_again = _told_again(again, counting)
     manifest = write_dataset(out, chain(examples, told_again), chosen, form, specs, again)
@@ -122,28 +134,35 @@ def dataset(
 
 
 def _in_setting(
-    chosen: LoadedSelection, setting: str | None, graphs: Graphs | None, *, find: bool
+    chosen: LoadedSelection,
+    setting: str | None,
+    graphs: Graphs | None,
+    *,
+    find: bool,
+    plain: bool,
 ) -> LoadedSelection:
     """The episodes in a student's setting and in the words of one; all calls are there still."""
     if setting is not None:
         chosen = as_text_only(chosen, graphs or "full")
-    with _no_doubt():
-        return chosen if find else said_without_finding(chosen)
+    if find and not plain:
+        return chosen
+    with _no_doubt("--plain" if find else "--no-find"):
+        return said_otherwise(chosen, find=find, plain=plain)
 
 
 def _without_finding(said: LoadedSelection) -> LoadedSelection:
-    with _no_doubt():
+    with _no_doubt("--no-find"):
         told = tuple((task, without_finding(record)) for task, record in said.episodes)
     return replace(said, episodes=told)
 
 
 @contextmanager
-def _no_doubt() -> Generator[None]:
+def _no_doubt(option: str) -> Generator[None]:
     try:
         yield
     except NotCertain as doubt:
-        remedy = "Leave out --no-find, or select without this episode"
-        raise BadData("--no-find", f"{doubt.task}: {doubt.reason}", remedy) from doubt
+        remedy = f"Leave out {option}, or select without this episode"
+        raise BadData(option, f"{doubt.task}: {doubt.reason}", remedy) from doubt
 
 
 def _check(
@@ -153,6 +172,7 @@ def _check(
     augment: list[AugmentationWay] | None,
     *,
     find: bool,
+    plain: bool,
 ) -> None:
     """See that each option is in range and does something."""
     whole = UR5_TABLE.picture_px
@@ -160,14 +180,17 @@ def _check(
         raise BadData("--side", f"{side} px", f"Say {_SMALLEST_PX} to {whole}")
     if setting is not None and side != whole:
         raise BadData("--side", f"does nothing with --setting {setting}", "Leave it out")
-    if setting is None and graphs is not None:
-        raise BadData("--graphs", "does nothing without --setting", "Say --setting text-only, too")
-    if setting is None and not find:
-        reason = "pictures that were drawn show what was found"
-        raise BadData("--no-find", reason, "Say --setting text-only, too, or leave it out")
-    if setting is None and augment:
-        reason = "pictures can't be told again, only texts"
-        raise BadData("--augment", reason, "Say --setting text-only, too, or leave it out")
+    asked = {
+        "--graphs": graphs is not None,
+        "--no-find": not find,
+        "--plain": plain,
+        "--augment": bool(augment),
+    }
+    for option in [it for it, is_asked in asked.items() if is_asked and setting is None]:
+        raise BadData(option, _IN_TEXT[option], "Say --setting text-only, too, or leave it out")
+    if plain and "phrases" in (augment or []):
+        reason = "there are no other phrases with --plain"
+        raise BadData("--augment phrases", reason, "Leave out one of them")
 
 
 def _examples(

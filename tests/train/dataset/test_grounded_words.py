@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 import pytest
@@ -24,13 +25,15 @@ Known = dict[str, tuple[str, str, str, str]]
 
 @pytest.fixture(scope="module")
 def said(tmp_path_factory) -> list[tuple[str, Known, str]]:
-    """Questions, what is known of a table, and what the teacher says then."""
+    """Questions with their options, what is known of a table, and what the teacher says then."""
     told = list[tuple[str, Known, str]]()
     for batch in packed_batches(tmp_path_factory.mktemp("packed")):
         for task, record in episodes_of(batch):
             words = SayWithoutFinding(speaker(task, record.run))
             spoken = rephrased(task, record, words)
-            told += [(task.question, *each) for each in known_and_said(without_finding(spoken))]
+            options = (f"{option.letter}: {option.text}" for option in task.options)
+            asked = "\n".join([task.question, *options])
+            told += [(asked, *each) for each in known_and_said(without_finding(spoken))]
     assert len(told) > 1000
     return told
 
@@ -107,11 +110,23 @@ def test_what_it_calls_new_is_what_the_lists_call_new(said):
     assert sum(bool(each) for _, each in notes) > 20
 
 
+def test_of_what_is_new_it_says_which_option_it_is(said):
+    noted = Counter[bool]()
+    for question, _, words in said:
+        offered = {text: letter for letter, text in re.findall(r"^([A-E]): (.*)$", question, re.M)}
+        for each in re.findall(r"This is new since the start: (.*?)\.", words):
+            for name, option in re.findall(r"([^;]*?), object_\d+, (.*?)(?:; |$)", each):
+                letter = offered.get(name)
+                assert option == (f"option {letter}" if letter else "no option")
+                noted[letter is not None] += 1
+    assert noted[True] > 20 and noted[False] > 20
+
+
 def test_object_ids_and_names_belong_together(said):
     forms = (
         r"(?:Next is|I turn to) the (?P<what>.*?), (?P<id>object_\d+)\.",
         r"Mark [AB] is (?P<id>object_\d+), the (?P<what>.*?)\.(?: |$)",
-        r"(?:this: |since the start: |; )(?P<what>[^.;]*?), (?P<id>object_\d+)(?=[.;])",
+        r"(?:this: |since the start: |; )(?P<what>[^.;]*?), (?P<id>object_\d+)(?=[.;,])",
     )
     for form in forms:
         found = [(known, it) for _, known, words in said for it in re.finditer(form, words)]

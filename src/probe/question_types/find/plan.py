@@ -27,7 +27,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         search.remark_to_search()
         if not (yield from search.clear_one()):
             break
-        remark_new(search, known)
+        remark_new(search, known, question)
     if shown:
         letter, seen = shown[0]
         words = search.after_remarks(_found(letter, seen).told(question, say))

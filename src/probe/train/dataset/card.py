@@ -10,10 +10,10 @@ from probe.assets.spec import ObjectSpec
 from probe.scene.setup import UR5_TABLE
 from probe.train.choose.chosen import LoadedSelection
 from probe.train.dataset.manifest import (
-    WITHOUT_FINDING,
     Manifest,
     augmented_told,
     objects_told,
+    words_told,
 )
 
 _PLACES = {"pixels": "in pixels of a picture 1024 wide and high", "0-1000": "in thousandths"}
@@ -36,7 +36,7 @@ def card(
             words = _without(words, f"| `{folder}`")
     if not manifest.augmented:
         words = _without(words, "- **Augmented**")
-    if manifest.find:
+    if not (said := words_told(manifest)):
         words = _without(words, "- **Retold**")
     document = chosen.document
     return words.format(
@@ -54,7 +54,7 @@ def card(
         ),
         objects=objects_told(manifest.objects),
         augmented=augmented_told(manifest),
-        without_finding=WITHOUT_FINDING,
+        retold=said,
         licences=_licences(shown_in(chosen), specs),
     )
 

@@ -60,6 +60,7 @@ class Form:
         side_px: Width and height of pictures.
         others: Whether LLaMA-Factory's and VILA's forms are written too.
         find: Whether what the teacher looked for by find_object is told.
+        plain: Whether the teacher says each thing in one way alone.
     """
 
     name: str
@@ -67,6 +68,7 @@ class Form:
     side_px: int
     others: bool = True
     find: bool = True
+    plain: bool = False
 
 
 @dataclass
@@ -133,6 +135,7 @@ def write_dataset(
             augmented={way: dict(sorted(written.augmented[way].items())) for way in again.left_out},
             not_augmented={way: dict(some) for way, some in again.left_out.items()},
             find=form.find,
+            plain=form.plain,
             files={path.relative_to(folder).as_posix(): mark_of(path) for path in files},
         )
         write_text(folder / CARD, card(form.name, manifest, chosen, specs))

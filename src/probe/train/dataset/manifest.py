@@ -37,6 +37,7 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
         augmented: How many are told otherwise than they went, by way and type; none in most.
         not_augmented: How many couldn't be told so for sure, by way and reason.
         find: Whether what the teacher looked for by find_object is told.
+        plain: Whether the teacher says each thing in one way alone.
         files: All others, by their path.
     """
 
@@ -49,6 +50,7 @@ class Manifest(pydantic.BaseModel, extra="forbid", frozen=True):
     augmented: dict[str, dict[str, int]] = {}
     not_augmented: dict[str, dict[str, int]] = {}
     find: bool = True
+    plain: bool = False
     files: dict[str, FileMark]
 
     @property
@@ -83,10 +85,17 @@ _WAYS = {
 }
 
 
-WITHOUT_FINDING = (
+_WITHOUT_FINDING = (
     "Calls of find_object are left out, and the teacher's words with them are others: grasps and "
     "pushes take their object_ids from the lists. The tools' replies are as they were."
 )
+_PLAIN = "The teacher says each thing in one way alone."
+
+
+def words_told(manifest: Manifest) -> str:
+    """How a data set's teacher speaks otherwise than it did; empty if it doesn't."""
+    told = [] if manifest.find else [_WITHOUT_FINDING]
+    return " ".join([*told, _PLAIN] if manifest.plain else told)
 
 
 def objects_told(objects: Mapping[str, int]) -> str:

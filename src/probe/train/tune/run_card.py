@@ -14,10 +14,10 @@ import pydantic
 
 from probe.files import write_text
 from probe.train.dataset.manifest import (
-    WITHOUT_FINDING,
     Manifest,
     augmented_told,
     objects_told,
+    words_told,
 )
 from probe.train.tune import libraries
 from probe.train.tune.started import TrainingStart
@@ -155,8 +155,7 @@ def _page(run: Run, manifest: Manifest, curve: Sequence[str]) -> str:
 
 def _told(manifest: Manifest) -> list[str]:
     """What there is to know about the data set; a sentence that doesn't apply is empty."""
-    found = "" if manifest.find else WITHOUT_FINDING
-    return [objects_told(manifest.objects), augmented_told(manifest), found]
+    return [objects_told(manifest.objects), augmented_told(manifest), words_told(manifest)]
 
 
 def _mean(log: Sequence[LoggedStep]) -> float:

@@ -10,6 +10,7 @@ import pytest
 
 from lessons import lesson, training_task
 from painted_teacher import SIZE, taught
+from probe.agents.phrases import plainly
 from probe.assets.spec import ObjectSpec
 from probe.cli.dataset import dataset
 from probe.errors import BadData
@@ -17,8 +18,12 @@ from probe.train.choose.chosen import LoadedSelection, read_selection, write_sel
 from probe.train.choose.evaluation import evaluation_of
 from probe.train.choose.selection import Recipe, select
 from probe.train.collect.teacher import speaker
-from probe.train.dataset.augment.augmenting import Augmentation, augmented
-from probe.train.dataset.augment.listed_ids import SayWithoutFinding
+from probe.train.dataset.augment.augmenting import (
+    Augmentation,
+    AugmentationWay,
+    augmented,
+)
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding, said_otherwise
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.folder import Form, write_dataset
@@ -165,6 +170,39 @@ def test_episodes_with_pictures_are_not_told_again(tmp_path):
 def test_with_pictures_find_object_is_told(tmp_path):
     with pytest.raises(BadData, match=r"--no-find: .*Say --setting text-only, too"):
         dataset(Path("selected"), tmp_path / "out", find=False)
+
+
+def test_with_pictures_words_stay_as_they_were(tmp_path):
+    with pytest.raises(BadData, match=r"--plain: .*Say --setting text-only, too"):
+        dataset(Path("selected"), tmp_path / "out", plain=True)
+
+
+def test_plain_words_have_no_other_phrases(tmp_path):
+    with pytest.raises(BadData, match=r"--augment phrases: there are no other phrases"):
+        dataset(
+            Path("selected"), tmp_path / "out", setting="text-only", plain=True, augment=["phrases"]
+        )
+
+
+def test_plain_words_are_so_however_an_episode_is_told(chosen, episodes):
+    taught = replace(chosen, episodes=tuple(episodes[::2]))
+    plain = said_otherwise(taught, find=True, plain=True)
+    ways: list[AugmentationWay] = ["wordings", "options", "names", "ids", "sizes", "fewer"]
+    again = augmented(plain.episodes, ways, 1, plain=True)
+    assert {way for way, _, _ in again.episodes} == {*ways}
+    # Where marks change places, what was done first for A is done first for B.
+    others = [(task, it) for way, task, it in again.episodes if way != "options" or not task.marks]
+    told = [*plain.episodes, *others]
+    assert all(rephrased(task, record, plainly) == record for task, record in told)
+    assert any(rephrased(task, record, plainly) != record for task, record in taught.episodes)
+
+
+def test_a_data_set_in_plain_words_says_so(tmp_path, chosen):
+    manifest = write(
+        tmp_path / "data", chosen, Augmentation(), Form("x", "pixels", 1024, plain=True)
+    )
+    assert manifest.plain
+    assert "says each thing in one way alone" in (tmp_path / "data/README.md").read_text()
 
 
 def test_a_data_set_without_find_object_says_so(tmp_path, chosen):

@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from probe.agents.phrases import PhraseBook
+from probe.agents.phrases import PhraseBook, plainly
 from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
@@ -59,6 +59,7 @@ def augmented(
     seed: int,
     *,
     find: bool = True,
+    plain: bool = False,
     balanced: bool = False,
 ) -> Augmentation:
     """Tell each episode once more in each of some ways, where that is certain.
@@ -68,7 +69,9 @@ def augmented(
         ways: How.
         seed: Chooses among other wordings, phrases, letters, names and object_ids.
         find: Whether what the teacher looks for by find_object is told; if not, in words of
-            said_without_finding().
+            said_otherwise().
+        plain: Whether the teacher says each thing in one way alone; then there are no other
+            phrases.
         balanced: Whether those of rare types are told several times in each way, up to four, each
             time otherwise.
     """
@@ -76,7 +79,7 @@ def augmented(
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
     times = _times(episodes) if balanced else Counter[str]()
     records = [record for _, record in episodes] if "names" in ways else []
-    teller = _Teller(seed, find, descriptions_in(records))
+    teller = _Teller(seed, find, plain, descriptions_in(records))
     for way in left_out:
         for task, record in episodes:
             often = 1 if way == "mirrored" else max(1, times[task.question_type])
@@ -101,12 +104,13 @@ class _Teller:
     """Tells episodes again.
 
     Attributes:
-        seed, find: As in augmented().
+        seed, find, plain: As in augmented().
         known: Names that things may have.
     """
 
     seed: int
     find: bool
+    plain: bool
     known: Descriptions
 
     def several(
@@ -156,7 +160,8 @@ class _Teller:
     ) -> tuple[Task, EpisodeRecord]:
         """An episode whose teacher is asked again what it would say."""
         drawn = "phrases" if way == "phrases" else f"{way} phrases"
-        usual = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
+        drawn_anew = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
+        usual = plainly if self.plain else drawn_anew
         say = usual if self.find else SayWithoutFinding(usual)
         match way:
             case "options":

@@ -10,9 +10,10 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from probe.agents.phrases import Say
+from probe.agents.phrases import Say, plainly
 from probe.episodes.participation import ModelReply
 from probe.episodes.record import EpisodeRecord, Step
+from probe.tasks.task import Task
 from probe.toolshed.result import MOVING
 from probe.train.choose.chosen import LoadedSelection
 from probe.train.collect.teacher import speaker
@@ -57,19 +58,23 @@ class SayWithoutFinding:
         return f"{self.say('listed thing', slots)} {by_id(said)}"
 
 
-def said_without_finding(chosen: LoadedSelection) -> LoadedSelection:
-    """A selection in whose words nobody looks for anything; its calls are as they were.
+def said_otherwise(chosen: LoadedSelection, *, find: bool, plain: bool) -> LoadedSelection:
+    """A selection in other words of the teacher; its calls are as they were.
 
     Args:
         chosen: The scripted teacher's episodes.
+        find: Whether it says that it looks for things.
+        plain: Whether it says each thing in one way alone.
 
     Raises:
         NotCertain: Somebody else taught, or the teacher would do something else today.
     """
-    episodes = (
-        (task, rephrased(task, record, SayWithoutFinding(speaker(task, record.run))))
-        for task, record in chosen.episodes
-    )
+
+    def say(task: Task, record: EpisodeRecord) -> Say:
+        usual = plainly if plain else speaker(task, record.run)
+        return usual if find else SayWithoutFinding(usual)
+
+    episodes = ((it, rephrased(it, record, say(it, record))) for it, record in chosen.episodes)
     return replace(chosen, episodes=tuple(episodes))
 
 
