@@ -115,12 +115,16 @@ def newcomers(graph: Graph, known: Collection[str | None], places: Sequence[Box]
 
 def is_offered(question: Question, seen: Seen) -> bool:
     """Whether what is seen is one of a question's options."""
-    return any(same(seen.name or "", text) for _, text in question.options)
+    return bool(_letters_of(question, seen))
 
 
 def _as_option(question: Question, seen: Seen) -> str:
-    letters = [letter for letter, text in question.options if same(seen.name or "", text)]
+    letters = _letters_of(question, seen)
     return f"option {letters[0]}" if letters else "no option"
+
+
+def _letters_of(question: Question, seen: Seen) -> list[str]:
+    return [letter for letter, text in question.options if same(seen.name or "", text)]
 
 
 def uncovered(

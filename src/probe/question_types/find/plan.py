@@ -5,19 +5,18 @@ from __future__ import annotations
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan, answer, none_of_them
 from probe.agents.phrases import Say
-from probe.agents.reading import Graph, Seen, same
+from probe.agents.reading import Graph, Seen
 from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
-from probe.agents.uncovering import FoundAnswer, remark_new
+from probe.agents.uncovering import FoundAnswer, is_offered, remark_new
 from probe.episodes.turns import Question
 
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Clear things away until one of the options shows, and point at it."""
     question, say = asked.question, asked.say
-    options = [text for _, text in question.options]
 
     def offered(seen: Seen) -> bool:
-        return any(same(seen.name or "", option) for option in options)
+        return is_offered(question, seen)
 
     search = Search(offered, asked.first, asked.rng, say=say, scale=asked.question.scale)
     yield from search.begin()
