@@ -19,8 +19,6 @@ LARGE_PX = 120
 """A thing whose box is at least this long and wide may hide something of everyday size."""
 
 _TRIES, _HIDERS_TRIES = 2, 5
-_MOST_TOLD = 4
-"""Things that it says may hide something."""
 _WITHSTOOD = 0.45
 """What a failed try takes from a thing's promise: after two, a hollow one still comes first."""
 
@@ -110,12 +108,14 @@ class Search:
         return f"{self.remarks} {words}".strip()
 
     def remark_to_search(self) -> None:
-        """Say which listed things may well hide something, the most promising first."""
+        """Say which listed things may well hide something, the most promising first.
+
+        All of them: then the next such list is this one without what has been searched, and what
+        is left to do can be read off the last turn.
+        """
         promising = [seen for seen in self._candidates() if self._promise(seen)[0] > 0]
         promising.sort(key=self._promise, reverse=True)
-        if each := with_ids(promising[:_MOST_TOLD]):
-            more = len(promising) - _MOST_TOLD
-            each = f"{each}; and {more} more" if more > 0 else each
+        if each := with_ids(promising):
             self.remark(self.say("to search", {"each": each}))
 
     @property

@@ -122,6 +122,16 @@ def test_of_what_is_new_it_says_which_option_it_is(said):
     assert noted[True] > 20 and noted[False] > 20
 
 
+def test_all_that_it_could_search_is_told_by_name_and_object_id(said):
+    lists = [
+        (known, [part.rsplit(", ", 1) for part in found[1].split("; ")])
+        for _, known, words in said
+        if (found := re.search(r"I could search this: (.*?)\. ", words))
+    ]
+    assert max(len(each) for _, each in lists) > 6
+    assert all(known[id][1] == name for known, each in lists for name, id in each)
+
+
 def test_object_ids_and_names_belong_together(said):
     forms = (
         r"(?:Next is|I turn to) the (?P<what>.*?), (?P<id>object_\d+)\.",
