@@ -51,6 +51,7 @@ EPISODES = {
         calling("", "find_object", '{"description": "white ball"}'),
         calling("", "grasp_and_remove", '{"object_id": "object_1"}'),
         calling("What has changed?", "perceive_scene", "{}"),
+        calling("A slip.", "grasp_and_remove", '{"object_id": "object_1"}'),
         calling("Now I know.", "answer_question", '{"choice": "B", "point": [12, 700]}'),
     ],
 }
@@ -158,14 +159,16 @@ def test_requests_are_what_training_shows_up_to_each_reply(
         run_in(order, url)
     record = kept(tmp_path / "out")[SUITE.tasks[0].id]
     assert seat_of(record).faults == () and record.answer is not None
-    # All that is said is learnt: an episode with a reminder wouldn't be chosen.
+    # All that isn't refused is learnt: an episode with a reminder wouldn't be chosen.
     assert not reminded(record)
     assert len(speaker.heard) == len(EPISODES[setting])
     batch = trained_on(record, speaker.bodies[-1], points, speaker, tmp_path)
     ids, labels = batch["input_ids"][0].tolist(), batch["labels"][0].tolist()
     tokenizer = tokenizer_of(speaker._processor)
     expected, end = [IGNORED] * len(ids), 0
-    for asked, reply in zip(speaker.heard, EPISODES[setting], strict=True):
+    refused = [step.status == "malformed" for step in record.steps] or [False]
+    assert sum(refused) == (setting == "text-only")
+    for asked, reply, slip in zip(speaker.heard, EPISODES[setting], refused, strict=True):
         sent = asked["input_ids"][0].tolist()
         assert ids[: len(sent)] == sent
         if setting != "text-only":
@@ -174,7 +177,8 @@ def test_requests_are_what_training_shows_up_to_each_reply(
         said = tokenizer.encode(f"{reply}<|im_end|>\n", add_special_tokens=False)
         assert ids[len(sent) : len(sent) + len(said)] == said
         end = len(sent) + len(said)
-        expected[len(sent) : end] = said
+        if not slip:
+            expected[len(sent) : end] = said
     if setting != "text-only":
         assert len(batch["pixel_values"]) == len(speaker.heard[-1]["pixel_values"])
     else:

@@ -23,13 +23,10 @@ from probe.files import check_new
 from probe.scene.setup import UR5_TABLE
 from probe.tasks.suite import check_known
 from probe.train.choose.chosen import LoadedSelection, read_selection
-from probe.train.dataset.augment.augmenting import (
-    Augmentation,
-    AugmentationWay,
-    augmented,
-)
+from probe.train.dataset.augment.augmenting import Augmentation, augmented
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listed_ids import said_otherwise, without_finding
+from probe.train.dataset.augment.teller import AugmentationWay
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
 from probe.train.dataset.folder import Form, write_dataset
@@ -88,9 +85,9 @@ def dataset(
             left to right, with its question in another wording, with other phrases of the scripted
             teacher, with its options or marks under other letters, with other names of all things,
             with other object_ids, with other colours (Compare alone), with other sizes of the two
-            marked things (Size alone), or without some things that nobody speaks of. Such examples
-            are marked and counted apart. In the setting text-only alone; by default nothing is
-            told again.
+            marked things (Size alone), without some things that nobody speaks of, or with a call
+            that is refused, as its object_id is out of date. Such examples are marked and counted
+            apart. In the setting text-only alone; by default nothing is told again.
         balance: Tell episodes of rare types up to four times in each of these ways, each time
             otherwise (mirrored once), the rarer the oftener.
         seed: Chooses the wordings, phrases, letters, names and so on of --augment.

@@ -38,6 +38,8 @@ class TrainingExample:
         tools: What may be called, as servers get it; JSON, empty without tools.
         augmented: How the episode is told otherwise than it went ("mirrored", ...); empty if
             it is told as it went.
+        not_learnt: Positions of the messages whose calls were of no use: malformed, or with an
+            object_id that isn't known or is out of date. Nobody should learn to say these.
     """
 
     id: str
@@ -47,6 +49,7 @@ class TrainingExample:
     messages: tuple[Message, ...]
     tools: str
     augmented: str = ""
+    not_learnt: frozenset[int] = frozenset()
 
     @property
     def pictures(self) -> tuple[bytes, ...]:
@@ -101,6 +104,7 @@ def example_of(
         messages=tuple(conversation),
         tools=tools,
         augmented=augmented,
+        not_learnt=_malformed(conversation, record),
     )
     _check_canary(made)
     return made
@@ -129,6 +133,13 @@ def _until_last_reply(conversation: Sequence[Message]) -> list[Message]:
     """Without what followed the last reply: no model is asked for anything after it."""
     last = max(n for n, message in enumerate(conversation) if message.role == "assistant")
     return list(conversation[: last + 1])
+
+
+def _malformed(conversation: Sequence[Message], record: EpisodeRecord) -> frozenset[int]:
+    """Positions of the replies one of whose calls was malformed."""
+    calls = {f"call_{n}" for n, it in enumerate(record.steps, 1) if it.status == "malformed"}
+    told = enumerate(conversation)
+    return frozenset(at for at, said in told if any(id in calls for id, _ in said.calls))
 
 
 def _check_canary(example: TrainingExample) -> None:

@@ -153,7 +153,8 @@ def _add(
         else:
             written.examples[example.question_type][example.setting] += 1
         written.pictures += len(example.pictures)
-        if others:
+        # Trainers that take these forms learn every turn.
+        if others and not example.not_learnt:
             paths = [_kept(folder, picture) for picture in example.pictures]
             written.sharegpt.append(sharegpt_row(example, [f"../{path}" for path in paths]))
             written.vila.append(vila_row(example, paths))

@@ -82,6 +82,7 @@ _WAYS = {
     "colours": "episodes of Compare, with other colours",
     "sizes": "episodes of Size, with other sizes of the marked things",
     "fewer": "episodes of these, with fewer things on the table",
+    "refused": "episodes of these, with a call that is refused, as its object_id is out of date",
 }
 
 

@@ -28,7 +28,10 @@ def trl_row(example: TrainingExample) -> Row:
         "arm": example.setting,
         "answer": example.letter,
         "augmented": example.augmented,
-        "messages": [_trl_message(message) for message in example.messages],
+        "messages": [
+            _trl_message(message, learnt=at not in example.not_learnt)
+            for at, message in enumerate(example.messages)
+        ],
         "images": [{"bytes": picture, "path": None} for picture in example.pictures],
         "tools": example.tools,
     }
@@ -67,7 +70,7 @@ def vila_row(example: TrainingExample, files: Sequence[str]) -> Row:
     }
 
 
-def _trl_message(message: Message) -> Row:
+def _trl_message(message: Message, *, learnt: bool) -> Row:
     parts: list[Row] = [{"type": "text", "text": message.text}] if message.text else []
     parts += [{"type": "image", "text": None} for _ in message.pictures]
     calls = [
@@ -83,6 +86,8 @@ def _trl_message(message: Message) -> Row:
         "content": parts,
         "tool_calls": calls or None,
         "tool_call_id": message.call_id or None,
+        # Called so, and 0 or 1, as in OpenAI's files for fine-tuning.
+        "weight": int(learnt) if message.role == "assistant" else None,
     }
 
 

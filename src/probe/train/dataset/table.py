@@ -48,6 +48,7 @@ def _features() -> Any:
         "content": List({"type": text, "text": text}),
         "tool_calls": List(call),
         "tool_call_id": text,
+        "weight": Value("int8"),
     }
     columns = dict.fromkeys(("id", "type", "arm", "answer", "augmented"), text)
     return Features({**columns, "messages": List(message), "images": List(Image()), "tools": text})

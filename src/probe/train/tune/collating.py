@@ -1,4 +1,4 @@
-"""Rows of a data set as a batch of tokens and pictures, with labels on the assistant's turns.
+"""Rows of a data set as a batch of tokens and pictures, with labels on the turns to be learnt.
 
 TRL's own collator leaves out the tools. Each row is encoded alone: rows have other tools or none.
 """
@@ -73,9 +73,30 @@ class Collator:
     def _one(self, row: Mapping[str, Any]) -> dict[str, Any]:
         tools = tools_of_row(row)
         made = dict(encoded(self._processor, of_row(row), tools, template=self._template))
-        mask = torch().as_tensor(made.pop("assistant_masks"))
-        made["labels"] = made["input_ids"].masked_fill(mask.reshape(1, -1) == 0, IGNORED)
+        mask = torch().as_tensor(made.pop("assistant_masks")).reshape(1, -1)
+        learnt = _of_weight(mask, _weights(row))
+        made["labels"] = made["input_ids"].masked_fill(learnt == 0, IGNORED)
         return made
+
+
+def _weights(row: Mapping[str, Any]) -> list[int]:
+    """0 for each of the assistant's turns that isn't to be learnt, else 1.
+
+    Rows that were written before there were weights have none, and are learnt whole.
+    """
+    said = (it for it in row["messages"] if it["role"] == "assistant")
+    return [1 if it.get("weight") is None else it["weight"] for it in said]
+
+
+def _of_weight(mask: Any, weights: Sequence[int]) -> Any:
+    """A mask of the assistant's turns, shape (1, tokens), without those of weight 0."""
+    if all(weights):
+        return mask
+    turns = (mask.diff(prepend=mask.new_zeros(1, 1)) == 1).cumsum(dim=1)
+    if int(turns[0, -1]) != len(weights):
+        reason = f"of {len(weights)} turns the template marks {int(turns[0, -1])}"
+        raise NotUnderstood(reason)
+    return mask * mask.new_tensor([0, *weights])[turns]
 
 
 def _joined(made: Sequence[dict[str, Any]], pad: int) -> dict[str, Any]:

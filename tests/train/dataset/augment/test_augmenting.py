@@ -18,13 +18,10 @@ from probe.train.choose.chosen import LoadedSelection, read_selection, write_sel
 from probe.train.choose.evaluation import evaluation_of
 from probe.train.choose.selection import Recipe, select
 from probe.train.collect.teacher import speaker
-from probe.train.dataset.augment.augmenting import (
-    Augmentation,
-    AugmentationWay,
-    augmented,
-)
+from probe.train.dataset.augment.augmenting import Augmentation, augmented
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding, said_otherwise
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.teller import AugmentationWay
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.folder import Form, write_dataset
 from probe.train.dataset.manifest import check_dataset

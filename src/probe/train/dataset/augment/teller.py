@@ -1,0 +1,135 @@
+"""Tells one episode again in one of the ways in which that may be done."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from probe.agents.phrases import PhraseBook, Say, plainly
+from probe.episodes.record import EpisodeRecord
+from probe.scene.seeds import generator
+from probe.tasks.task import Task
+from probe.train.collect.teacher import speaker
+from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
+from probe.train.dataset.augment.mirrored import mirrored
+from probe.train.dataset.augment.recolouring import recoloured
+from probe.train.dataset.augment.refusing import with_a_slip
+from probe.train.dataset.augment.renaming import Descriptions, renamed
+from probe.train.dataset.augment.renumbering import renumbered
+from probe.train.dataset.augment.reordering import reordered
+from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.resizing import resized
+from probe.train.dataset.augment.rewording import reworded
+from probe.train.dataset.augment.thinning import thinned
+
+AugmentationWay = Literal[
+    "mirrored",
+    "wordings",
+    "phrases",
+    "options",
+    "names",
+    "ids",
+    "colours",
+    "sizes",
+    "fewer",
+    "refused",
+]
+"""How an episode may be told again: mirrored left to right, asked in other words, with other
+phrases of its teacher, with its options or marks under other letters, with other names of all
+things, with other object_ids, with other colours (Compare), with other sizes of the marked things
+(Size), with fewer things on the table, or with a call that is refused."""
+
+
+@dataclass(frozen=True)
+class Teller:
+    """Tells episodes again.
+
+    Attributes:
+        seed, find, plain: As in augmented().
+        known: Names that things may have.
+    """
+
+    seed: int
+    find: bool
+    plain: bool
+    known: Descriptions
+
+    def several(
+        self, way: AugmentationWay, task: Task, record: EpisodeRecord, often: int
+    ) -> list[tuple[Task, EpisodeRecord]]:
+        """An episode told so often, each time otherwise; what comes out the same is left out.
+
+        Raises:
+            NotCertain: It can't be told so even once.
+        """
+        told, doubts = list[tuple[Task, EpisodeRecord]](), list[NotCertain]()
+        for time in range(often):
+            try:
+                again = self._once(way, task, record, time)
+            except NotCertain as doubt:
+                doubts.append(doubt)
+                continue
+            if again not in told:
+                told.append(again)
+        if not told:
+            raise doubts[0]
+        return told
+
+    def _once(
+        self, way: AugmentationWay, task: Task, record: EpisodeRecord, time: int
+    ) -> tuple[Task, EpisodeRecord]:
+        def rng(name: str) -> np.random.Generator:
+            # The first time is as without balance.
+            return generator(self.seed, name, task.id, record.run, *([time] if time else []))
+
+        if way == "mirrored":
+            return task, mirrored(task, self._shown(record))
+        if way == "wordings":
+            return task, reworded(task, self._shown(record), rng("wording"))
+        if way == "refused":
+            say = self._words(PhraseBook(rng("refused phrases")))
+            return task, with_a_slip(self._shown(record), rng("refused"), say)
+        task, again = self._said(way, task, record, rng)
+        return task, self._shown(again)
+
+    def _shown(self, record: EpisodeRecord) -> EpisodeRecord:
+        return record if self.find else without_finding(record)
+
+    def _words(self, usual: Say) -> Say:
+        """How the teacher speaks, plainly or as it usually would."""
+        chosen = plainly if self.plain else usual
+        return chosen if self.find else SayWithoutFinding(chosen)
+
+    def _said(
+        self,
+        way: AugmentationWay,
+        task: Task,
+        record: EpisodeRecord,
+        rng: Callable[[str], np.random.Generator],
+    ) -> tuple[Task, EpisodeRecord]:
+        """An episode whose teacher is asked again what it would say."""
+        drawn = "phrases" if way == "phrases" else f"{way} phrases"
+        drawn_anew = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
+        say = self._words(drawn_anew)
+        match way:
+            case "options":
+                return reordered(task, record, rng("options"), say)
+            case "names":
+                return renamed(task, record, rng("names"), say, self.known)
+            case "ids":
+                return renumbered(task, record, rng("ids"), say)
+            case "colours":
+                return recoloured(task, record, rng("colours"), say)
+            case "sizes":
+                return resized(task, record, rng("sizes"), say)
+            case "fewer":
+                return thinned(task, record, rng("fewer"), say)
+            case _:
+                again = rephrased(task, record, say)
+                if again == record:
+                    raise NotCertain(record.task, "its teacher's phrases came out the same")
+                return task, again

@@ -1,0 +1,115 @@
+"""Episodes with a slip: one turn is said again too late, is refused, and isn't learnt."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from packed_teacher import packed_episodes
+from painted_teacher import SIZE, taught
+from probe.agents.phrases import plainly
+from probe.assets.library import open_library
+from probe.episodes.play import set_table
+from probe.render.renderer import Renderer
+from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
+from probe.train.dataset.augment.refusing import with_a_slip
+from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.examples import example_of
+from probe.train.dataset.rows import trl_row
+from probe.train.dataset.text_only import no_pictures
+
+SAY = SayWithoutFinding(plainly)
+
+
+def listed(task, record):
+    return without_finding(rephrased(task, record, SAY))
+
+
+def slipped(record, seed=0):
+    return with_a_slip(record, np.random.default_rng(seed), SAY)
+
+
+@pytest.fixture(scope="module")
+def slips(episodes):
+    found = []
+    for task, record in episodes:
+        with suppress(NotCertain):
+            before = listed(task, record)
+            found.append((task, before, slipped(before)))
+    assert len(found) > len(episodes) / 2
+    return found
+
+
+def the_refused(record):
+    (at,) = (at for at, step in enumerate(record.steps) if step.status == "malformed")
+    return at
+
+
+def test_the_rest_is_as_it_was(slips):
+    for _, before, after in slips:
+        at = the_refused(after)
+        assert (*after.steps[:at], *after.steps[at + 2 :]) == before.steps
+        assert [reply.calls for reply in after.participation.replies] == [1] * len(after.steps)
+
+
+def test_an_earlier_turn_is_said_again_when_no_list_has_its_object_id_any_more(slips):
+    for _, before, after in slips:
+        at = the_refused(after)
+        again, look = after.steps[at : at + 2]
+        assert again.call in [step.call for step in before.steps[:at]]
+        id = again.call.values["object_id"]
+        assert f"object_id: {id}\n" not in look.text
+        assert any(f"object_id: {id}\n" in step.text for step in before.steps[:at])
+        assert again.text.startswith(f"{id} is out of date: ")
+        assert look.text == after.steps[at - 1].text
+        assert look.call.words == f"That didn't work with {id}. I look at how things stand."
+
+
+def test_slips_come_at_different_turns(slips):
+    before = max((it for _, it, _ in slips), key=lambda it: len(it.steps))
+    assert len({the_refused(slipped(before, seed)) for seed in range(20)}) > 2
+
+
+def test_all_but_the_slip_is_learnt(slips):
+    for task, _, after in slips:
+        example = example_of(task, after, no_pictures(after), augmented="refused")
+        rows = trl_row(example)["messages"]
+        said = [row for row in rows if row["role"] == "assistant"]
+        at = the_refused(after)
+        assert [row["weight"] for row in said] == [int(n != at) for n in range(len(said))]
+        assert all(row["weight"] is None for row in rows if row["role"] != "assistant")
+
+
+def test_where_nothing_is_out_of_date_there_is_no_slip():
+    record = listed(SIZE, taught())
+    first = next(n for n, it in enumerate(record.steps) if it.call.name == "grasp_and_remove")
+    seat = replace(record.participation, replies=record.participation.replies[: first + 1])
+    short = replace(record, steps=record.steps[: first + 1], participation=seat)
+    with pytest.raises(NotCertain, match="nothing is out of date"):
+        slipped(short)
+
+
+def test_an_episode_without_turns_left_has_no_slip():
+    record = listed(SIZE, taught())
+    many = 40 // len(record.steps) + 1
+    seat = replace(record.participation, replies=record.participation.replies * many)
+    with pytest.raises(NotCertain, match="no turns left"):
+        slipped(replace(record, steps=record.steps * many, participation=seat))
+
+
+@pytest.mark.slow  # Two tables with physics.
+def test_the_tools_refuse_it_so(tmp_path, cache):
+    episodes = packed_episodes(tmp_path)
+    longest = sorted(episodes, key=lambda it: -len(it[1].steps))[:2]
+    objects = open_library("procedural-2", None, cache)
+    with Renderer() as renderer:
+        for task, record in longest:
+            tools, _ = set_table(task, objects, renderer, pictures=False)
+            after = slipped(listed(task, record))
+            for step in after.steps[:-1]:
+                result = tools.call(step.call.name, step.call.values)
+                assert (result.text, result.status) == (step.text, step.status)

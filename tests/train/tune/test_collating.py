@@ -1,0 +1,68 @@
+"""The assistant's turns are learnt, but those of weight 0."""
+
+from __future__ import annotations
+
+import pytest
+
+from probe.train.tune import libraries
+from probe.train.tune.collating import IGNORED, Collator
+from probe.train.tune.conversations import NotUnderstood
+
+pytestmark = pytest.mark.slow  # PyTorch
+
+ROLES = ("system", "user", "assistant", "tool", "assistant", "tool", "assistant")
+
+
+class Marking:
+    """A tokenizer of one token a word, whose template marks what the assistant says."""
+
+    pad_token_id = 0
+
+    def apply_chat_template(self, conversation, **how):
+        torch = libraries.torch()
+        words = [
+            (len(word), said["role"] == "assistant")
+            for said in conversation
+            for part in said["content"]
+            for word in f"{said['role']} {part['text']}".split()
+        ]
+        ids = torch.tensor([[size for size, _ in words]])
+        return {"input_ids": ids, "assistant_masks": [[int(mine) for _, mine in words]]}
+
+
+def row(weights):
+    left = iter(weights)
+    return {
+        "tools": "",
+        "images": [],
+        "messages": [
+            {"role": role, "content": [{"type": "text", "text": f"{'word ' * (n + 1)}"}]}
+            | ({"weight": next(left)} if role == "assistant" else {"weight": None})
+            for n, role in enumerate(ROLES)
+        ],
+    }
+
+
+def learnt(weights):
+    """For each message, whether all, none or some of its tokens are learnt."""
+    batch = Collator(Marking(), "marks")([row(weights)])
+    labels, told, at = batch["labels"][0], [], 0
+    for n in range(len(ROLES)):
+        some = {label != IGNORED for label in labels[at : at + n + 2].tolist()}
+        told.append(some.pop() if len(some) == 1 else None)
+        at += n + 2
+    assert at == len(labels)
+    return told
+
+
+@pytest.mark.parametrize("weights", [(1, 1, 1), (0, 1, 1), (1, 0, 1), (1, 1, 0), (None,) * 3])
+def test_a_turn_of_weight_0_is_not_learnt(weights):
+    said = iter(weight != 0 for weight in weights)
+    assert learnt(weights) == [role == "assistant" and next(said) for role in ROLES]
+
+
+def test_a_template_that_marks_other_turns_is_an_error():
+    missing = row((1, 0, 1))
+    missing["messages"][4]["content"] = []
+    with pytest.raises(NotUnderstood, match="of 3 turns the template marks 2"):
+        Collator(Marking(), "marks")([missing])
