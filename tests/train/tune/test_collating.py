@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from probe.train.tune import libraries
@@ -30,7 +32,7 @@ class Marking:
         return {"input_ids": ids, "assistant_masks": [[int(mine) for _, mine in words]]}
 
 
-def row(weights):
+def row(weights) -> dict[str, Any]:
     left = iter(weights)
     return {
         "tools": "",

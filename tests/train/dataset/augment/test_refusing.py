@@ -12,6 +12,7 @@ from packed_teacher import packed_episodes
 from painted_teacher import SIZE, taught
 from probe.agents.phrases import plainly
 from probe.assets.library import open_library
+from probe.episodes.participation import ModelReply
 from probe.episodes.play import set_table
 from probe.render.renderer import Renderer
 from probe.train.dataset.augment.certain import NotCertain
@@ -21,6 +22,7 @@ from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.rows import trl_row
 from probe.train.dataset.text_only import no_pictures
+from probe.transcripts.messages import PLAIN
 
 SAY = SayWithoutFinding(plainly)
 
@@ -84,21 +86,22 @@ def test_all_but_the_slip_is_learnt(slips):
         assert all(row["weight"] is None for row in rows if row["role"] != "assistant")
 
 
+def of_steps(record, steps):
+    seat = replace(PLAIN, replies=tuple(ModelReply(1) for _ in steps))
+    return replace(record, steps=steps, participation=seat)
+
+
 def test_where_nothing_is_out_of_date_there_is_no_slip():
     record = listed(SIZE, taught())
     first = next(n for n, it in enumerate(record.steps) if it.call.name == "grasp_and_remove")
-    seat = replace(record.participation, replies=record.participation.replies[: first + 1])
-    short = replace(record, steps=record.steps[: first + 1], participation=seat)
     with pytest.raises(NotCertain, match="nothing is out of date"):
-        slipped(short)
+        slipped(of_steps(record, record.steps[: first + 1]))
 
 
 def test_an_episode_without_turns_left_has_no_slip():
     record = listed(SIZE, taught())
-    many = 40 // len(record.steps) + 1
-    seat = replace(record.participation, replies=record.participation.replies * many)
     with pytest.raises(NotCertain, match="no turns left"):
-        slipped(replace(record, steps=record.steps * many, participation=seat))
+        slipped(of_steps(record, record.steps * (40 // len(record.steps) + 1)))
 
 
 @pytest.mark.slow  # Two tables with physics.
