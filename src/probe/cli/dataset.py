@@ -25,7 +25,8 @@ from probe.tasks.suite import check_known
 from probe.train.choose.chosen import LoadedSelection, read_selection
 from probe.train.dataset.augment.augmenting import Augmentation, augmented
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.listed_ids import said_otherwise, without_finding
+from probe.train.dataset.augment.listed_ids import without_finding
+from probe.train.dataset.augment.speech import AS_TAUGHT, Speech, said_otherwise
 from probe.train.dataset.augment.teller import AugmentationWay
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
@@ -96,13 +97,12 @@ def dataset(
     """
     check_new(out)
     check_numbers({"--workers": workers})
-    _check(side, setting, graphs, augment, find=find, plain=plain)
+    speech = Speech(find, plain)
+    _check(side, setting, graphs, augment, speech)
     if balance and not augment:
         raise BadData("--balance", "does nothing without --augment", "Say --augment, too")
-    chosen = _in_setting(read_selection(selected), setting, graphs, find=find, plain=plain)
-    again = augmented(
-        chosen.episodes, augment or [], seed, find=find, plain=plain, balanced=balance
-    )
+    chosen = _in_setting(read_selection(selected), setting, graphs, speech)
+    again = augmented(chosen.episodes, augment or [], seed, speech, balanced=balance)
     chosen = chosen if find else _without_finding(chosen)
     opened = opener(pool)
     things = opened()
@@ -117,7 +117,7 @@ def dataset(
             pass
     counting = points or _points_of(chosen)
     specs = {spec.id: spec for spec in things.specs}
-    form = Form(name, counting, side, others, find, plain)
+    form = Form(name, counting, side, others, speech)
     examples = _examples(chosen, worker if setting is None else None, counting)
     told_again = _told_again(again, counting)
     manifest = write_dataset(out, chain(examples, told_again), chosen, form, specs, again)
@@ -131,20 +131,15 @@ def dataset(
 
 
 def _in_setting(
-    chosen: LoadedSelection,
-    setting: str | None,
-    graphs: Graphs | None,
-    *,
-    find: bool,
-    plain: bool,
+    chosen: LoadedSelection, setting: str | None, graphs: Graphs | None, speech: Speech
 ) -> LoadedSelection:
     """The episodes in a student's setting and in the words of one; all calls are there still."""
     if setting is not None:
         chosen = as_text_only(chosen, graphs or "full")
-    if find and not plain:
+    if speech == AS_TAUGHT:
         return chosen
-    with _no_doubt("--plain" if find else "--no-find"):
-        return said_otherwise(chosen, find=find, plain=plain)
+    with _no_doubt("--plain" if speech.find else "--no-find"):
+        return said_otherwise(chosen, speech)
 
 
 def _without_finding(said: LoadedSelection) -> LoadedSelection:
@@ -167,9 +162,7 @@ def _check(
     setting: str | None,
     graphs: Graphs | None,
     augment: list[AugmentationWay] | None,
-    *,
-    find: bool,
-    plain: bool,
+    speech: Speech,
 ) -> None:
     """See that each option is in range and does something."""
     whole = UR5_TABLE.picture_px
@@ -179,13 +172,13 @@ def _check(
         raise BadData("--side", f"does nothing with --setting {setting}", "Leave it out")
     asked = {
         "--graphs": graphs is not None,
-        "--no-find": not find,
-        "--plain": plain,
+        "--no-find": not speech.find,
+        "--plain": speech.plain,
         "--augment": bool(augment),
     }
     for option in [it for it, is_asked in asked.items() if is_asked and setting is None]:
         raise BadData(option, _IN_TEXT[option], "Say --setting text-only, too, or leave it out")
-    if plain and "phrases" in (augment or []):
+    if speech.plain and "phrases" in (augment or []):
         reason = "there are no other phrases with --plain"
         raise BadData("--augment phrases", reason, "Leave out one of them")
 

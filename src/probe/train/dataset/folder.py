@@ -16,6 +16,7 @@ from probe.errors import BadData
 from probe.files import check_new, whole_folder, write_bytes, write_text
 from probe.train.choose.chosen import LoadedSelection
 from probe.train.dataset.augment.augmenting import Augmentation
+from probe.train.dataset.augment.speech import AS_TAUGHT, Speech
 from probe.train.dataset.card import card, shown_in
 from probe.train.dataset.examples import TrainingExample
 from probe.train.dataset.manifest import Manifest, mark_of, write_manifest
@@ -59,16 +60,14 @@ class Form:
         points: How places are counted.
         side_px: Width and height of pictures.
         others: Whether LLaMA-Factory's and VILA's forms are written too.
-        find: Whether what the teacher looked for by find_object is told.
-        plain: Whether the teacher says each thing in one way alone.
+        speech: How the teacher speaks.
     """
 
     name: str
     points: str
     side_px: int
     others: bool = True
-    find: bool = True
-    plain: bool = False
+    speech: Speech = AS_TAUGHT
 
 
 @dataclass
@@ -134,8 +133,8 @@ def write_dataset(
             },
             augmented={way: dict(sorted(written.augmented[way].items())) for way in again.left_out},
             not_augmented={way: dict(some) for way, some in again.left_out.items()},
-            find=form.find,
-            plain=form.plain,
+            find=form.speech.find,
+            plain=form.speech.plain,
             files={path.relative_to(folder).as_posix(): mark_of(path) for path in files},
         )
         write_text(folder / CARD, card(form.name, manifest, chosen, specs))

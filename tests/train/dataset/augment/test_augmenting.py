@@ -19,8 +19,9 @@ from probe.train.choose.evaluation import evaluation_of
 from probe.train.choose.selection import Recipe, select
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.augmenting import Augmentation, augmented
-from probe.train.dataset.augment.listed_ids import SayWithoutFinding, said_otherwise
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.speech import Speech, said_otherwise
 from probe.train.dataset.augment.teller import AugmentationWay
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.folder import Form, write_dataset
@@ -29,6 +30,7 @@ from probe.train.dataset.text_only import as_text_only, no_pictures
 
 SHORT = "text-only, short graphs"
 FORM = Form("x", "pixels", 1024)
+PLAINLY = Speech(plain=True)
 REASON = "its teacher spoke freely, and may have quoted the question"
 
 
@@ -183,9 +185,9 @@ def test_plain_words_have_no_other_phrases(tmp_path):
 
 def test_plain_words_are_so_however_an_episode_is_told(chosen, episodes):
     taught = replace(chosen, episodes=tuple(episodes[::4]))
-    plain = said_otherwise(taught, find=True, plain=True)
+    plain = said_otherwise(taught, PLAINLY)
     ways: list[AugmentationWay] = ["wordings", "options", "names", "ids", "sizes", "fewer"]
-    again = augmented(plain.episodes, ways, 1, plain=True)
+    again = augmented(plain.episodes, ways, 1, PLAINLY)
     assert {way for way, _, _ in again.episodes} == {*ways}
     # Where marks change places, what was done first for A is done first for B.
     others = [(task, it) for way, task, it in again.episodes if way != "options" or not task.marks]
@@ -196,14 +198,14 @@ def test_plain_words_are_so_however_an_episode_is_told(chosen, episodes):
 
 def test_a_data_set_in_plain_words_says_so(tmp_path, chosen):
     manifest = write(
-        tmp_path / "data", chosen, Augmentation(), Form("x", "pixels", 1024, plain=True)
+        tmp_path / "data", chosen, Augmentation(), Form("x", "pixels", 1024, speech=PLAINLY)
     )
     assert manifest.plain
     assert "says each thing in one way alone" in (tmp_path / "data/README.md").read_text()
 
 
 def test_a_data_set_without_find_object_says_so(tmp_path, chosen):
-    form = Form("x", "pixels", 1024, find=False)
+    form = Form("x", "pixels", 1024, speech=Speech(find=False))
     manifest = write(tmp_path / "data", chosen, Augmentation(), form)
     assert not manifest.find
     card = (tmp_path / "data/README.md").read_text()
@@ -214,7 +216,7 @@ def test_a_data_set_without_find_object_says_so(tmp_path, chosen):
 
 def test_without_find_object_no_way_has_it():
     said = rephrased(SIZE, taught(), SayWithoutFinding(speaker(SIZE, 0)))
-    again = augmented([(SIZE, said)], ["mirrored", "wordings", "phrases"], 1, find=False)
+    again = augmented([(SIZE, said)], ["mirrored", "wordings", "phrases"], 1, Speech(find=False))
     assert [way for way, _, _ in again.episodes] == ["mirrored", "wordings", "phrases"]
     for _, _, told in again.episodes:
         calls = [step.call for step in told.steps]

@@ -14,6 +14,7 @@ from probe.train.dataset.augment.augmenting import augmented
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding
 from probe.train.dataset.augment.renumbering import renumbered
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.speech import Speech
 
 ID = re.compile(r"\bobject_\d+\b")
 
@@ -58,7 +59,7 @@ def test_they_are_ways_to_tell_a_selection_again(find):
     record = taught()
     if not find:
         record = rephrased(SIZE, record, SayWithoutFinding(speaker(SIZE, 0)))
-    again = augmented([(SIZE, record)], ["ids", "names"], 0, find=find)
+    again = augmented([(SIZE, record)], ["ids", "names"], 0, Speech(find))
     assert [way for way, _, _ in again.episodes] == ["ids"]
     assert again.left_out == {"ids": {}, "names": {"there are too few other names": 1}}
     calls = {step.call.name for step in again.episodes[0][2].steps}

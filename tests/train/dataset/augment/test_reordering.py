@@ -17,6 +17,7 @@ from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding
 from probe.train.dataset.augment.reordering import reordered
 from probe.train.dataset.augment.rephrasing import rephrased
+from probe.train.dataset.augment.speech import Speech
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.text_only import no_pictures
 
@@ -101,7 +102,7 @@ def test_an_example_has_the_new_letter(episodes, find):
         (task, rephrased(task, record, SayWithoutFinding(speaker(task, record.run))))
         for task, record in episodes
     ]
-    again = augmented(said if not find else episodes, ["options"], 0, find=find)
+    again = augmented(said if not find else episodes, ["options"], 0, Speech(find))
     assert len(again.episodes) == len(episodes)
     calls = [step.call.name for _, _, record in again.episodes for step in record.steps]
     assert ("find_object" in calls) is find

@@ -10,6 +10,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.tasks.task import Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.renaming import descriptions_in
+from probe.train.dataset.augment.speech import AS_TAUGHT, Speech
 from probe.train.dataset.augment.teller import AugmentationWay, Teller
 
 _MOST_TIMES = 4
@@ -34,9 +35,8 @@ def augmented(
     episodes: Sequence[tuple[Task, EpisodeRecord]],
     ways: Sequence[AugmentationWay],
     seed: int,
+    speech: Speech = AS_TAUGHT,
     *,
-    find: bool = True,
-    plain: bool = False,
     balanced: bool = False,
 ) -> Augmentation:
     """Tell each episode once more in each of some ways, where that is certain.
@@ -45,10 +45,7 @@ def augmented(
         episodes: In the setting "text-only", with their tasks.
         ways: How.
         seed: Chooses among other wordings, phrases, letters, names and object_ids.
-        find: Whether what the teacher looks for by find_object is told; if not, in words of
-            said_otherwise().
-        plain: Whether the teacher says each thing in one way alone; then there are no other
-            phrases.
+        speech: How the teacher speaks in the data set. Plainly, it has no other phrases.
         balanced: Whether those of rare types are told several times in each way, up to four, each
             time otherwise.
     """
@@ -56,7 +53,7 @@ def augmented(
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
     times = _times(episodes) if balanced else Counter[str]()
     records = [record for _, record in episodes] if "names" in ways else []
-    teller = Teller(seed, find, plain, descriptions_in(records))
+    teller = Teller(seed, speech, descriptions_in(records))
     for way in left_out:
         for task, record in episodes:
             often = 1 if way == "mirrored" else max(1, times[task.question_type])

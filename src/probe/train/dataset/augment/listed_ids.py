@@ -10,15 +10,11 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from probe.agents.phrases import Say, plainly
+from probe.agents.phrases import Say
 from probe.episodes.participation import ModelReply
 from probe.episodes.record import EpisodeRecord, Step
-from probe.tasks.task import Task
 from probe.toolshed.result import MOVING
-from probe.train.choose.chosen import LoadedSelection
-from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.teacher_words import by_id
 from probe.transcripts.messages import PLAIN
 
@@ -56,26 +52,6 @@ class SayWithoutFinding:
             return self.say(occasion, slots)
         said = self.say(occasion, told if occasion in _NAMED_BEFORE else slots)
         return f"{self.say('listed thing', slots)} {by_id(said)}"
-
-
-def said_otherwise(chosen: LoadedSelection, *, find: bool, plain: bool) -> LoadedSelection:
-    """A selection in other words of the teacher; its calls are as they were.
-
-    Args:
-        chosen: The scripted teacher's episodes.
-        find: Whether it says that it looks for things.
-        plain: Whether it says each thing in one way alone.
-
-    Raises:
-        NotCertain: Somebody else taught, or the teacher would do something else today.
-    """
-
-    def say(task: Task, record: EpisodeRecord) -> Say:
-        usual = plainly if plain else speaker(task, record.run)
-        return usual if find else SayWithoutFinding(usual)
-
-    episodes = ((it, rephrased(it, record, say(it, record))) for it, record in chosen.episodes)
-    return replace(chosen, episodes=tuple(episodes))
 
 
 def without_finding(record: EpisodeRecord) -> EpisodeRecord:

@@ -8,13 +8,13 @@ from typing import Literal
 
 import numpy as np
 
-from probe.agents.phrases import PhraseBook, Say, plainly
+from probe.agents.phrases import PhraseBook
 from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
+from probe.train.dataset.augment.listed_ids import without_finding
 from probe.train.dataset.augment.mirrored import mirrored
 from probe.train.dataset.augment.recolouring import recoloured
 from probe.train.dataset.augment.refusing import with_a_slip
@@ -24,6 +24,7 @@ from probe.train.dataset.augment.reordering import reordered
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.resizing import resized
 from probe.train.dataset.augment.rewording import reworded
+from probe.train.dataset.augment.speech import Speech
 from probe.train.dataset.augment.thinning import thinned
 
 AugmentationWay = Literal[
@@ -49,13 +50,12 @@ class Teller:
     """Tells episodes again.
 
     Attributes:
-        seed, find, plain: As in augmented().
+        seed, speech: As in augmented().
         known: Names that things may have.
     """
 
     seed: int
-    find: bool
-    plain: bool
+    speech: Speech
     known: Descriptions
 
     def several(
@@ -91,18 +91,13 @@ class Teller:
         if way == "wordings":
             return task, reworded(task, self._shown(record), rng("wording"))
         if way == "refused":
-            say = self._words(PhraseBook(rng("refused phrases")))
+            say = self.speech.words(PhraseBook(rng("refused phrases")))
             return task, with_a_slip(self._shown(record), rng("refused"), say)
         task, again = self._said(way, task, record, rng)
         return task, self._shown(again)
 
     def _shown(self, record: EpisodeRecord) -> EpisodeRecord:
-        return record if self.find else without_finding(record)
-
-    def _words(self, usual: Say) -> Say:
-        """How the teacher speaks, plainly or as it usually would."""
-        chosen = plainly if self.plain else usual
-        return chosen if self.find else SayWithoutFinding(chosen)
+        return record if self.speech.find else without_finding(record)
 
     def _said(
         self,
@@ -114,7 +109,7 @@ class Teller:
         """An episode whose teacher is asked again what it would say."""
         drawn = "phrases" if way == "phrases" else f"{way} phrases"
         drawn_anew = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
-        say = self._words(drawn_anew)
+        say = self.speech.words(drawn_anew)
         match way:
             case "options":
                 return reordered(task, record, rng("options"), say)
