@@ -51,10 +51,37 @@ def test_the_teacher_speaks_of_the_new_colours(episodes):
         assert named and {*COLOUR.findall(last)} <= {*COLOUR.findall(all_told(after))}
 
 
-def test_which_is_darker_may_be_another_one_then(episodes):
-    task, record = next(it for it in episodes if it[0].form == "darker")
-    with pytest.raises(NotCertain, match="which of other colours is darker may be close"):
-        told(task, record)
+# By eye: each of the first is clearly darker than each of the second, those of a pair aren't.
+DARK, LIGHT = ("black", "brown", "purple"), ("white", "yellow", "beige")
+ALIKE = ({"red", "blue"}, {"green", "gray"}, {"tan", "pink"}, {"silver", "pink"})
+
+
+@pytest.fixture(scope="module")
+def darker(episodes):
+    """Right letter, given letter and both colours that the teacher names, in many colours."""
+    task, record = next(
+        (task, it)
+        for task, it in episodes
+        if task.form == "darker" and it.answer and it.answer.choice == task.answer
+    )
+    found = []
+    for seed in range(40):
+        now, after = told(task, record, seed)
+        one, two = re.findall(rf"\bis ({'|'.join(KNOWN)})\b", after.steps[-1].call.words)
+        found.append((now.answer, after.answer and after.answer.choice, one, two))
+    return found
+
+
+def test_the_darker_one_is_clearly_darker_and_may_be_the_other_one(darker):
+    assert {right for right, *_ in darker} == {"A", "B"}
+    assert all(right == given for right, given, *_ in darker)
+    a = [right for right, _, one, two in darker if one in DARK and two in LIGHT]
+    b = [right for right, _, one, two in darker if one in LIGHT and two in DARK]
+    assert {*a} == {"A"} and {*b} == {"B"} and len(a) + len(b) > 4
+
+
+def test_colours_of_about_the_same_lightness_are_not_taken(darker):
+    assert not [it for it in darker if {*it[2:]} in ALIKE or it[2] == it[3]]
 
 
 def test_where_no_colour_is_asked_for_they_stay(episodes):

@@ -3,23 +3,36 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from contextlib import suppress
 
 import numpy as np
 
 from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord
-from probe.perception.colour_words import KNOWN
+from probe.perception.colour_words import KNOWN, colours_in
 from probe.tasks.task import Task
+from probe.tasks.truth import DARKER
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.retelling import check_scripted, retold
+from probe.train.dataset.augment.retelling import (
+    SlotListener,
+    changed,
+    check_scripted,
+    retold,
+    with_its_answer,
+)
 
 _COLOUR = re.compile(rf"\b(?:{'|'.join(KNOWN)})\b")
+_TRIES = 20
 
 
 def recoloured(
     task: Task, record: EpisodeRecord, rng: np.random.Generator, say: Say
 ) -> tuple[Task, EpisodeRecord]:
     """A task and an episode in which each colour has become another one, wherever it is named.
+
+    Where the darker thing is asked for, it is the one whose new colour is clearly darker, and may
+    have the other letter.
 
     Args:
         task: What the episode is about.
@@ -28,14 +41,42 @@ def recoloured(
         say: Chooses the teacher's words.
 
     Raises:
-        NotCertain: No colour is asked for, or which is darker; or the teacher isn't the scripted
-            one, or would do something else.
+        NotCertain: No colour is asked for, none that was tried is clearly darker, or the teacher
+            isn't the scripted one, or would do something else.
     """
     check_scripted(record)
     if task.question_type != "compare":
         raise NotCertain(record.task, "its colours don't matter")
-    if task.form == "darker":
-        raise NotCertain(record.task, "which of other colours is darker may be close")
-    others: list[str] = rng.permutation(KNOWN).tolist()
-    now = dict(zip(KNOWN, others, strict=True))
-    return retold(task, record, lambda text: _COLOUR.sub(lambda it: now[it[0]], text), say)
+    if task.form != "darker":
+        return retold(task, record, _Colours(rng), say)
+    for _ in range(_TRIES):
+        listener = SlotListener(say, "colour_one")
+        with suppress(NotCertain):  # of colours that are equally dark to the teacher
+            told = with_its_answer(*changed(task, record, _Colours(rng)), listener)
+            if _clearly_darker(listener.heard) == told[0].answer:
+                return told
+    raise NotCertain(record.task, "no other colours make one thing clearly darker")
+
+
+class _Colours:
+    """Changes each colour of a text into another one, always the same."""
+
+    def __init__(self, rng: np.random.Generator) -> None:
+        others: list[str] = rng.permutation(KNOWN).tolist()
+        self._now = dict(zip(KNOWN, others, strict=True))
+
+    def __call__(self, text: str) -> str:
+        return _COLOUR.sub(lambda it: self._now[it[0]], text)
+
+
+def _clearly_darker(compared: Mapping[str, str]) -> str | None:
+    """Letter of the thing that is darker by the first colour of its name, its shade included."""
+    if not compared:
+        return None
+    a, b = (
+        colours_in(f"{compared[which]} {compared[f'colour_{which}']}")[0][0]
+        for which in ("one", "two")
+    )
+    if abs(a - b) < DARKER:
+        return None
+    return "A" if a < b else "B"

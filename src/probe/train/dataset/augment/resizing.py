@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import islice
 
 import numpy as np
@@ -17,7 +15,12 @@ from probe.tasks.task import Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.other_boxes import Factors, other_factors, resized_box
 from probe.train.dataset.augment.rephrasing import rephrased
-from probe.train.dataset.augment.retelling import changed, check_scripted, with_its_answer
+from probe.train.dataset.augment.retelling import (
+    SlotListener,
+    changed,
+    check_scripted,
+    with_its_answer,
+)
 
 _TRIES = 8
 _SIZED = re.compile(
@@ -44,33 +47,21 @@ def resized(
     check_scripted(record)
     if task.question_type != "size":
         raise NotCertain(record.task, "its sizes don't matter")
-    asked = _Listener(say)
+    asked = SlotListener(say, "size_one")
     rephrased(task, record, asked)
-    if asked.compared is None:
+    if not asked.heard:
         raise NotCertain(record.task, "its teacher named no two things")
+    compared = asked.heard["one"], asked.heard["two"]
     doubts, side_px = list[NotCertain](), record.scale.side_px
     seen = [it for step in record.steps for it in read_graph(step.text).objects]
     marks = [mark.point for mark in task.marks]
-    for factors in islice(other_factors(asked.compared, seen, marks, side_px, rng), _TRIES):
+    for factors in islice(other_factors(compared, seen, marks, side_px, rng), _TRIES):
         told = changed(task, record, lambda text, by=factors: _with_sizes(text, by, side_px))[1]
         try:
             return with_its_answer(task, told, say)
         except NotCertain as doubt:
             doubts.append(doubt)
     raise doubts[0] if doubts else NotCertain(record.task, "no other sizes fit what shows")
-
-
-@dataclass
-class _Listener:
-    """A Say that remembers what the two marked things are called."""
-
-    say: Say
-    compared: tuple[str, str] | None = None
-
-    def __call__(self, occasion: str, slots: Mapping[str, str]) -> str:
-        if "size_one" in slots:
-            self.compared = (slots["one"], slots["two"])
-        return self.say(occasion, slots)
 
 
 def _with_sizes(text: str, factors: Factors, side_px: int) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from typing import Any, cast
 
 from probe.agents.phrases import Say
@@ -12,6 +12,26 @@ from probe.episodes.turns import Call
 from probe.tasks.task import LETTERS, Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.rephrasing import check_teacher, rephrased
+
+
+@dataclass
+class SlotListener:
+    """A Say that remembers what filled the slots of the last occasion that has a certain one.
+
+    Attributes:
+        say: Gives the words.
+        slot: Which one.
+        heard: All slots of that occasion; empty as long as there was none.
+    """
+
+    say: Say
+    slot: str
+    heard: Mapping[str, str] = field(default_factory=dict[str, str])
+
+    def __call__(self, occasion: str, slots: Mapping[str, str]) -> str:
+        if self.slot in slots:
+            self.heard = slots
+        return self.say(occasion, slots)
 
 
 def check_scripted(record: EpisodeRecord) -> None:
