@@ -11,6 +11,7 @@ import pytest
 from packed_teacher import packed_episodes
 from painted_teacher import SIZE, taught
 from probe.agents.phrases import plainly
+from probe.agents.reading import read_graph
 from probe.assets.library import open_library
 from probe.episodes.participation import ModelReply
 from probe.episodes.play import set_table
@@ -58,17 +59,39 @@ def test_the_rest_is_as_it_was(slips):
         assert [reply.calls for reply in after.participation.replies] == [1] * len(after.steps)
 
 
-def test_an_earlier_turn_is_said_again_when_no_list_has_its_object_id_any_more(slips):
+def by_a_former_id(after, at):
+    """Whether it is the turn that comes, with an object_id that its thing had before."""
+    slip, coming = after.steps[at].call, after.steps[at + 2].call
+    ids = [it.values.get("object_id") for it in (slip, coming)]
+    if ids[1] is None or slip.words.replace(*ids) != coming.words:
+        return False
+    lists = [read_graph(it.text) for it in after.steps if it.call.name == "perceive_scene"]
+    one, two = (
+        {seen.name for it in lists for seen in it.objects if seen.object_id == id} for id in ids
+    )
+    return bool(one & two - {None})
+
+
+def test_an_earlier_turn_is_said_again_or_the_coming_one_with_a_former_object_id(slips):
+    kinds = set[bool]()
     for _, before, after in slips:
         at = the_refused(after)
+        again = after.steps[at].call in [step.call for step in before.steps[:at]]
+        assert again != by_a_former_id(after, at)
+        kinds.add(again)
+    assert kinds == {True, False}
+
+
+def test_its_object_id_is_in_no_list_any_more(slips):
+    for _, _, after in slips:
+        at = the_refused(after)
         again, look = after.steps[at : at + 2]
-        assert again.call in [step.call for step in before.steps[:at]]
         id = again.call.values["object_id"]
         assert f"object_id: {id}\n" not in look.text
-        assert any(f"object_id: {id}\n" in step.text for step in before.steps[:at])
+        assert any(f"object_id: {id}\n" in step.text for step in after.steps[:at])
         assert again.text.startswith(f"{id} is out of date: ")
         assert look.text == after.steps[at - 1].text
-        assert look.call.words == f"That didn't work with {id}. I look at how things stand."
+        assert look.call.words == f"By now {id} is out of date. I look at what there is."
 
 
 def test_slips_come_at_different_turns(slips):
