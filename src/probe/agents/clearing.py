@@ -110,8 +110,7 @@ class Search:
     def remark_to_search(self) -> None:
         """Say which listed things may well hide something, the most promising first.
 
-        All of them: then the next such list is this one without what has been searched, and what
-        is left to do can be read off the last turn.
+        All of them: then most of the next such list can be copied from this one.
         """
         promising = [seen for seen in self._candidates() if self._promise(seen)[0] > 0]
         promising.sort(key=self._promise, reverse=True)

@@ -18,7 +18,7 @@ from probe import __version__
 from probe.episodes.turns import Call, Question
 from probe.interfaces.session import Session
 from probe.interfaces.words import instructions, question_text
-from probe.toolshed.result import ToolResult
+from probe.toolshed.result import DID_NOTHING, ToolResult
 from probe.toolshed.tools import tool_schemas
 from probe.transcripts.pictures import jpeg
 from probe.types import USUAL_SCALE, PictureScale
@@ -108,4 +108,4 @@ def _told(result: ToolResult) -> Told:
     if result.picture is not None:
         content.append(Image(data=jpeg(result.picture), format="jpeg").to_image_content())
     # To a client, an error is a call that did nothing; a grasp that failed is a result.
-    return Told(content, is_error=result.status in ("malformed", "refused"))
+    return Told(content, is_error=result.status in DID_NOTHING)

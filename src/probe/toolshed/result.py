@@ -9,6 +9,9 @@ from probe.types import Array
 
 Status = Literal["done", "failed", "malformed", "refused"]
 
+DID_NOTHING = frozenset[Status]({"malformed", "refused"})
+"""How a call went that cost its turn and no more."""
+
 MOVING = ("grasp_and_remove", "push")
 """Tools that move something."""
 

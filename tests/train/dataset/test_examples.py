@@ -6,10 +6,12 @@ from dataclasses import replace
 import pytest
 
 from lessons import lesson, training_task
+from probe.episodes.participation import ModelReply
 from probe.episodes.turns import Call
 from probe.errors import BadData
 from probe.tasks.suite_file import CANARY
 from probe.train.dataset.examples import Canary, example_of
+from probe.train.dataset.rows import trl_row
 from probe.transcripts.messages import messages
 from probe.transcripts.tools import as_sent
 from train.conftest import LESSONS, shown_in
@@ -67,6 +69,25 @@ def test_words_along_with_calls_count_places_as_the_calls_do():
     assert record.participation is not None
     counted = replace(record, participation=replace(record.participation, points="0-1000"))
     assert example_of(it.task, counted, shown_in(it)).messages[2].text == call.words
+
+
+@pytest.mark.parametrize(
+    ("status", "learnt"), [("done", 1), ("failed", 1), ("malformed", 0), ("refused", 0)]
+)
+def test_a_reply_with_a_call_that_did_nothing_is_not_learnt(status, learnt):
+    it = lesson(training_task(1), statuses=[("mug", status), ("pot", "done")])
+    assert [step.status for step in it.record.steps].index(status, 1) == 1
+    seat = it.record.participation
+    assert seat is not None
+    alone = [ModelReply(1) for _ in it.record.steps]
+    for replies, first in (
+        (alone, [1, learnt, 1, 1, 1]),
+        ([ModelReply(2), *alone[2:]], [learnt, 1, 1, 1]),
+    ):
+        record = replace(it.record, participation=replace(seat, replies=tuple(replies)))
+        rows = trl_row(example_of(it.task, record, shown_in(it)))["messages"]
+        assert [row["weight"] for row in rows if row["role"] == "assistant"] == first
+        assert {row["weight"] for row in rows if row["role"] != "assistant"} == {None}
 
 
 def test_a_canary_in_a_text_is_refused():

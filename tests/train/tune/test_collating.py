@@ -1,4 +1,4 @@
-"""The assistant's turns are learnt, but those of weight 0."""
+"""All of the assistant's turns are learnt except those of weight 0."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 from probe.train.tune import libraries
-from probe.train.tune.collating import IGNORED, Collator
-from probe.train.tune.conversations import NotUnderstood
+from probe.train.tune.collating import IGNORED, Collator, OtherTurns
 
 pytestmark = pytest.mark.slow  # PyTorch
 
@@ -35,6 +34,7 @@ class Marking:
 def row(weights) -> dict[str, Any]:
     left = iter(weights)
     return {
+        "id": "count-1-refused",
         "tools": "",
         "images": [],
         "messages": [
@@ -45,9 +45,9 @@ def row(weights) -> dict[str, Any]:
     }
 
 
-def learnt(weights):
+def learnt(example):
     """For each message, whether all, none or some of its tokens are learnt."""
-    batch = Collator(Marking(), "marks")([row(weights)])
+    batch = Collator(Marking(), "marks")([example])
     labels, told, at = batch["labels"][0], [], 0
     for n in range(len(ROLES)):
         some = {label != IGNORED for label in labels[at : at + n + 2].tolist()}
@@ -60,11 +60,18 @@ def learnt(weights):
 @pytest.mark.parametrize("weights", [(1, 1, 1), (0, 1, 1), (1, 0, 1), (1, 1, 0), (None,) * 3])
 def test_a_turn_of_weight_0_is_not_learnt(weights):
     said = iter(weight != 0 for weight in weights)
-    assert learnt(weights) == [role == "assistant" and next(said) for role in ROLES]
+    assert learnt(row(weights)) == [role == "assistant" and next(said) for role in ROLES]
+
+
+def test_rows_of_before_there_were_weights_are_learnt_whole():
+    before = row((1, 1, 1))
+    for message in before["messages"]:
+        del message["weight"]
+    assert learnt(before) == [role == "assistant" for role in ROLES]
 
 
 def test_a_template_that_marks_other_turns_is_an_error():
     missing = row((1, 0, 1))
     missing["messages"][4]["content"] = []
-    with pytest.raises(NotUnderstood, match="of 3 turns the template marks 2"):
+    with pytest.raises(OtherTurns, match="^count-1-refused: .* 3 turns .* marks 2, .*Qwen's"):
         Collator(Marking(), "marks")([missing])

@@ -9,7 +9,7 @@ from typing import Literal
 
 from probe.agents.reading import read_handles
 from probe.episodes.record import EpisodeRecord, Step
-from probe.toolshed.result import MOVING
+from probe.toolshed.result import DID_NOTHING, MOVING
 
 Waste = Literal[
     "too many manipulations", "failed twice at one thing", "a call or reply that did nothing"
@@ -43,7 +43,7 @@ def waste(record: EpisodeRecord, limit: int) -> Waste | None:
         return "too many manipulations"
     if any(count > 1 for count in failures(record).values()):
         return "failed twice at one thing"
-    if reminded(record) or any(step.status in ("malformed", "refused") for step in record.steps):
+    if reminded(record) or any(step.status in DID_NOTHING for step in record.steps):
         return "a call or reply that did nothing"
     return None
 

@@ -15,6 +15,7 @@ from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.tasks.suite_file import CANARY
 from probe.tasks.task import Task
+from probe.toolshed.result import DID_NOTHING
 from probe.train.dataset.showing import EpisodePictures
 from probe.transcripts.coordinates import told
 from probe.transcripts.messages import PLAIN, Message, messages
@@ -38,8 +39,8 @@ class TrainingExample:
         tools: What may be called, as servers get it; JSON, empty without tools.
         augmented: How the episode is told otherwise than it went ("mirrored", ...); empty if
             it is told as it went.
-        not_learnt: Positions of the messages whose calls were of no use: malformed, or with an
-            object_id that isn't known or is out of date. Nobody should learn to say these.
+        not_learnt: Positions of the messages with a call that did nothing. Nobody should learn to
+            say these.
     """
 
     id: str
@@ -104,7 +105,7 @@ def example_of(
         messages=tuple(conversation),
         tools=tools,
         augmented=augmented,
-        not_learnt=_malformed(conversation, record),
+        not_learnt=_of_no_use(conversation, record),
     )
     _check_canary(made)
     return made
@@ -135,9 +136,9 @@ def _until_last_reply(conversation: Sequence[Message]) -> list[Message]:
     return list(conversation[: last + 1])
 
 
-def _malformed(conversation: Sequence[Message], record: EpisodeRecord) -> frozenset[int]:
-    """Positions of the replies one of whose calls was malformed."""
-    calls = {f"call_{n}" for n, it in enumerate(record.steps, 1) if it.status == "malformed"}
+def _of_no_use(conversation: Sequence[Message], record: EpisodeRecord) -> frozenset[int]:
+    """Positions of the replies one of whose calls did nothing."""
+    calls = {f"call_{n}" for n, it in enumerate(record.steps, 1) if it.status in DID_NOTHING}
     told = enumerate(conversation)
     return frozenset(at for at, said in told if any(id in calls for id, _ in said.calls))
 

@@ -152,7 +152,7 @@ def _add(
         else:
             written.examples[example.question_type][example.setting] += 1
         written.pictures += len(example.pictures)
-        # Trainers that take these forms learn every turn.
+        # These forms can't tell which turns aren't to be learnt.
         if others and not example.not_learnt:
             paths = [_kept(folder, picture) for picture in example.pictures]
             written.sharegpt.append(sharegpt_row(example, [f"../{path}" for path in paths]))

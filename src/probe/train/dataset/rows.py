@@ -86,7 +86,7 @@ def _trl_message(message: Message, *, learnt: bool) -> Row:
         "content": parts,
         "tool_calls": calls or None,
         "tool_call_id": message.call_id or None,
-        # Called so, and 0 or 1, as in OpenAI's files for fine-tuning.
+        # Name and values are those of OpenAI's files for fine-tuning.
         "weight": int(learnt) if message.role == "assistant" else None,
     }
 

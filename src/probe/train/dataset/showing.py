@@ -17,12 +17,12 @@ from probe.scene.setup import UR5_TABLE
 from probe.tasks.marks import drawn
 from probe.tasks.task import Task
 from probe.toolshed.pictures import outlined
+from probe.toolshed.result import DID_NOTHING
 from probe.transcripts.pictures import jpeg
 from probe.transcripts.prompts import setting_named
 from probe.types import Array
 
 _NOTHING = Words(None, "", (), "")
-_SILENT = ("malformed", "refused")
 
 
 class OtherPerception(ProbeError):
@@ -101,7 +101,7 @@ def _result(
     task: Task, record: EpisodeRecord, step: Step, before: Scene, scene_renderer: SceneRenderer
 ) -> Array | None:
     """What a step's result showed: nothing if nothing was done, else the table after it."""
-    if step.status in _SILENT or step.call.name == "answer_question":
+    if step.status in DID_NOTHING or step.call.name == "answer_question":
         return None
     if step.call.name != "find_object":
         return _picture(task, record, step.after.scene, scene_renderer)

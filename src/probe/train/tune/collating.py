@@ -8,12 +8,24 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from probe.errors import ProbeError
 from probe.train.tune.conversations import Conversation, NotUnderstood, of_row, tools_of_row
 from probe.train.tune.libraries import torch
 from probe.train.tune.processors import sees, tokenizer_of
 
 IGNORED = -100
 """Label of a token on which no loss is taken."""
+
+
+class OtherTurns(ProbeError):
+    """Turns that a chat template marks aren't the assistant's, one by one."""
+
+    def __init__(self, id: str, said: int, marked: int) -> None:
+        super().__init__(
+            f"{id}: of the assistant's {said} turns the chat template marks {marked}, so that "
+            "those of weight 0 can't be left out. Write the data set without --augment refused, or "
+            "train a model with Qwen's template."
+        )
 
 
 def encoded(
@@ -74,7 +86,7 @@ class Collator:
         tools = tools_of_row(row)
         made = dict(encoded(self._processor, of_row(row), tools, template=self._template))
         mask = torch().as_tensor(made.pop("assistant_masks")).reshape(1, -1)
-        learnt = _of_weight(mask, _weights(row))
+        learnt = _of_weight(mask, _weights(row), row["id"])
         made["labels"] = made["input_ids"].masked_fill(learnt == 0, IGNORED)
         return made
 
@@ -88,14 +100,13 @@ def _weights(row: Mapping[str, Any]) -> list[int]:
     return [1 if it.get("weight") is None else it["weight"] for it in said]
 
 
-def _of_weight(mask: Any, weights: Sequence[int]) -> Any:
+def _of_weight(mask: Any, weights: Sequence[int], id: str) -> Any:
     """A mask of the assistant's turns, shape (1, tokens), without those of weight 0."""
     if all(weights):
         return mask
     turns = (mask.diff(prepend=mask.new_zeros(1, 1)) == 1).cumsum(dim=1)
     if int(turns[0, -1]) != len(weights):
-        reason = f"of {len(weights)} turns the template marks {int(turns[0, -1])}"
-        raise NotUnderstood(reason)
+        raise OtherTurns(id, len(weights), int(turns[0, -1]))
     return mask * mask.new_tensor([0, *weights])[turns]
 
 

@@ -1,4 +1,4 @@
-"""Trains a model on a data set with TRL: all weights or LoRA's, loss on the assistant's turns."""
+"""Trains a model on a data set with TRL: all weights or LoRA's, loss on the turns to be learnt."""
 
 from __future__ import annotations
 

@@ -222,3 +222,19 @@ def test_without_find_object_no_way_has_it():
         calls = [step.call for step in told.steps]
         assert "grasp_and_remove" in [call.name for call in calls]
         assert not [call for call in calls if call.name == "find_object" or "ind" in call.words]
+
+
+def test_an_example_with_a_slip_is_marked_and_in_no_form_that_cannot_leave_it_out(
+    tmp_path, chosen, episodes
+):
+    episodes = [it for it in episodes if it[0].question_type == "count"]
+    said = said_otherwise(replace(chosen, episodes=tuple(episodes)), Speech(find=False))
+    again = augmented(said.episodes, ["refused"], 1, Speech(find=False))
+    assert again.episodes and {way for way, _, _ in again.episodes} == {"refused"}
+    manifest = write(tmp_path / "data", chosen, again, Form("x", "pixels", 1024))
+    assert manifest.augmented == {"refused": {"count": len(again.episodes)}}
+    assert "with a call that is refused" in (tmp_path / "data/README.md").read_text()
+    for name in ("llamafactory", "vila"):
+        rows = json.loads((tmp_path / f"data/{name}/train.json").read_text())
+        assert len(rows) == len(chosen.episodes)
+        assert not [row for row in rows if row["id"].endswith("refused")]

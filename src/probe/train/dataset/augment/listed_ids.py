@@ -15,8 +15,8 @@ from probe.episodes.participation import ModelReply
 from probe.episodes.record import EpisodeRecord, Step
 from probe.toolshed.result import MOVING
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.single_calls import seat_of_single_calls
 from probe.train.dataset.augment.teacher_words import by_id
-from probe.transcripts.messages import PLAIN
 
 _LISTED = re.compile(r"^  object_id: (object_\d+)$", re.MULTILINE)
 _ID = re.compile(r"\bobject_\d+\b")
@@ -64,9 +64,7 @@ def without_finding(record: EpisodeRecord) -> EpisodeRecord:
         NotCertain: A search says something that its list doesn't, nothing is done with it, or its
             agent made several calls at once.
     """
-    seat = record.participation or PLAIN
-    if any(reply.calls != 1 for reply in seat.replies) or len(seat.replies) != len(record.steps):
-        raise NotCertain(record.task, "its agent made several calls at once, or none")
+    seat = seat_of_single_calls(record)
     steps, replies = list[Step](), list[ModelReply]()
     listed, words = set[str](), ""
     for index, (step, reply) in enumerate(zip(record.steps, seat.replies, strict=True)):

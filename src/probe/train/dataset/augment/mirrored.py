@@ -14,7 +14,7 @@ from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call, Question
 from probe.generation.task_writer import asked
 from probe.tasks.task import Task
-from probe.toolshed.result import MOVING
+from probe.toolshed.result import DID_NOTHING, MOVING
 from probe.train.dataset.augment.certain import NotCertain, has_sides
 from probe.train.dataset.augment.listing import ListedThing, read_listing
 from probe.train.dataset.augment.mirrored_list import level, mirrored_list, mirrored_place
@@ -30,7 +30,6 @@ from probe.transcripts.messages import PLAIN
 
 _PLACE = re.compile(r"\(\d+, \d+\)")
 _ID = re.compile(r"\bobject_\d+\b")
-_REFUSED = ("malformed", "refused")
 
 
 def mirrored(task: Task, record: EpisodeRecord) -> EpisodeRecord:
@@ -95,7 +94,7 @@ class _Telling:
         Raises:
             NotCertain: It can't be.
         """
-        if step.status in _REFUSED and step.call.name != "answer_question":
+        if step.status in DID_NOTHING and step.call.name != "answer_question":
             raise NotCertain(self.task.id, "a call was refused")
         call, name = self._call(step.call), step.call.name
         text = self._list(step.text) if name == "perceive_scene" else self._reply(step.text, name)

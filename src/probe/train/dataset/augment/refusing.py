@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import accumulate
 
 import numpy as np
 
@@ -18,10 +19,11 @@ from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call
 from probe.toolshed.refusals import StaleHandle
 from probe.toolshed.result import MOVING
-from probe.toolshed.toolshed import TURNS
+from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listing import read_listing
-from probe.transcripts.messages import PLAIN
+from probe.train.dataset.augment.retelling import check_scripted
+from probe.train.dataset.augment.single_calls import seat_of_single_calls
 
 
 def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> EpisodeRecord:
@@ -37,12 +39,13 @@ def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> Ep
         say: Gives the words of the look.
 
     Raises:
-        NotCertain: Nothing is out of date that the teacher moved or moves next, no turns are left
-            for it, or its agent made several calls at once.
+        NotCertain: The scripted teacher didn't teach, or finds things by find_object before it
+            moves them; nothing is out of date that it moved or moves next; or no turns are left.
     """
-    seat = record.participation or PLAIN
-    if any(reply.calls != 1 for reply in seat.replies) or len(seat.replies) != len(record.steps):
-        raise NotCertain(record.task, "its agent made several calls at once, or none")
+    check_scripted(record)
+    seat = seat_of_single_calls(record)
+    if any(step.call.name == "find_object" for step in record.steps):
+        raise NotCertain(record.task, "its teacher finds things before it moves them")
     if len(record.steps) + 2 > TURNS:
         raise NotCertain(record.task, "it has no turns left for a slip")
     by_place = {at: slips for at in _decisions(record) if (slips := _slips(record, at))}
@@ -56,34 +59,46 @@ def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> Ep
 
 
 def _decisions(record: EpisodeRecord) -> list[int]:
-    """The steps that follow a list."""
+    """The steps that follow a list, as long as manipulations are left.
+
+    After that the tools refuse a manipulation for another reason.
+    """
+    allowed = record.question.manipulations or MANIPULATIONS
+    spent = list(accumulate((step.call.name in MOVING for step in record.steps), initial=0))
     return [
         at
         for at in range(1, len(record.steps))
-        if record.steps[at - 1].call.name == "perceive_scene"
-        and record.steps[at].call.name != "perceive_scene"
+        if record.steps[at].call.name != "perceive_scene"
+        and read_listing(record.steps[at - 1].text) is not None
+        and spent[at] < allowed
     ]
 
 
 def _slips(record: EpisodeRecord, at: int) -> list[Step]:
-    """Manipulations with an object_id that the list before a step hasn't any more."""
+    """Manipulations with an object_id that the list before a step hasn't any more.
+
+    What couldn't be moved may be as it was, under an older object_id.
+    """
     names = _names(record.steps[at - 1])
-    earlier = [it for it in record.steps[: at - 1] if it.call.name in MOVING]
-    again = [it for it in earlier if _object_id(it) not in names]
+    moved = [it for it in record.steps[: at - 1] if it.call.name in MOVING and it.status == "done"]
+    again = [it for it in moved if _object_id(it) not in names]
     return [*again, *_by_former_ids(record, at, names)]
 
 
 def _by_former_ids(
     record: EpisodeRecord, at: int, names: Mapping[str, str | None]
 ) -> Iterator[Step]:
-    """A manipulation by each object_id that its thing had before, if just one has its name."""
+    """A manipulation by each object_id that its thing had before, if just one has its name.
+
+    Of several object_ids that hold, lists tell the oldest: one that is older than that doesn't.
+    """
     step = record.steps[at]
     name = names.get(_object_id(step)) if step.call.name in MOVING else None
     if name is None or _ids(names, name) != [_object_id(step)]:
         return
     lists = (_ids(_names(it), name) for it in record.steps[: at - 1])
     former = dict.fromkeys(ids[0] for ids in lists if len(ids) == 1)
-    for id in (it for it in former if it not in names):
+    for id in (it for it in former if _number(it) < _number(_object_id(step))):
         now = re.compile(rf"\b{_object_id(step)}\b")
         words, arguments = (now.sub(id, it) for it in (step.call.words, step.call.arguments))
         yield replace(step, call=replace(step.call, words=words, arguments=arguments))
@@ -104,8 +119,12 @@ def _refused(slip: Step, look: Step, say: Say) -> tuple[Step, Step]:
     id = _object_id(slip)
     text = str(StaleHandle(id))
     refused = replace(slip, status="malformed", text=text, point_px=None, after=look.after)
-    words = say("look refused", {"thing": id, "id": id})
+    words = say("look refused", {"id": id})
     return refused, replace(look, call=Call.of("perceive_scene", words=words))
+
+
+def _number(object_id: str) -> int:
+    return int(object_id.rpartition("_")[2])
 
 
 def _object_id(step: Step) -> str:

@@ -25,7 +25,7 @@ class Speech:
     plain: bool = False
 
     def words(self, drawn: Say) -> Say:
-        """Its words, where these are what it would draw."""
+        """What chooses its words, where this would draw them."""
         chosen = plainly if self.plain else drawn
         return chosen if self.find else SayWithoutFinding(chosen)
 

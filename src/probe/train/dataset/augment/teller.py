@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
-from probe.agents.phrases import PhraseBook
+from probe.agents.phrases import PhraseBook, Say
 from probe.episodes.record import EpisodeRecord
 from probe.scene.seeds import generator
 from probe.tasks.task import Task
@@ -27,22 +27,21 @@ from probe.train.dataset.augment.rewording import reworded
 from probe.train.dataset.augment.speech import Speech
 from probe.train.dataset.augment.thinning import thinned
 
-AugmentationWay = Literal[
-    "mirrored",
-    "wordings",
-    "phrases",
-    "options",
-    "names",
-    "ids",
-    "colours",
-    "sizes",
-    "fewer",
-    "refused",
-]
+_AskedAgain = Literal["phrases", "options", "names", "ids", "colours", "sizes", "fewer"]
+AugmentationWay = Literal["mirrored", "wordings", "refused"] | _AskedAgain
 """How an episode may be told again: mirrored left to right, asked in other words, with other
 phrases of its teacher, with its options or marks under other letters, with other names of all
 things, with other object_ids, with other colours (Compare), with other sizes of the marked things
 (Size), with fewer things on the table, or with a call that is refused."""
+
+_Retell = Callable[[Task, EpisodeRecord, np.random.Generator, Say], tuple[Task, EpisodeRecord]]
+_RETELL: Mapping[AugmentationWay, _Retell] = {
+    "options": reordered,
+    "ids": renumbered,
+    "colours": recoloured,
+    "sizes": resized,
+    "fewer": thinned,
+}
 
 
 @dataclass(frozen=True)
@@ -86,22 +85,24 @@ class Teller:
             # The first time is as without balance.
             return generator(self.seed, name, task.id, record.run, *([time] if time else []))
 
-        if way == "mirrored":
-            return task, mirrored(task, self._shown(record))
-        if way == "wordings":
-            return task, reworded(task, self._shown(record), rng("wording"))
-        if way == "refused":
-            say = self.speech.words(PhraseBook(rng("refused phrases")))
-            return task, with_a_slip(self._shown(record), rng("refused"), say)
-        task, again = self._said(way, task, record, rng)
-        return task, self._shown(again)
+        match way:
+            case "mirrored":
+                return task, mirrored(task, self._shown(record))
+            case "wordings":
+                return task, reworded(task, self._shown(record), rng("wording"))
+            case "refused":
+                say = self.speech.words(PhraseBook(rng("refused phrases")))
+                return task, with_a_slip(self._shown(record), rng("refused"), say)
+            case _:
+                task, again = self._said(way, task, record, rng)
+                return task, self._shown(again)
 
     def _shown(self, record: EpisodeRecord) -> EpisodeRecord:
         return record if self.speech.find else without_finding(record)
 
     def _said(
         self,
-        way: AugmentationWay,
+        way: _AskedAgain,
         task: Task,
         record: EpisodeRecord,
         rng: Callable[[str], np.random.Generator],
@@ -110,21 +111,11 @@ class Teller:
         drawn = "phrases" if way == "phrases" else f"{way} phrases"
         drawn_anew = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
         say = self.speech.words(drawn_anew)
-        match way:
-            case "options":
-                return reordered(task, record, rng("options"), say)
-            case "names":
-                return renamed(task, record, rng("names"), say, self.known)
-            case "ids":
-                return renumbered(task, record, rng("ids"), say)
-            case "colours":
-                return recoloured(task, record, rng("colours"), say)
-            case "sizes":
-                return resized(task, record, rng("sizes"), say)
-            case "fewer":
-                return thinned(task, record, rng("fewer"), say)
-            case _:
-                again = rephrased(task, record, say)
-                if again == record:
-                    raise NotCertain(record.task, "its teacher's phrases came out the same")
-                return task, again
+        if way == "names":
+            return renamed(task, record, rng("names"), say, self.known)
+        if way != "phrases":
+            return _RETELL[way](task, record, rng(way), say)
+        again = rephrased(task, record, say)
+        if again == record:
+            raise NotCertain(record.task, "its teacher's phrases came out the same")
+        return task, again
