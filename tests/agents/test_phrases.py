@@ -79,7 +79,7 @@ def test_words_change_nothing_that_is_done(play, question_type):
 @pytest.mark.parametrize("question_type", CASES)
 def test_names_that_it_says_were_told_before(play, question_type):
     record = played(play, question_type, PhraseBook(rng()))
-    told = CASES[question_type][0] + "\n"
+    told = "\n".join([CASES[question_type][0], *(text for _, text in record.question.options), ""])
     for step in record.steps:
         for name in (it.name for it in SPECS.values()):
             assert name not in step.call.words or name in told
@@ -227,14 +227,24 @@ def test_after_each_list_it_says_what_is_still_there_and_what_is_new(play, quest
         assert words.startswith(moving if left else "Nothing that I have to move shows any more.")
         new = {it.name for it in graph.named} - {it.name for it in told[0][0].named}
         assert ("This is new since the start: " in words) == bool(new) and all(
-            re.search(rf"{name}, object_\d+, {as_option(record, name)}[;.]", words) for name in new
+            re.search(rf"{name}, object_\d+[;.]", words)
+            and re.search(rf"Of these: (.*; )?{name} is {as_option(record, name)}[;.]", words)
+            for name in new
         )
         assert ("Nothing new can be named." in words) == (number > 0 and not new)
 
 
 def as_option(record, name):
     letters = [letter for letter, text in record.question.options if text == name]
-    return f"option {letters[0]}" if letters else "no option"
+    return letters[0] if letters else "no option"
+
+
+@pytest.mark.parametrize("question_type", ["find", "beneath", "reduce"])
+def test_it_begins_with_each_option_and_its_letter(play, question_type):
+    record = played(play, question_type, PhraseBook(rng()))
+    *named, (none, _) = record.question.options
+    each = "; ".join(f"{text} is {letter}" for letter, text in named)
+    assert none == "E" and record.steps[0].call.words.startswith(f"The options: {each}. ")
 
 
 def test_it_says_that_no_option_shows_and_then_at_which_one_it_points(play):
@@ -307,6 +317,7 @@ def test_each_phrase_can_be_said():
     slots = {
         "thing", "other", "letter", "number", "direction", "one", "two", "each", "size_one",
         "size_two", "colour", "colour_one", "colour_two", "id", "text", "place",
+        "long_one", "long_two",
     }  # fmt: skip
     for occasion, ways in phrases().items():
         used = [{name for _, name, _, _ in string.Formatter().parse(way) if name} for way in ways]

@@ -57,9 +57,9 @@ class Search:
     )
     _searched: set[str] = field(default_factory=set[str])
 
-    def begin(self) -> Plan[None]:
-        """Look for the first time."""
-        yield from self._look(self.say("look", {}))
+    def begin(self, words: str = "") -> Plan[None]:
+        """Look for the first time, after what is said of the question."""
+        yield from self._look(f"{words} {self.say('look', {})}".strip())
 
     def clear_one(self) -> Plan[bool]:
         """Move the most promising thing away and look again; False if there is none left."""

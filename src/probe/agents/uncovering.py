@@ -9,6 +9,7 @@ from probe.agents.clearing import Search, with_ids
 from probe.agents.moves import Plan, answer, none_of_them, option_by_option
 from probe.agents.phrases import Reason, Say
 from probe.agents.reading import Box, Graph, Seen, same
+from probe.agents.text_features import is_none
 from probe.agents.type_plan import ScriptedQuestion
 from probe.episodes.turns import Question
 
@@ -54,7 +55,7 @@ def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[
     search = Search(
         lambda seen: False, asked.first, asked.rng, say=asked.say, scale=asked.question.scale
     )
-    yield from search.begin()
+    yield from search.begin(options_told(question, search.say))
     known = {seen.name for seen in search.graph.named}
     place = around(seen.box for name in names for seen in search.graph.called(name))
     found: FoundAnswer | None = None
@@ -98,12 +99,13 @@ def remark_left(search: Search, left: Sequence[Seen]) -> None:
 def remark_new(search: Search, known: Collection[str | None], question: Question) -> None:
     """Say what shows that can be named and didn't show at first, once anything was moved.
 
-    Of each it is said which option it is, where it is still next to its name.
+    And which option each is, in the words that went before its letter in options_told().
     """
     new = [seen for seen in search.graph.named if seen.name not in known]
-    told = (f"{with_ids([seen])}, {_as_option(question, seen)}" for seen in new if seen.object_id)
-    if search.spent and (each := "; ".join(told)):
+    if search.spent and (each := with_ids(new)):
         search.remark(search.say("new", {"each": each}))
+        told = dict.fromkeys(_as_option(question, seen) for seen in new if seen.object_id)
+        search.remark(search.say("which options", {"each": "; ".join(told)}))
     elif search.spent and not new:
         search.remark(search.say("nothing new", {}))
 
@@ -118,9 +120,15 @@ def is_offered(question: Question, seen: Seen) -> bool:
     return bool(_letters_of(question, seen))
 
 
+def options_told(question: Question, say: Say) -> str:
+    """What each option is, its letter after it: who comes across it again finds its letter so."""
+    named = [(letter, text) for letter, text in question.options if not is_none(text)]
+    return say("options", {"each": "; ".join(f"{text} is {letter}" for letter, text in named)})
+
+
 def _as_option(question: Question, seen: Seen) -> str:
     letters = _letters_of(question, seen)
-    return f"option {letters[0]}" if letters else "no option"
+    return f"{seen.name} is {letters[0] if letters else 'no option'}"
 
 
 def _letters_of(question: Question, seen: Seen) -> list[str]:

@@ -114,11 +114,14 @@ def test_of_what_is_new_it_says_which_option_it_is(said):
     noted = Counter[bool]()
     for question, _, words in said:
         offered = {text: letter for letter, text in re.findall(r"^([A-E]): (.*)$", question, re.M)}
-        for each in re.findall(r"This is new since the start: (.*?)\.", words):
-            for name, option in re.findall(r"([^;]*?), object_\d+, (.*?)(?:; |$)", each):
-                letter = offered.get(name)
-                assert option == (f"option {letter}" if letter else "no option")
-                noted[letter is not None] += 1
+        for new, options in re.findall(
+            r"This is new since the start: (.*?)\. Of these: (.*?)\.", words
+        ):
+            told = dict(each.rsplit(" is ", 1) for each in options.split("; "))
+            assert {*told} == {each.rsplit(", ", 1)[0] for each in new.split("; ")}
+            for name, option in told.items():
+                assert option == offered.get(name, "no option")
+                noted[name in offered] += 1
     assert noted[True] > 20 and noted[False] > 20
 
 

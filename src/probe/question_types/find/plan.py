@@ -7,7 +7,7 @@ from probe.agents.moves import Plan, answer, none_of_them
 from probe.agents.phrases import Say
 from probe.agents.reading import Graph, Seen
 from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
-from probe.agents.uncovering import FoundAnswer, is_offered, remark_new
+from probe.agents.uncovering import FoundAnswer, is_offered, options_told, remark_new
 from probe.episodes.turns import Question
 
 
@@ -19,7 +19,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         return is_offered(question, seen)
 
     search = Search(offered, asked.first, asked.rng, say=say, scale=asked.question.scale)
-    yield from search.begin()
+    yield from search.begin(options_told(question, say))
     known = {seen.name for seen in search.graph.named}
     while not (shown := _shown_options(question, search.graph)) and not search.complete:
         search.remark(say("find not yet", {}))

@@ -42,14 +42,23 @@ def _reason(form: str, letter: str, both: tuple[Seen, Seen], say: Say) -> str:
     one, two = both
     if one.size == two.size:
         return say("guess", {"letter": letter})
-    slots = {
-        "one": one.name or "",
-        "two": two.name or "",
-        "size_one": str(list(one.size)),
-        "size_two": str(list(two.size)),
-        "letter": letter,
-    }
-    return say(f"size {form}", slots)
+    names = {"one": one.name or "", "two": two.name or ""}
+    boxes = {"size_one": str(list(one.size)), "size_two": str(list(two.size))}
+    said = [say("size both", names | boxes)]
+    # By diagonal or area it may be otherwise; then the boxes alone are told.
+    if letter == _by_sides(form, one, two):
+        sides = {"long_one": str(max(one.size)), "long_two": str(max(two.size))}
+        said.append(say("size sides", sides))
+    said.append(say(f"size {form}", {"letter": letter}))
+    return " ".join(said).strip()
+
+
+def _by_sides(form: str, one: Seen, other: Seen) -> str | None:
+    """Letter of the longer, larger or smaller one, by the longer sides of their boxes."""
+    a, b = max(one.size), max(other.size)
+    if a == b:
+        return None
+    return "A" if (a > b) != (form == "smaller") else "B"
 
 
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:

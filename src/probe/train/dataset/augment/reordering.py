@@ -16,7 +16,7 @@ from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.augment.retelling import answered
 from probe.train.dataset.augment.rewording import worded
 
-_PAIRS = (("one", "two"), ("size_one", "size_two"), ("colour_one", "colour_two"))
+_PAIRS = tuple((f"{what}one", f"{what}two") for what in ("", "size_", "long_", "colour_"))
 _OTHER = {a: b for pair in _PAIRS for a, b in (pair, pair[::-1])}
 """Slots of phrases that tell of mark A, and what tells the same of mark B."""
 

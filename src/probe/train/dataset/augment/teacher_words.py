@@ -14,7 +14,7 @@ MIRRORED_DIRECTION = {"left": "right", "right": "left", "up": "up", "down": "dow
 """Directions of pushes in a mirrored picture."""
 
 _DIRECTION = "direction"
-_AS_THEY_ARE = (_DIRECTION, "place", "size_one", "size_two")
+_AS_THEY_ARE = (_DIRECTION, "place", "size_one", "size_two", "long_one", "long_two")
 """Slots that need no look: a direction and a mark's place are mirrored, sizes are the same in a
 mirror."""
 
