@@ -141,7 +141,7 @@ def test_what_went_along_is_counted_apart(play):
             return super().grasp_and_remove(station, frame, mask, drop_at)
 
     record = play(agent, options, SPECS, on_top, Taking(), text)
-    assert "(1), 1 that went along with what I lifted (2)." in record.steps[-1].call.words
+    assert "(1); 1 that went along with what I lifted (2)." in record.steps[-1].call.words
     assert record.answer.choice == "B"
 
 
@@ -163,8 +163,8 @@ def test_after_each_list_it_counts_those_that_it_has(play):
     told = lists_and_words(played(play, "count", PhraseBook(rng())))
     assert {len(ids(graph, "red die")) for graph, _ in told} == {0, 1}
     for graph, words in told:
-        counted = [f"{id} ({n})" for n, id in enumerate(ids(graph, "red die"), 1)]
-        told_each = f"I count each red die: {', '.join(counted)}. "
+        counted = [f"red die, {id} ({n})" for n, id in enumerate(ids(graph, "red die"), 1)]
+        told_each = f"I count each red die: {'; '.join(counted)}. "
         assert words.startswith(told_each if counted else "I see no red die to count. ")
 
 
@@ -177,8 +177,8 @@ def test_those_that_were_counted_before_stay_in_front(play):
     (first, words), *_, (last, final) = lists_and_words(record)
     (known,) = ids(first, "red die")
     new, again = ids(last, "red die")
-    assert again == known and f"each red die: {known} (1)." in words
-    assert f"each red die: {known} (1), {new} (2)." in final
+    assert again == known and f"each red die: red die, {known} (1)." in words
+    assert f"each red die: red die, {known} (1); red die, {new} (2)." in final
 
 
 def test_what_was_counted_and_is_hidden_again_counts_at_the_end(play):
@@ -201,7 +201,10 @@ def test_what_was_counted_and_is_hidden_again_counts_at_the_end(play):
     both = next(ids(graph, "red die") for graph, _ in told if len(ids(graph, "red die")) == 2)
     last, final = told[-1]
     (left,) = ids(last, "red die")
-    assert final.startswith(f"I count each red die: {left} (1). ") and "That makes" not in final
+    assert (
+        final.startswith(f"I count each red die: red die, {left} (1). ")
+        and "That makes" not in final
+    )
     assert all(id in final for id in both) and record.answer.choice == "B"
 
 

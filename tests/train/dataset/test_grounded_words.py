@@ -65,9 +65,11 @@ def test_it_counts_all_that_have_the_name_and_numbers_them(said):
     ]
     assert len(notes) > 100
     for known, (name, each) in ((known, found.groups()) for known, found in notes):
-        ids = re.findall(r"(object_\d+) \((\d+)\)", each)
-        assert {id for id, _ in ids} == called(known, name)
-        assert [int(n) for _, n in ids] == list(range(1, len(ids) + 1))
+        counted = re.findall(r"(?:^|; )([^;]*), (object_\d+) \((\d+)\)", each)
+        assert len(counted) == each.count("object_")
+        assert {it[1] for it in counted} == called(known, name)
+        assert {it[0] for it in counted} <= {name}
+        assert [int(it[2]) for it in counted] == list(range(1, len(counted) + 1))
 
 
 def test_nothing_of_that_name_shows_where_it_says_so(said):

@@ -53,13 +53,17 @@ class _Tally:
         return [*shown, f"{self.gone} that went along with what I lifted"] if self.gone else shown
 
     def told(self, name: str, say: Say) -> str:
-        """Each of them with how many they are up to it."""
+        """Each of them by its name, with how many they are up to it.
+
+        Its object_id follows the name as it does in lists.
+        """
         if not self.number:
             return say("count nothing", {"thing": name})
-        each = [f"{seen.object_id or seen.place} ({n})" for n, seen in enumerate(self.shown, 1)]
+        known = [f"{seen.name}, {seen.object_id or seen.place}" for seen in self.shown]
+        each = [f"{told} ({n})" for n, told in enumerate(known, start=1)]
         if self.gone:
             each.append(f"{self.gone} that went along with what I lifted ({self.number})")
-        return say("count each", {"thing": name, "each": ", ".join(each)})
+        return say("count each", {"thing": name, "each": "; ".join(each)})
 
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
