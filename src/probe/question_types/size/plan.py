@@ -29,6 +29,11 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
 def _larger(form: str, one: Seen, other: Seen) -> str:
     """Letter of the longer, larger or smaller one, by their boxes."""
     a, b = (_length(seen) if form == "longer" else seen.area for seen in (one, other))
+    return _fitting(form, a, b)
+
+
+def _fitting(form: str, a: float, b: float) -> str:
+    """Letter of the one that is asked for, by a measure of each."""
     return "A" if (a > b) != (form == "smaller") else "B"
 
 
@@ -46,19 +51,12 @@ def _reason(form: str, letter: str, both: tuple[Seen, Seen], say: Say) -> str:
     boxes = {"size_one": str(list(one.size)), "size_two": str(list(two.size))}
     said = [say("size both", names | boxes)]
     # By diagonal or area it may be otherwise; then the boxes alone are told.
-    if letter == _by_sides(form, one, two):
-        sides = {"long_one": str(max(one.size)), "long_two": str(max(two.size))}
+    a, b = max(one.size), max(two.size)
+    if a != b and letter == _fitting(form, a, b):
+        sides = {"long_one": str(a), "long_two": str(b)}
         said.append(say("size sides", sides))
     said.append(say(f"size {form}", {"letter": letter}))
     return " ".join(said).strip()
-
-
-def _by_sides(form: str, one: Seen, other: Seen) -> str | None:
-    """Letter of the longer, larger or smaller one, by the longer sides of their boxes."""
-    a, b = max(one.size), max(other.size)
-    if a == b:
-        return None
-    return "A" if (a > b) != (form == "smaller") else "B"
 
 
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:

@@ -7,7 +7,7 @@ isn't learnt, as it is refused (probe.train.dataset.examples); what follows it i
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import accumulate
 
@@ -24,6 +24,8 @@ from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listing import read_listing
 from probe.train.dataset.augment.retelling import check_scripted
 from probe.train.dataset.augment.single_calls import seat_of_single_calls
+
+_Names = Mapping[str, str | None]
 
 
 def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> EpisodeRecord:
@@ -48,7 +50,9 @@ def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> Ep
         raise NotCertain(record.task, "its teacher finds things before it moves them")
     if len(record.steps) + 2 > TURNS:
         raise NotCertain(record.task, "it has no turns left for a slip")
-    by_place = {at: slips for at in _decisions(record) if (slips := _slips(record, at))}
+    lists = [_names(step) for step in record.steps]
+    decisions = _decisions(record, lists)
+    by_place = {at: slips for at in decisions if (slips := _slips(record, lists, at))}
     if not by_place:
         raise NotCertain(record.task, "nothing is out of date that it moved or moves next")
     at = int(rng.choice([*by_place]))
@@ -58,7 +62,7 @@ def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> Ep
     return replace(record, steps=tuple(steps), participation=replace(seat, replies=tuple(replies)))
 
 
-def _decisions(record: EpisodeRecord) -> list[int]:
+def _decisions(record: EpisodeRecord, lists: Sequence[_Names | None]) -> list[int]:
     """The steps that follow a list, as long as manipulations are left.
 
     After that the tools refuse a manipulation for another reason.
@@ -69,49 +73,46 @@ def _decisions(record: EpisodeRecord) -> list[int]:
         at
         for at in range(1, len(record.steps))
         if record.steps[at].call.name != "perceive_scene"
-        and read_listing(record.steps[at - 1].text) is not None
+        and lists[at - 1] is not None
         and spent[at] < allowed
     ]
 
 
-def _slips(record: EpisodeRecord, at: int) -> list[Step]:
+def _slips(record: EpisodeRecord, lists: Sequence[_Names | None], at: int) -> list[Step]:
     """Manipulations with an object_id that the list before a step hasn't any more.
 
     What couldn't be moved may be as it was, under an older object_id.
     """
-    names = _names(record.steps[at - 1])
+    names = lists[at - 1] or {}
     moved = [it for it in record.steps[: at - 1] if it.call.name in MOVING and it.status == "done"]
     again = [it for it in moved if _object_id(it) not in names]
-    return [*again, *_by_former_ids(record, at, names)]
+    before = [it for it in lists[: at - 1] if it is not None]
+    return [*again, *_by_former_ids(record.steps[at], names, before)]
 
 
-def _by_former_ids(
-    record: EpisodeRecord, at: int, names: Mapping[str, str | None]
-) -> Iterator[Step]:
+def _by_former_ids(step: Step, names: _Names, before: Sequence[_Names]) -> Iterator[Step]:
     """A manipulation by each object_id that its thing had before, if just one has its name.
 
     Of several object_ids that hold, lists tell the oldest: one that is older than that doesn't.
     """
-    step = record.steps[at]
     name = names.get(_object_id(step)) if step.call.name in MOVING else None
     if name is None or _ids(names, name) != [_object_id(step)]:
         return
-    lists = (_ids(_names(it), name) for it in record.steps[: at - 1])
-    former = dict.fromkeys(ids[0] for ids in lists if len(ids) == 1)
+    former = dict.fromkeys(ids[0] for it in before if len(ids := _ids(it, name)) == 1)
     for id in (it for it in former if _number(it) < _number(_object_id(step))):
         now = re.compile(rf"\b{_object_id(step)}\b")
         words, arguments = (now.sub(id, it) for it in (step.call.words, step.call.arguments))
         yield replace(step, call=replace(step.call, words=words, arguments=arguments))
 
 
-def _ids(names: Mapping[str, str | None], name: str) -> list[str]:
+def _ids(names: _Names, name: str) -> list[str]:
     return [id for id, it in names.items() if it == name]
 
 
-def _names(step: Step) -> dict[str, str | None]:
-    """Names of what a step's list has, by object_id."""
+def _names(step: Step) -> _Names | None:
+    """Names of what a step's list has, by object_id; None where it has no list."""
     listing = read_listing(step.text)
-    return {it.object_id: it.name for it in listing.things} if listing else {}
+    return None if listing is None else {it.object_id: it.name for it in listing.things}
 
 
 def _refused(slip: Step, look: Step, say: Say) -> tuple[Step, Step]:
