@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ from probe.generation.salt import PRIVATE_FROM, Salt
 from probe.generation.task_writer import task_id
 from probe.tasks.suite import Suite, freeze
 from probe.tasks.suite_file import packaged_suite, read_suite, write_suite
-from probe.tasks.task import LETTERS, PAIR, QUESTION_TYPES, Letter, Option, QuestionType, Task
+from probe.tasks.task import LETTERS, PAIR, Letter, Option, QuestionType, Task
 from task_examples import FIND
 
 SALT = Salt(bytes.fromhex("5b7e0c51d6a94f3e8f20c7b1a6d3940e17c85fa2be603d99e4714c082ab5f6d3"))
@@ -65,15 +66,19 @@ def by_position(base: int) -> Attack:
 
 def by_id(suite: Sequence[Seen]) -> list[Letter | None]:
     """Seeds whose hash an id is, found by trying; a few hundred thousand are enough for v1."""
+    return [by_hash(it.question_type).get(it.id[: len(it.question_type) + 9]) for it in suite]
+
+
+@cache
+def by_hash(question_type: QuestionType) -> dict[str, Letter]:
+    """Letters of the plans of many episodes, by the ids that their attempts have."""
     letters = dict[str, Letter]()
-    for question_type in QUESTION_TYPES:
-        for base in BASES:
-            for episode in range(base, base + 250):
-                letter = plan_of(question_type, episode).letter
-                for number in range(40):
-                    letters.setdefault(task_id(question_type, episode * ATTEMPTS + number), letter)
-    short = [it.id[: len(it.question_type) + 9] for it in suite]
-    return [letters.get(id) for id in short]
+    for base in BASES:
+        for episode in range(base, base + 250):
+            letter = plan_of(question_type, episode).letter
+            for number in range(40):
+                letters.setdefault(task_id(question_type, episode * ATTEMPTS + number), letter)
+    return letters
 
 
 def by_salt(guess: Salt) -> Attack:

@@ -12,7 +12,7 @@ from probe.errors import ProbeError
 from probe.generation.build_folder import BuildFolder, TaskSlot
 from probe.generation.making import TaskMaker, make_tasks
 
-PLACES = [TaskSlot("find", 0), TaskSlot("reduce", 1)]
+PLACES = [TaskSlot("count", 0), TaskSlot("count", 1)]
 
 
 def made(folder: Path, *, seen: bool) -> BuildFolder:
@@ -38,5 +38,5 @@ def test_a_log_that_cannot_be_read_ends_the_work_and_is_named(tmp_path):
     parts = BuildFolder(tmp_path)
     parts.log_path(PLACES[0]).write_text("nonsense\n")
     maker = TaskMaker(parts, opener("procedural"), tables_for("procedural"))
-    with pytest.raises(ProbeError, match=r"find-0\.tsv"):
+    with pytest.raises(ProbeError, match=r"count-0\.tsv"):
         list(make_tasks(maker, parts, PLACES, LocalEngine(1)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 from dataclasses import replace
+from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import Annotated, Literal
@@ -312,8 +313,9 @@ def packaged_suites() -> list[str]:
     return sorted(Path(file.name).stem for file in files if file.name.endswith(".json"))
 
 
+@cache
 def packaged_suite(name: str) -> Suite:
-    """A suite that comes with the package.
+    """A suite that comes with the package; read once in each process.
 
     Raises:
         UnknownName: There is none of this name.
