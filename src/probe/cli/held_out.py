@@ -23,7 +23,14 @@ from probe.tasks.suite_file import read_suite
 from probe.tasks.task import QuestionType
 from probe.train.baselines import floors
 from probe.train.collect.aim import uncollected
+from probe.train.differences import differences
+from probe.train.differences import markdown as differences_table
 from probe.train.held_out import markdown, standings
+
+_PAIRS = (
+    "Compared task by task over the trained types: 95 % intervals (t), and p of flipping signs "
+    "within types, as it is and by Holm for {} pairs."
+)
 
 
 def held_out(
@@ -34,7 +41,8 @@ def held_out(
 ) -> None:
     """Compare runs of a suite: a macro average over the trained types, and the others apart.
 
-    Beside them stand the best constant answer and, where something was learnt, question-only.
+    Beside them stand the best constant answer and, where something was learnt, question-only. A
+    second table compares them in pairs, with tests.
 
     Args:
         runs: Folders that `probe run` wrote, of one suite.
@@ -56,8 +64,12 @@ def held_out(
         rows += rows_of(folder, asked, graded(folder, track))
         tell_unsummed(folder)
     rows += floors(suite, others, _learnt(learnt))
-    table = markdown(standings(rows, roster_of_tasks(suite.tasks), others))
+    roster = roster_of_tasks(suite.tasks)
+    table = markdown(standings(rows, roster, others))
+    pairs = differences(rows, roster, others)
     text = f"{_words(suite, len(runs))}\n\n{table}"
+    if pairs:
+        text += f"\n{_PAIRS.format(len(pairs))}\n\n{differences_table(pairs)}"
     write_text(out, text)
     say(*text.splitlines())
     say(f"This is in {out}.")
