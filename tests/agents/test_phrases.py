@@ -275,8 +275,10 @@ def test_it_says_what_it_has_to_search_still_and_takes_the_first_of_it(play, que
             assert step.call.values["description"] == first.place
 
 
-@pytest.mark.parametrize("question_type", ["size", "compare"])
-def test_it_says_which_listed_things_the_marks_are_on(play, question_type):
+@pytest.mark.parametrize(("question_type", "wanted"), [("size", "longer"), ("compare", "yellow")])
+def test_it_says_what_is_asked_and_which_listed_things_the_marks_are_on(
+    play, question_type, wanted
+):
     subject, form, options, blocks, _ = CASES[question_type]
     frame = paint(blocks)
     graph = read_graph(scene_text(Oracle(SPECS).detect(frame), (), frame))
@@ -289,7 +291,9 @@ def test_it_says_which_listed_things_the_marks_are_on(play, question_type):
     told = lists_and_words(play(agent, options, SPECS, blocks, Obedient(), text))
     first, words = told[0]
     die, duck = (ids(first, name)[0] for name in ("red die", "yellow duck"))
-    assert words.startswith(
+    asked, rest = words.split(". ", 1)
+    assert "ask" in asked and wanted in asked
+    assert rest.startswith(
         f"Mark A at {points[0]} is on {die}. Mark B at {points[1]} is on {duck}."
     )
     assert f"Mark A is {die}, the red die." in words

@@ -33,6 +33,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     both: Both = (None, None)
     letter: str | None = None
     if wanted or form == "darker":
+        search.remark(say(f"asked {form}", {"colour": " ".join(wanted), "thing": asked.subject}))
         both = yield from uncover_both(asked.question, search, bold=bold)
         letter = _fitting(form, wanted, both) if bold or all(both) else None
     if letter and all(both):
@@ -114,7 +115,7 @@ def _reason(
     if one and two and all(first) and (asked.form == "darker" or first[chosen] == wanted):
         slots = {"one": one.name or "", "two": two.name or "", "letter": letter}
         slots |= {"colour_one": first[0][0], "colour_two": first[1][0]}
-        slots |= {"colour": " ".join(wanted), "thing": asked.subject}
+        slots |= {"colour": first[chosen][0], "thing": asked.subject}
         return say(f"compare {asked.form}", slots)
     if asked.form == "darker":
         return say("guess", {"letter": letter})

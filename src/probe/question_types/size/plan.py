@@ -17,6 +17,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     form, say = asked.form, asked.say
     search = Search(lambda seen: False, asked.first, asked.rng, say=say, scale=asked.question.scale)
     yield from search.begin()
+    search.remark(say(f"asked {form}", {}))
     one, other = yield from uncover_both(asked.question, search, bold=asked.bold)
     if one is not None and other is not None:
         letter = _larger(form, one, other)

@@ -67,7 +67,8 @@ def darker(episodes):
     found = []
     for seed in range(40):
         now, after = told(task, record, seed)
-        one, two = re.findall(rf"\bis ({'|'.join(KNOWN)})\b", after.steps[-1].call.words)
+        (each,) = re.findall(r"(\w+) is A; (\w+) is B\b", after.steps[-1].call.words)
+        one, two = each
         found.append((now.answer, after.answer and after.answer.choice, one, two))
     return found
 

@@ -151,7 +151,8 @@ def test_an_answer_says_the_same_of_each_mark_by_its_new_letter():
 
 def test_colours_stay_with_the_things_that_have_them(marked):
     colours = (
-        r"A(?: is)?,? the (.*?),(?: which)? is (\w+)(?:\.|,) .*?B,? the (.*?),(?: which)? is (\w+)"
+        r"(?:The|A, the) (.*?),? is (\w+),? and (?:B, )?the (.*?)(?: is|,) (\w+)(?:, so|:) "
+        r"(\w+) is A; (\w+) is B\b"
     )
     told = 0
     for task, record in marked:
@@ -160,7 +161,8 @@ def test_colours_stay_with_the_things_that_have_them(marked):
         if task.question_type != "compare" or not all(found):
             continue
         one, two = (it.groups() for it in found if it)
-        assert one == (*two[2:], *two[:2])
+        assert one[:4] == (*two[2:4], *two[:2])
+        assert one[4:] == (one[1], one[3]) and two[4:] == (two[1], two[3])
         told += 1
     assert told > 1
 
