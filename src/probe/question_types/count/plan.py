@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,11 +11,14 @@ import numpy as np
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan, none_of_them
 from probe.agents.phrases import Say
-from probe.agents.reading import Seen, same
+from probe.agents.reading import Graph, Seen, same
 from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQuestion, TypePlan
 from probe.agents.uncovering import FoundAnswer, conclude
 from probe.episodes.turns import Question
 from probe.tasks.english import joined
+
+UNNAMED = "without a name"
+"""What shows too little."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +79,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
 
     search = Search(counts, asked.first, asked.rng, say=asked.say, scale=asked.question.scale)
     yield from search.begin()
+    search.remark(_gone_through(search.graph, counts, asked.say))
     now = most = _Tally(search.graph.called(name))
     search.remark(now.told(name, asked.say))
     search.remark_to_search()
@@ -88,6 +93,19 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         each = most.each if most is not now else []
         found = _counted(asked.question, most.number, each, sure=search.complete)
         yield from conclude(asked, found, search)
+
+
+def _gone_through(graph: Graph, counts: Callable[[Seen], bool], say: Say) -> str:
+    """All of a list in its order, and which of them count: nothing if it tells no object_ids.
+
+    Then one thing after another is judged, and nobody has to know when to stop counting.
+    """
+    numbers, told = itertools.count(1), list[str]()
+    for seen in graph.objects:
+        if seen.object_id:
+            number = f" ({next(numbers)})" if counts(seen) else ""
+            told.append(f"{seen.object_id} {seen.name or UNNAMED}{number}")
+    return say("gone through", {"each": "; ".join(told)}) if told else ""
 
 
 def _counted(

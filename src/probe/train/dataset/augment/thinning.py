@@ -22,6 +22,8 @@ from probe.train.dataset.augment.retelling import check_scripted, retold
 _SHARE = 0.7
 """Of what nobody speaks of."""
 _ID = re.compile(r"\bobject_\d+\b")
+_GONE_THROUGH = re.compile(r"From top to bottom: [^.]*\.")
+"""Where the teacher names all that is listed, whatever that is."""
 
 
 def thinned(
@@ -54,7 +56,7 @@ def _unspoken(record: EpisodeRecord) -> list[str]:
     ids = defaultdict[str | None, set[str]](set)
     spoken = [record.question.text, *(text for _, text in record.question.options)]
     for step in record.steps:
-        spoken += [step.call.words, step.call.arguments]
+        spoken += [_GONE_THROUGH.sub("", step.call.words), step.call.arguments]
         listing = read_listing(step.text)
         if listing is None:
             spoken.append(step.text)
