@@ -159,12 +159,32 @@ def ids(graph, name):
     return [it.object_id for it in graph.objects if it.name == name]
 
 
+def test_it_goes_through_the_first_list_thing_by_thing_to_count(play):
+    subject, form, options, _, text = CASES["count"]
+    blocks, specs = [Block(7, (600, 700, 659, 759)), COVER, DIE, BOOK], SPECS | {7: SPECS[2]}
+    agent = Scripted("count", subject, rng(), form=form, say=PhraseBook(rng()))
+    record = play(agent, options, specs, blocks, Obedient(), text)
+    (graph, words), *later = lists_and_words(record)
+    gone_through, _, rest = words.removeprefix("From top to bottom: ").partition(". ")
+    each = [
+        re.fullmatch(r"(object_\d+) (.*?)(?: \((\d)\))?", it) for it in gone_through.split("; ")
+    ]
+    assert [it and it.groups()[:2] for it in each] == [
+        (it.object_id, it.name or "without a name") for it in graph.objects
+    ]
+    assert [it[3] for it in each if it and it[2] == "red die"] == ["1"]
+    assert {it[3] for it in each if it and it[2] != "red die"} == {None}
+    assert rest.startswith("I count each red die: ") and later
+    assert not any("From top to bottom" in words for _, words in later)
+
+
 def test_after_each_list_it_counts_those_that_it_has(play):
     told = lists_and_words(played(play, "count", PhraseBook(rng())))
     assert {len(ids(graph, "red die")) for graph, _ in told} == {0, 1}
     for graph, words in told:
         counted = [f"red die, {id} ({n})" for n, id in enumerate(ids(graph, "red die"), 1)]
         told_each = f"I count each red die: {'; '.join(counted)}. "
+        words = re.sub(r"^From top to bottom: [^.]*\. ", "", words)
         assert words.startswith(told_each if counted else "I see no red die to count. ")
 
 

@@ -61,7 +61,7 @@ def test_it_counts_all_that_have_the_name_and_numbers_them(said):
     notes = [
         (known, found)
         for _, known, words in said
-        if (found := re.match(r"I count each (.*?): (.*?)\. ", words))
+        if (found := re.search(r"I count each (.*?): (.*?)\. ", words))
     ]
     assert len(notes) > 100
     for known, (name, each) in ((known, found.groups()) for known, found in notes):
@@ -72,11 +72,32 @@ def test_it_counts_all_that_have_the_name_and_numbers_them(said):
         assert [int(it[2]) for it in counted] == list(range(1, len(counted) + 1))
 
 
+def test_to_count_it_goes_through_the_first_list_in_its_order(said):
+    lists = [
+        (known, found[1], found[2])
+        for _, known, words in said
+        if (
+            found := re.match(
+                r"From top to bottom: (.*?)\. I (?:see no|count each) (.*?)(?::| to)", words
+            )
+        )
+    ]
+    assert len(lists) > 100
+    for known, each, name in lists:
+        told = [re.fullmatch(r"(object_\d+) (.*?)(?: \((\d+)\))?", it) for it in each.split("; ")]
+        assert [it and it[1] for it in told] == [*known]
+        named = [it.groups() for it in told if it and it[2] != "without a name"]
+        assert all(known[id][1] == what for id, what, _ in named)
+        numbers = [number for _, what, number in named if number or what == name]
+        assert numbers == [str(n + 1) for n in range(len(numbers))]
+        assert len(numbers) == len(called(known, name))
+
+
 def test_nothing_of_that_name_shows_where_it_says_so(said):
     names = [
         (known, found[1])
         for _, known, words in said
-        if (found := re.match(r"I see no (.*?) to count\.", words))
+        if (found := re.search(r"I see no (.*?) to count\.", words))
     ]
     assert names and not [name for known, name in names if called(known, name)]
 
