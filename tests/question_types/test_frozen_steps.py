@@ -12,7 +12,6 @@ from probe.agents.scripted import Scripted
 from probe.assets.library import Library
 from probe.assets.tables import table_ids
 from probe.episodes.circumstances import Circumstances
-from probe.episodes.noise import NOISES
 from probe.episodes.oracle_view import oracle_view, vanishing
 from probe.episodes.play import play, score
 from probe.generation.movable import steps
@@ -151,12 +150,11 @@ def test_a_task_comes_out_of_its_seed_again(library: Library, renderer: Renderer
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", TYPES)
-def test_the_scripted_agent_solves_most_with_fresh_luck(
+def test_the_scripted_agent_solves_them_with_fresh_luck(
     library: Library, renderer: Renderer, name: str
 ):
-    solved, fresh = 0, Circumstances(run=90, noise=NOISES["paper"])
+    fresh = Circumstances(run=90)
     for task in suite(name).tasks:
         agent = Scripted(name, task.subject, generator(task.seed, "fresh"), form=task.form)
         record = play(task, agent, "scripted", library, renderer, fresh)
-        solved += score(task, record, renderer).correct
-    assert solved >= len(suite(name).tasks) - 1
+        assert score(task, record, renderer).correct, task.id

@@ -42,5 +42,3 @@ def test_each_of_three_like_covers_hides_one_thing_in_every_twin(
             assert first[cover] >= 0.50
             shown.add(found)
         assert len(shown) == 3 and task.targets[0] in shown
-    again = generate("decoys", task.seed, library, renderer, TABLES)
-    assert isinstance(again, TaskCandidate) and again.task == task

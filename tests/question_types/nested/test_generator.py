@@ -37,5 +37,3 @@ def test_only_taking_both_covers_away_tells_and_so_it_is_of_every_twin(
         assert first[target] <= 0.05 and once[target] <= 0.05 and twice[target] >= 0.60
         assert first[outer] >= 0.30
         assert max(twice[n] - first[n] for n in twice if n != target) <= 0.20
-    again = generate("nested", task.seed, library, renderer, TABLES)
-    assert isinstance(again, TaskCandidate) and again.task == task

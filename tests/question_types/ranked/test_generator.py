@@ -53,5 +53,3 @@ def test_in_every_twin_the_candidate_has_the_rank_and_looks_it(
         sizes = [max(library[twin[it].object_id].size) for it in order]
         assert sizes[0] >= 1.25 * sizes[1] and sizes[1] >= 1.25 * sizes[2]
         assert twin[order[RANKS.index(form)]].object_id == candidate
-    again = generate("ranked", task.seed, library, renderer, TABLES)
-    assert isinstance(again, TaskCandidate) and again.task == task

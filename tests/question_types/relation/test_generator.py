@@ -57,5 +57,3 @@ def test_in_every_twin_the_candidate_is_next_to_what_is_named(
         (other,) = set(at) - {named, candidate}
         beside[other] += 1
     assert beside == Counter(drawn)
-    again = generate("relation", task.seed, library, renderer, TABLES)
-    assert isinstance(again, TaskCandidate) and again.task == task
