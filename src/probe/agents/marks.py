@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,10 +26,20 @@ _MOST = 5
 """Manipulations for one of the two: with both, some of the ten are left."""
 
 
-def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both]:
+def _name(seen: Seen) -> str:
+    return seen.name or ""
+
+
+def uncover_both(
+    question: Question, search: Search, *, bold: bool, call: Callable[[Seen], str] = _name
+) -> Plan[Both]:
     """Both marked things as they show once nothing lies on them; None for one that doesn't.
 
-    Bold, it takes what could be seen of them.
+    Args:
+        question: Tells the marks.
+        search: What is known of the table.
+        bold: Whether to take what could be seen of them.
+        call: What to call a marked thing that has a name.
     """
     marks = marks_of(question)
     search.remark(_at_the_marks(search, marks))
@@ -40,7 +50,7 @@ def uncover_both(question: Question, search: Search, *, bold: bool) -> Plan[Both
         crowd -= {here.name if here else None}
     found: list[Seen | None] = []
     for letter, mark in marks.items():
-        marked = _Marked(letter, mark, crowd)
+        marked = _Marked(letter, mark, crowd, call)
         clear = yield from marked.uncover(search)
         if not clear and not bold:
             return None, None
@@ -93,6 +103,7 @@ class _Marked:
         letter: Of the mark.
         mark: Pixel (u, v) on it in the first picture.
         crowd: Names of things that it isn't.
+        call: What to call it once it has a name.
         here: Its entry in the last graph, if it shows.
         shown: Its largest entry so far that had a name.
         sure: Whether its entry is that of what is marked, and not of something much like it.
@@ -101,6 +112,7 @@ class _Marked:
     letter: str
     mark: tuple[int, int]
     crowd: set[str | None]
+    call: Callable[[Seen], str] = _name
     here: Seen | None = None
     shown: Seen | None = None
     sure: bool = False
@@ -129,7 +141,7 @@ class _Marked:
         here = self.here
         if here is None or not here.object_id or not self.sure:
             return ""
-        slots = {"letter": self.letter, "id": here.object_id, "thing": here.name or ""}
+        slots = {"letter": self.letter, "id": here.object_id, "thing": self.call(here)}
         return say("marked" if here.name else "marked unclear", slots)
 
     def _follow(self, graph: Graph) -> None:

@@ -161,7 +161,7 @@ def test_all_that_it_could_search_is_told_by_name_and_object_id(said):
 def test_object_ids_and_names_belong_together(said):
     forms = (
         r"(?:Next is|I turn to) the (?P<what>.*?), (?P<id>object_\d+)\.",
-        r"Mark [AB] is (?P<id>object_\d+), the (?P<what>.*?)\.(?: |$)",
+        r"Mark [AB] is (?P<id>object_\d+), the (?P<what>.*?)(?: \(\w+\))?\.(?: |$)",
         r"(?:this: |since the start: |; )(?P<what>[^.;]*?), (?P<id>object_\d+)(?=[.;,])",
     )
     for form in forms:
@@ -169,6 +169,19 @@ def test_object_ids_and_names_belong_together(said):
         assert len(found) > 5, form
         for known, it in found:
             assert known[it["id"]][1] == it["what"]
+
+
+def test_a_colour_that_a_name_lacks_is_in_its_line(said):
+    found = [
+        (known[it["id"]][2], it["colour"])
+        for _, known, words in said
+        for it in re.finditer(
+            r"Mark [AB] is (?P<id>object_\d+), [^.]* \((?P<colour>\w+)\)\.", words
+        )
+    ]
+    assert found
+    for line, colour in found:
+        assert colour in re.findall(r"\w+", line.partition(", under ")[0])
 
 
 def test_what_hides_a_marked_thing_is_in_its_line(said):

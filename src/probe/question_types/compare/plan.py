@@ -34,7 +34,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     letter: str | None = None
     if wanted or form == "darker":
         search.remark(say(f"asked {form}", {"colour": " ".join(wanted), "thing": asked.subject}))
-        both = yield from uncover_both(asked.question, search, bold=bold)
+        both = yield from uncover_both(asked.question, search, bold=bold, call=_with_colour)
         letter = _fitting(form, wanted, both) if bold or all(both) else None
     if letter and all(both):
         words = search.after_remarks(_reason(asked, letter, wanted, both, say))
@@ -78,6 +78,12 @@ def _colours(seen: Seen) -> list[str]:
     return _words(f"{seen.name or ''} {seen.description}")
 
 
+def _with_colour(seen: Seen) -> str:
+    """Its name, and its colour where the name tells none."""
+    colours = [] if _words(seen.name or "") else _words(seen.description)
+    return f"{seen.name} ({colours[0]})" if colours else seen.name or ""
+
+
 def _words(text: str) -> list[str]:
     """Colour words in the order in which a text names them; "dark" and "light" are shades."""
     found = [word for word in re.findall(r"[a-z]+", text.lower()) if word in _LIGHTNESS]
@@ -115,8 +121,8 @@ def _reason(
     if one and two and all(first) and (asked.form == "darker" or first[chosen] == wanted):
         slots = {"one": one.name or "", "two": two.name or "", "letter": letter}
         slots |= {"colour_one": first[0][0], "colour_two": first[1][0]}
-        slots |= {"colour": first[chosen][0], "thing": asked.subject}
-        return say(f"compare {asked.form}", slots)
+        slots |= {"colour": first[chosen][0]}
+        return say("compare darker" if asked.form == "darker" else "compare colour", slots)
     if asked.form == "darker":
         return say("guess", {"letter": letter})
     fits = first[chosen] == wanted
