@@ -141,7 +141,7 @@ def test_what_went_along_is_counted_apart(play):
             return super().grasp_and_remove(station, frame, mask, drop_at)
 
     record = play(agent, options, SPECS, on_top, Taking(), text)
-    assert "(1); 1 that went along with what I lifted (2)." in record.steps[-1].call.words
+    assert "; (2) 1 that went along with what I lifted." in record.steps[-1].call.words
     assert record.answer.choice == "B"
 
 
@@ -167,7 +167,8 @@ def test_it_goes_through_the_first_list_thing_by_thing_to_count(play):
     (graph, words), *later = lists_and_words(record)
     gone_through, _, rest = words.removeprefix("From top to bottom: ").partition(". ")
     each = [
-        re.fullmatch(r"(object_\d+) (.*?)(?: \((\d)\))?", it) for it in gone_through.split("; ")
+        re.fullmatch(r"(object_\d+) (.*?)(?:, so \((\d)\) \2, \1)?", it)
+        for it in gone_through.split("; ")
     ]
     assert [it and it.groups()[:2] for it in each] == [
         (it.object_id, it.name or "without a name") for it in graph.objects
@@ -182,7 +183,7 @@ def test_after_each_list_it_counts_those_that_it_has(play):
     told = lists_and_words(played(play, "count", PhraseBook(rng())))
     assert {len(ids(graph, "red die")) for graph, _ in told} == {0, 1}
     for graph, words in told:
-        counted = [f"red die, {id} ({n})" for n, id in enumerate(ids(graph, "red die"), 1)]
+        counted = [f"({n}) red die, {id}" for n, id in enumerate(ids(graph, "red die"), 1)]
         told_each = f"I count each red die: {'; '.join(counted)}. "
         words = re.sub(r"^From top to bottom: [^.]*\. ", "", words)
         assert words.startswith(told_each if counted else "I see no red die to count. ")
@@ -197,8 +198,8 @@ def test_those_that_were_counted_before_stay_in_front(play):
     (first, words), *_, (last, final) = lists_and_words(record)
     (known,) = ids(first, "red die")
     new, again = ids(last, "red die")
-    assert again == known and f"each red die: red die, {known} (1)." in words
-    assert f"each red die: red die, {known} (1); red die, {new} (2)." in final
+    assert again == known and f"each red die: (1) red die, {known}." in words
+    assert f"each red die: (1) red die, {known}; (2) red die, {new}." in final
 
 
 def test_what_was_counted_and_is_hidden_again_counts_at_the_end(play):
@@ -222,7 +223,7 @@ def test_what_was_counted_and_is_hidden_again_counts_at_the_end(play):
     last, final = told[-1]
     (left,) = ids(last, "red die")
     assert (
-        final.startswith(f"I count each red die: red die, {left} (1). ")
+        final.startswith(f"I count each red die: (1) red die, {left}. ")
         and "That makes" not in final
     )
     assert all(id in final for id in both) and record.answer.choice == "B"

@@ -65,11 +65,11 @@ def test_it_counts_all_that_have_the_name_and_numbers_them(said):
     ]
     assert len(notes) > 100
     for known, (name, each) in ((known, found.groups()) for known, found in notes):
-        counted = re.findall(r"(?:^|; )([^;]*), (object_\d+) \((\d+)\)", each)
+        counted = re.findall(r"(?:^|; )\((\d+)\) ([^;]*), (object_\d+)", each)
         assert len(counted) == each.count("object_")
-        assert {it[1] for it in counted} == called(known, name)
-        assert {it[0] for it in counted} <= {name}
-        assert [int(it[2]) for it in counted] == list(range(1, len(counted) + 1))
+        assert {it[2] for it in counted} == called(known, name)
+        assert {it[1] for it in counted} <= {name}
+        assert [int(it[0]) for it in counted] == list(range(1, len(counted) + 1))
 
 
 def test_to_count_it_goes_through_the_first_list_in_its_order(said):
@@ -84,7 +84,10 @@ def test_to_count_it_goes_through_the_first_list_in_its_order(said):
     ]
     assert len(lists) > 100
     for known, each, name in lists:
-        told = [re.fullmatch(r"(object_\d+) (.*?)(?: \((\d+)\))?", it) for it in each.split("; ")]
+        told = [
+            re.fullmatch(r"(object_\d+) (.*?)(?:, so \((\d+)\) \2, \1)?", it)
+            for it in each.split("; ")
+        ]
         assert [it and it[1] for it in told] == [*known]
         named = [it.groups() for it in told if it and it[2] != "without a name"]
         assert all(known[id][1] == what for id, what, _ in named)
@@ -162,7 +165,8 @@ def test_object_ids_and_names_belong_together(said):
     forms = (
         r"(?:Next is|I turn to) the (?P<what>.*?), (?P<id>object_\d+)\.",
         r"Mark [AB] is (?P<id>object_\d+), the (?P<what>.*?)(?: \(\w+\))?\.(?: |$)",
-        r"(?:this: |since the start: |; )(?P<what>[^.;]*?), (?P<id>object_\d+)(?=[.;,])",
+        r"(?:this: |since the start: |each [^.;:]*: |; )(?:object_\d+ [^.;]*, so )?(?:\(\d+\) )?"
+        r"(?P<what>[^.;]*?), (?P<id>object_\d+)(?=[.;,])",
     )
     for form in forms:
         found = [(known, it) for _, known, words in said for it in re.finditer(form, words)]

@@ -57,16 +57,17 @@ class _Tally:
         return [*shown, f"{self.gone} that went along with what I lifted"] if self.gone else shown
 
     def told(self, name: str, say: Say) -> str:
-        """Each of them by its name, with how many they are up to it.
+        """Each of them by its number and name.
 
-        Its object_id follows the name as it does in lists.
+        Its object_id follows the name as it does in lists. What follows a number can be copied from
+        what was said last.
         """
         if not self.number:
             return say("count nothing", {"thing": name})
         known = [f"{seen.name}, {seen.object_id or seen.place}" for seen in self.shown]
-        each = [f"{told} ({n})" for n, told in enumerate(known, start=1)]
+        each = [f"({n}) {told}" for n, told in enumerate(known, start=1)]
         if self.gone:
-            each.append(f"{self.gone} that went along with what I lifted ({self.number})")
+            each.append(f"({self.number}) {self.gone} that went along with what I lifted")
         return say("count each", {"thing": name, "each": "; ".join(each)})
 
 
@@ -103,8 +104,9 @@ def _gone_through(graph: Graph, counts: Callable[[Seen], bool], say: Say) -> str
     numbers, told = itertools.count(1), list[str]()
     for seen in graph.objects:
         if seen.object_id:
-            number = f" ({next(numbers)})" if counts(seen) else ""
-            told.append(f"{seen.object_id} {seen.name or UNNAMED}{number}")
+            told.append(f"{seen.object_id} {seen.name or UNNAMED}")
+        if seen.object_id and counts(seen):
+            told[-1] += f", so ({next(numbers)}) {seen.name}, {seen.object_id}"
     return say("gone through", {"each": "; ".join(told)}) if told else ""
 
 
