@@ -112,7 +112,7 @@ class _Marked:
     letter: str
     mark: tuple[int, int]
     crowd: set[str | None]
-    call: Callable[[Seen], str] = _name
+    call: Callable[[Seen], str]
     here: Seen | None = None
     shown: Seen | None = None
     sure: bool = False
@@ -141,8 +141,10 @@ class _Marked:
         here = self.here
         if here is None or not here.object_id or not self.sure:
             return ""
-        slots = {"letter": self.letter, "id": here.object_id, "thing": self.call(here)}
-        return say("marked" if here.name else "marked unclear", slots)
+        slots = {"letter": self.letter, "id": here.object_id}
+        if not here.name:
+            return say("marked unclear", slots)
+        return say("marked", slots | {"thing": self.call(here)})
 
     def _follow(self, graph: Graph) -> None:
         """Find it in a new graph: by its name if that is known, else what is new by its mark."""

@@ -36,7 +36,7 @@ def ladder(runs: RunFolders, out: Path = Path("outputs/ladder.md")) -> None:
     found = climbed(it for folder in runs for it in _episodes(folder))
     if not found:
         raise BadData(runs[0], "holds no episode with tools", "Run a setting that has tools")
-    names = [f"{who.agent}, {who.setting}" for who in found]
+    names = [who.title for who in found]
     table = markdown(list(zip(names, found.values(), strict=True)))
     write_text(out, table + "\n")
     say(*table.splitlines())

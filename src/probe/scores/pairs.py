@@ -74,6 +74,12 @@ class _Difference:
     left_out: int
 
 
+def share_tasks(results: Results, pair: tuple[Entrant, Entrant]) -> bool:
+    """Whether there is a task that both were given."""
+    one, other = ({unit.task for unit in results[entrant]} for entrant in pair)
+    return not one.isdisjoint(other)
+
+
 def family(
     results: Results,
     pairs: Iterable[tuple[Entrant, Entrant]],

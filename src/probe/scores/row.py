@@ -18,6 +18,11 @@ class Entrant(NamedTuple):
     agent: str
     setting: str
 
+    @property
+    def title(self) -> str:
+        """Both, for tables."""
+        return f"{self.agent}, {self.setting}"
+
 
 class Row(
     pydantic.BaseModel,

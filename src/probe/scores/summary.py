@@ -14,7 +14,7 @@ from probe.files import write_text
 from probe.scene.seeds import generator
 from probe.scores.holm import ties
 from probe.scores.missing import present, settled
-from probe.scores.pairs import Pair, Results, family
+from probe.scores.pairs import Pair, Results, family, share_tasks
 from probe.scores.roster import Roster
 from probe.scores.row import Entrant, Row
 from probe.scores.scorecard import Scorecard, scorecard
@@ -79,8 +79,8 @@ def summarise(
         entrant: units for entrant, some in entrants.items() if (units := units_of(present(some)))
     }
     ranked = [card.entrant for card in cards if card.entrant in results]
-    shared = [pair for pair in combinations(ranked, 2) if _share_tasks(results, pair)]
-    settings = [pair for pair in _both_settings(ranked) if _share_tasks(results, pair)]
+    shared = [pair for pair in combinations(ranked, 2) if share_tasks(results, pair)]
+    settings = [pair for pair in _both_settings(ranked) if share_tasks(results, pair)]
     pairs = family(results, shared, seed)
     return Scores(
         suite=suite,
@@ -110,11 +110,6 @@ def _both_settings(entrants: Sequence[Entrant]) -> list[tuple[Entrant, Entrant]]
     return [
         (it, direct[it.agent]) for it in entrants if it.setting == AGENTIC and it.agent in direct
     ]
-
-
-def _share_tasks(results: Results, pair: tuple[Entrant, Entrant]) -> bool:
-    one, other = ({unit.task for unit in results[entrant]} for entrant in pair)
-    return not one.isdisjoint(other)
 
 
 def _setting_effect(

@@ -7,9 +7,9 @@ from itertools import combinations
 
 from probe.scores.estimates import macro
 from probe.scores.missing import present, settled
-from probe.scores.pairs import Pair, family
+from probe.scores.pairs import Pair, family, share_tasks
 from probe.scores.roster import Roster
-from probe.scores.row import Entrant, Row
+from probe.scores.row import Row
 from probe.scores.units import by_entrant, strata_of, units_of
 from probe.train.baselines import SETTING as BLIND
 
@@ -32,11 +32,10 @@ def differences(
     entrants = by_entrant(present(kept))
     results = {entrant: units_of(some) for entrant, some in entrants.items()}
     ranked = sorted(results, key=lambda entrant: -macro(strata_of(results[entrant])))
-    tasks = {entrant: {unit.task for unit in units} for entrant, units in results.items()}
     shared = [
-        (one, other)
-        for one, other in combinations(ranked, 2)
-        if tasks[one] & tasks[other] and {one.setting, other.setting} != {BLIND}
+        pair
+        for pair in combinations(ranked, 2)
+        if share_tasks(results, pair) and {it.setting for it in pair} != {BLIND}
     ]
     return family(results, shared, seed)
 
@@ -51,9 +50,5 @@ def markdown(found: Sequence[Pair]) -> str:
 def _cells(pair: Pair) -> list[str]:
     low, high = 100 * pair.student.low, 100 * pair.student.high
     less = f"{100 * pair.difference:.1f} ({low:.0f} to {high:.0f})"
-    told = [_name(pair.first), _name(pair.second), str(pair.tasks), less]
+    told = [pair.first.title, pair.second.title, str(pair.tasks), less]
     return [*told, *(f"{p:.5f}" if p < 0.001 else f"{p:.3f}" for p in (pair.p, pair.adjusted))]
-
-
-def _name(entrant: Entrant) -> str:
-    return f"{entrant.agent}, {entrant.setting}"

@@ -80,8 +80,8 @@ def _colours(seen: Seen) -> list[str]:
 
 def _with_colour(seen: Seen) -> str:
     """Its name, and its colour where the name tells none."""
-    colours = [] if _words(seen.name or "") else _words(seen.description)
-    return f"{seen.name} ({colours[0]})" if colours else seen.name or ""
+    name, colours = seen.name or "", _colours(seen)
+    return name if _words(name) or not colours else f"{name} ({colours[0]})"
 
 
 def _words(text: str) -> list[str]:

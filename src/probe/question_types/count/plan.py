@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +16,7 @@ from probe.agents.uncovering import FoundAnswer, conclude
 from probe.episodes.turns import Question
 from probe.tasks.english import joined
 
-UNNAMED = "without a name"
+_UNNAMED = "without a name"
 """What shows too little."""
 
 
@@ -64,8 +63,7 @@ class _Tally:
         """
         if not self.number:
             return say("count nothing", {"thing": name})
-        known = [f"{seen.name}, {seen.object_id or seen.place}" for seen in self.shown]
-        each = [f"({n}) {told}" for n, told in enumerate(known, start=1)]
+        each = [_numbered(n, seen) for n, seen in enumerate(self.shown, start=1)]
         if self.gone:
             each.append(f"({self.number}) {self.gone} that went along with what I lifted")
         return say("count each", {"thing": name, "each": "; ".join(each)})
@@ -80,8 +78,8 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
 
     search = Search(counts, asked.first, asked.rng, say=asked.say, scale=asked.question.scale)
     yield from search.begin()
-    search.remark(_gone_through(search.graph, counts, asked.say))
     now = most = _Tally(search.graph.called(name))
+    search.remark(_gone_through(search.graph, now, asked.say))
     search.remark(now.told(name, asked.say))
     search.remark_to_search()
     while not search.complete and (yield from search.clear_one()):
@@ -96,17 +94,21 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         yield from conclude(asked, found, search)
 
 
-def _gone_through(graph: Graph, counts: Callable[[Seen], bool], say: Say) -> str:
+def _numbered(number: int, seen: Seen) -> str:
+    return f"({number}) {seen.name}, {seen.object_id or seen.place}"
+
+
+def _gone_through(graph: Graph, tally: _Tally, say: Say) -> str:
     """All of a list in its order, and which of them count: nothing if it tells no object_ids.
 
     Then one thing after another is judged, and nobody has to know when to stop counting.
     """
-    numbers, told = itertools.count(1), list[str]()
-    for seen in graph.objects:
-        if seen.object_id:
-            told.append(f"{seen.object_id} {seen.name or UNNAMED}")
-        if seen.object_id and counts(seen):
-            told[-1] += f", so ({next(numbers)}) {seen.name}, {seen.object_id}"
+    counted = {seen.number: f", so {_numbered(n, seen)}" for n, seen in enumerate(tally.shown, 1)}
+    told = [
+        f"{seen.object_id} {seen.name or _UNNAMED}{counted.get(seen.number, '')}"
+        for seen in graph.objects
+        if seen.object_id
+    ]
     return say("gone through", {"each": "; ".join(told)}) if told else ""
 
 

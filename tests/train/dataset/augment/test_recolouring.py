@@ -67,8 +67,7 @@ def darker(episodes):
     found = []
     for seed in range(40):
         now, after = told(task, record, seed)
-        (each,) = re.findall(r"(\w+) is A; (\w+) is B\b", after.steps[-1].call.words)
-        one, two = each
+        ((one, two),) = re.findall(r"(\w+) is A; (\w+) is B\b", after.steps[-1].call.words)
         found.append((now.answer, after.answer and after.answer.choice, one, two))
     return found
 

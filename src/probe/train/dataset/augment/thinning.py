@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from probe.agents.phrases import Say
+from probe.agents.phrases import Say, phrases
 from probe.episodes.record import EpisodeRecord
 from probe.tasks.task import Task
 from probe.train.dataset.augment.certain import NotCertain
@@ -22,8 +22,6 @@ from probe.train.dataset.augment.retelling import check_scripted, retold
 _SHARE = 0.7
 """Of what nobody speaks of."""
 _ID = re.compile(r"\bobject_\d+\b")
-_GONE_THROUGH = re.compile(r"From top to bottom: [^.]*\.")
-"""Where the teacher names all that is listed, whatever that is."""
 
 
 def thinned(
@@ -55,8 +53,9 @@ def _unspoken(record: EpisodeRecord) -> list[str]:
     """Names of things that nobody speaks of, sorted."""
     ids = defaultdict[str | None, set[str]](set)
     spoken = [record.question.text, *(text for _, text in record.question.options)]
+    everything = _gone_through()
     for step in record.steps:
-        spoken += [_GONE_THROUGH.sub("", step.call.words), step.call.arguments]
+        spoken += [everything.sub("", step.call.words), step.call.arguments]
         listing = read_listing(step.text)
         if listing is None:
             spoken.append(step.text)
@@ -65,6 +64,12 @@ def _unspoken(record: EpisodeRecord) -> list[str]:
     text = "\n".join(spoken)
     known = {*_ID.findall(text)} | ids.pop(None, set())
     return sorted(name for name in ids if name and name not in text and not ids[name] & known)
+
+
+def _gone_through() -> re.Pattern[str]:
+    """Where the teacher names all that is listed, whatever that is."""
+    ways = phrases()["gone through"]
+    return re.compile("|".join(re.escape(way).replace(r"\{each\}", "[^.]*") for way in ways))
 
 
 def _without(text: str, names: Collection[str]) -> str:
