@@ -8,7 +8,7 @@
 #   OUT=elsewhere SUITE=v1 SELECT="--slack 3 --least 1" \
 #       DATASET="--no-find --augment mirrored wordings options names ids --balance" \
 #       TRAIN="--learning-rate 3e-4 --global-batch 1 --epochs 0.5 --warmup 0.05 --no-save-memory" \
-#       SERVERS=2 WORKERS=8 SERVE="--cpu-bfloat16 --most-tokens 250 --at-once 8" runs/student.sh  # hours
+#       SERVERS=2 WORKERS=8 SERVE="--cpu-bfloat16 --most-tokens 400 --at-once 8" runs/student.sh  # hours
 #   TEACHER= COUNTS="--total 40" runs/student.sh              # nothing is taken over
 #   SERVERS=8 runs/student.sh           # on many cores or a GPU: see runs/serve_and_run.sh
 #
@@ -25,7 +25,7 @@ COUNTS=${COUNTS:---counts.count 6 --counts.find 6 --counts.size 4 --counts.reduc
 SELECT=${SELECT:---slack 3 --least 1 --no-near --counts count 6 find 6 size 4 reduce 2 compare 4}
 DATASET=${DATASET:---no-find}           # more options of probe dataset
 TRAIN=${TRAIN:---learning-rate 3e-4 --global-batch 2 --epochs 1 --warmup 0.1 --no-save-memory}
-SERVE=${SERVE:---cpu-bfloat16 --most-tokens 200 --at-once 2}
+SERVE=${SERVE:---cpu-bfloat16 --most-tokens 400 --at-once 2}
 BASE=${BASE:-}                          # a folder to start from; by default SmolLM2's
 HELD_OUT=${HELD_OUT:-}                  # types without examples, if COUNTS has others than usual
 probe=${PROBE:-.venv/bin/probe}

@@ -137,14 +137,15 @@ class _Marked:
         return True
 
     def _told(self, say: Say) -> str:
-        """Which of the listed things it is; nothing where that isn't sure."""
+        """Which of the listed things it is; nothing of one that is neither named nor sure."""
         here = self.here
-        if here is None or not here.object_id or not self.sure:
+        if here is None or not here.object_id:
             return ""
         slots = {"letter": self.letter, "id": here.object_id}
         if not here.name:
-            return say("marked unclear", slots)
-        return say("marked", slots | {"thing": self.call(here)})
+            return say("marked unclear", slots) if self.sure else ""
+        slots |= {"thing": self.call(here)}
+        return say("marked" if self.sure else "marked perhaps", slots)
 
     def _follow(self, graph: Graph) -> None:
         """Find it in a new graph: by its name if that is known, else what is new by its mark."""

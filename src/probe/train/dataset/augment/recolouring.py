@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from contextlib import suppress
 
 import numpy as np
 
 from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord
-from probe.perception.colour_words import KNOWN, colours_in
+from probe.perception.colour_words import KNOWN
 from probe.tasks.task import Task
-from probe.tasks.truth import DARKER
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.retelling import (
-    SlotListener,
-    changed,
-    check_scripted,
-    retold,
-    with_its_answer,
-)
+from probe.train.dataset.augment.comparing import compared_again
+from probe.train.dataset.augment.retelling import changed, check_scripted, retold
 
 _COLOUR = re.compile(rf"\b(?:{'|'.join(KNOWN)})\b")
-_TRIES = 20
 
 
 def recoloured(
@@ -49,13 +40,7 @@ def recoloured(
         raise NotCertain(record.task, "its colours don't matter")
     if task.form != "darker":
         return retold(task, record, _Colours(rng), say)
-    for _ in range(_TRIES):
-        listener = SlotListener(say, "colour_one")
-        with suppress(NotCertain):  # of colours that are equally dark to the teacher
-            told = with_its_answer(*changed(task, record, _Colours(rng)), listener)
-            if _clearly_darker(listener.heard) == told[0].answer:
-                return told
-    raise NotCertain(record.task, "no other colours make one thing clearly darker")
+    return compared_again(lambda: changed(task, record, _Colours(rng)), say)
 
 
 class _Colours:
@@ -67,16 +52,3 @@ class _Colours:
 
     def __call__(self, text: str) -> str:
         return _COLOUR.sub(lambda it: self._now[it[0]], text)
-
-
-def _clearly_darker(compared: Mapping[str, str]) -> str | None:
-    """Letter of the thing that is darker by the first colour of its name, its shade included."""
-    if not compared:
-        return None
-    a, b = (
-        colours_in(f"{compared[which]} {compared[f'colour_{which}']}")[0][0]
-        for which in ("one", "two")
-    )
-    if abs(a - b) < DARKER:
-        return None
-    return "A" if a < b else "B"

@@ -21,6 +21,7 @@ from probe.tasks.english import plural
 from probe.tasks.task import NONE_OF_THE_ABOVE, Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.mirrored_reply import others_told
+from probe.train.dataset.augment.renaming_compared import renamed_compared
 from probe.train.dataset.augment.retelling import check_scripted, retold
 from probe.train.dataset.augment.rewording import worded
 
@@ -51,7 +52,8 @@ def renamed(
     """A task and an episode in which all things have other names.
 
     What may hide things gets the name of something that may, too: the scripted teacher must make
-    the same calls.
+    the same calls. In Compare the colours of the new names decide, and the other letter may be
+    right.
 
     Args:
         task: What the episode is about.
@@ -61,19 +63,24 @@ def renamed(
         known: Names to choose from, those of this episode's lists included.
 
     Raises:
-        NotCertain: The question is about colours, a name is a colour or stands where it can't be
-            told for sure, there are too few others, or the teacher isn't the scripted one or would
-            do something else.
+        NotCertain: A name is a colour or stands where it can't be told for sure, there are too few
+            others, none that were tried have colours that decide, or the teacher isn't the scripted
+            one or would do something else.
     """
     check_scripted(record)
-    if task.question_type == "compare":
-        raise NotCertain(record.task, "names tell the colours that it asks for")
     names = _names_of(task, record, known)
     if any(name in colour_words_in(name) for name in names):
         raise NotCertain(record.task, "a name is a colour, too")
-    others = _OtherNames.drawn(record.task, names, rng, known)
-    if any(value == others(value) for value in worded(task, record).slots.values()):
+
+    def draw() -> _OtherNames:
+        return _OtherNames.drawn(record.task, names, rng, known)
+
+    others = draw()
+    slots = worded(task, record).slots
+    if any(value == others(value) for slot, value in slots.items() if slot != "colour"):
         raise NotCertain(record.task, "its question may have a name that no list has")
+    if task.question_type == "compare":
+        return renamed_compared(task, record, draw, known, rng, say)
     return retold(task, record, others, say)
 
 
@@ -134,13 +141,17 @@ def _names_of(task: Task, record: EpisodeRecord, known: Descriptions) -> list[st
     """
     listed = {name for name, _ in _entries_of(record)}
     offered = {it.text for it in task.options if not task.marks and _is_name(it.text)}
-    subjects = {*filter(None, task.subject.split(", "))}
+    subjects = {*filter(None, task.subject.split(", "))} - {_asked_colour(task)}
     texts = [_ENTRY.sub("", step.text) for step in record.steps]
     names = listed | offered | subjects | _spoken("\n".join([task.question, *texts]), known)
     moved = [it for text in texts for it in others_told(text)]
     if any(_PART not in it and not any(name in it for name in names) for it in moved):
         raise NotCertain(record.task, "a reply names something that no list has")
     return sorted(names)
+
+
+def _asked_colour(task: Task) -> str | None:
+    return task.subject if task.question_type == "compare" and task.form == "colour" else None
 
 
 def _spoken(text: str, known: Descriptions) -> set[str]:
