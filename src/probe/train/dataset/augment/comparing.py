@@ -32,14 +32,15 @@ def compared_again(
     Raises:
         NotCertain: None that was tried is clear, or the teacher would do something else.
     """
+    task, record = draw()
     for _ in range(_TRIES):
-        task, record = draw()
         listener = SlotListener(say, "colour_one")
         # Of colours that fit both things, or neither, the teacher can't tell the letter.
         with suppress(NotCertain):
             told = with_its_answer(task, record, listener)
             if _is_clear(task.form, listener.heard, told[0].answer):
                 return told
+        task, record = draw()
     raise NotCertain(record.task, "no other colours decide clearly")
 
 
