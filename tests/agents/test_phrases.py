@@ -185,7 +185,7 @@ def test_after_each_list_it_counts_those_that_it_has(play):
     for graph, words in told:
         counted = [f"({n}) red die, {id}" for n, id in enumerate(ids(graph, "red die"), 1)]
         told_each = f"I count each red die: {'; '.join(counted)}. "
-        words = re.sub(r"^From top to bottom: [^.]*\. ", "", words)
+        words = re.sub(r"^(From|With a new object_id or name, from) top [^.]*\. ", "", words)
         assert words.startswith(told_each if counted else "I see no red die to count. ")
 
 

@@ -56,6 +56,7 @@ class Search:
         default_factory=lambda: defaultdict[str, list[tuple[Way, Outcome]]](list)
     )
     _searched: set[str] = field(default_factory=set[str])
+    _before: Graph = field(default_factory=Graph)
 
     def begin(self, words: str = "") -> Plan[None]:
         """Look for the first time, after what is said of the question."""
@@ -107,6 +108,17 @@ class Search:
         """Words of what is done next, after what is said of the graph."""
         return f"{self.remarks} {words}".strip()
 
+    def remark_moved(self) -> None:
+        """Say which known things have another object_id than in the list before.
+
+        Whoever names them next finds that one behind the name, and not the old one.
+        """
+        ids = {seen.object_id for seen in self._before.objects}
+        names = {seen.name for seen in self._before.named}
+        now = [it for it in self.graph.named if it.object_id not in ids and it.name in names]
+        if each := with_ids(now):
+            self.remark(self.say("moved", {"each": each}))
+
     def remark_to_search(self) -> None:
         """Say which listed things may well hide something, the most promising first.
 
@@ -123,6 +135,7 @@ class Search:
         return not self.graph.unclear and not any(_hides(s) for s in self._unsearched())
 
     def _look(self, words: str) -> Plan[None]:
+        self._before = self.graph
         self.graph, self.remarks = (yield from look(words)), ""
 
     def _candidates(self) -> list[Seen]:

@@ -61,6 +61,7 @@ def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[
     found: FoundAnswer | None = None
     while place is not None:
         left = [seen for name in names for seen in search.graph.called(name)]
+        search.remark_moved()
         remark_left(search, left)
         remark_new(search, known, question)
         fresh = [seen for seen in left if search.may_clear(seen)]

@@ -18,6 +18,9 @@ from probe.tasks.english import joined
 
 _UNNAMED = "without a name"
 """What shows too little."""
+_Listed = frozenset[tuple[str, str | None]]
+"""object_ids with names."""
+_NONE: _Listed = frozenset()
 
 
 @dataclass(frozen=True)
@@ -82,8 +85,11 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     search.remark(_gone_through(search.graph, now, asked.say))
     search.remark(now.told(name, asked.say))
     search.remark_to_search()
+    listed = _listed(search.graph)
     while not search.complete and (yield from search.clear_one()):
         now = now.after(search.graph.called(name), removed=search.removed_last)
+        search.remark(_gone_through(search.graph, now, asked.say, listed))
+        listed |= _listed(search.graph)
         search.remark(now.told(name, asked.say))
         search.remark_to_search()
         # Of equal ones the last: things that were moved have other object_ids since.
@@ -98,18 +104,29 @@ def _numbered(number: int, seen: Seen) -> str:
     return f"({number}) {seen.name}, {seen.object_id or seen.place}"
 
 
-def _gone_through(graph: Graph, tally: _Tally, say: Say) -> str:
+def _gone_through(graph: Graph, tally: _Tally, say: Say, listed: _Listed = _NONE) -> str:
     """All of a list in its order, and which of them count: nothing if it tells no object_ids.
 
     Then one thing after another is judged, and nobody has to know when to stop counting.
+
+    Args:
+        graph: What shows.
+        tally: Those that count.
+        say: Gives the words.
+        listed: What earlier lists had; what has the same object_id and name isn't said again.
     """
     counted = {seen.number: f", so {_numbered(n, seen)}" for n, seen in enumerate(tally.shown, 1)}
     told = [
         f"{seen.object_id} {seen.name or _UNNAMED}{counted.get(seen.number, '')}"
         for seen in graph.objects
-        if seen.object_id
+        if seen.object_id and (seen.object_id, seen.name) not in listed
     ]
-    return say("gone through", {"each": "; ".join(told)}) if told else ""
+    occasion = "gone through later" if listed else "gone through"
+    return say(occasion, {"each": "; ".join(told)}) if told else ""
+
+
+def _listed(graph: Graph) -> _Listed:
+    return frozenset((seen.object_id, seen.name) for seen in graph.objects if seen.object_id)
 
 
 def _counted(

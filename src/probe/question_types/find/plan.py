@@ -26,6 +26,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         search.remark_to_search()
         if not (yield from search.clear_one()):
             break
+        search.remark_moved()
         remark_new(search, known, question)
     if shown:
         letter, seen = shown[0]

@@ -21,6 +21,7 @@ from probe.train.dataset.augment.retelling import check_scripted, retold
 
 _SHARE = 0.7
 """Of what nobody speaks of."""
+_ALL_LISTED = ("gone through", "gone through later", "moved")
 _ID = re.compile(r"\bobject_\d+\b")
 
 
@@ -67,8 +68,9 @@ def _unspoken(record: EpisodeRecord) -> list[str]:
 
 
 def _gone_through() -> re.Pattern[str]:
-    """Where the teacher names all that is listed, whatever that is."""
-    ways = phrases()["gone through"]
+    """Where the teacher names all that is listed, or all that has moved, whatever that is."""
+    known = phrases()
+    ways = [way for occasion in _ALL_LISTED for way in known[occasion]]
     return re.compile("|".join(re.escape(way).replace(r"\{each\}", "[^.]*") for way in ways))
 
 

@@ -1,0 +1,107 @@
+"""What the teacher says of a later list: which things have other object_ids, and which count."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import pytest
+
+from packed_teacher import episodes_of, packed_batches
+from probe.episodes.record import EpisodeRecord
+from probe.train.collect.teacher import speaker
+from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
+from probe.train.dataset.augment.rephrasing import rephrased
+from probe.transcripts.result_texts import ResultTexts
+
+LINE = re.compile(r"^- (object_\d+) at \[\d+, \d+\](?:, new)?: (.*), \1, \[.*$", re.MULTILINE)
+UNNAMED = "without a name"
+MOVED = re.compile(r"These have other object_ids now: (.*?)\. ")
+LATER = re.compile(r"With a new object_id or name, from top to bottom: (.*?)\. I (?:see|count) ")
+
+
+@dataclass
+class Change:
+    """A later list, and what is said before the next manipulation.
+
+    Attributes:
+        before: Names that were known, by object_id.
+        lines: object_ids and names in the later list, in its order.
+        ever: All pairs of object_id and name that were told before.
+        words: Of the teacher.
+    """
+
+    before: dict[str, str]
+    lines: list[tuple[str, str]]
+    ever: set[tuple[str, str]]
+    words: str
+
+
+@pytest.fixture(scope="module")
+def changes(tmp_path_factory) -> list[tuple[str, Change]]:
+    found = list[tuple[str, Change]]()
+    for batch in packed_batches(tmp_path_factory.mktemp("packed")):
+        for task, record in episodes_of(batch):
+            words = SayWithoutFinding(speaker(task, record.run))
+            told = without_finding(rephrased(task, record, words))
+            found += [(task.question_type, it) for it in changes_in(told)]
+    return found
+
+
+def changes_in(record: EpisodeRecord) -> Iterator[Change]:
+    texts, known, ever = ResultTexts("0-1000", "short"), dict[str, str](), set[tuple[str, str]]()
+    for step, after in zip(record.steps, record.steps[1:], strict=False):
+        text = texts.told(step.call.name, step.text)
+        if step.call.name != "perceive_scene":
+            continue
+        lines = [(id, UNNAMED if is_part(what) else what) for id, what in LINE.findall(text)]
+        if known:
+            yield Change(dict(known), lines, set(ever), after.call.words)
+        gone = re.findall(r"object_\d+", text.partition("out of date: ")[2])
+        known = {id: what for id, what in known.items() if id not in gone} | dict(lines)
+        ever |= {*lines}
+
+
+def is_part(what: str) -> bool:
+    return what.startswith("part of something")
+
+
+def test_known_things_with_other_object_ids_are_told_and_no_others(changes):
+    told = 0
+    for kind, change in changes:
+        if kind not in ("find", "reduce", "beneath", "behind"):
+            assert not MOVED.search(change.words)
+            continue
+        names = {*change.before.values()} - {UNNAMED}
+        moved = [
+            f"{what}, {id}"
+            for id, what in change.lines
+            if id not in change.before and what in names
+        ]
+        found = MOVED.search(change.words)
+        assert (found[1].split("; ") if found else []) == moved
+        told += bool(moved)
+    assert told > 50
+
+
+def test_to_count_it_goes_through_what_a_later_list_calls_otherwise(changes):
+    told = 0
+    for kind, change in changes:
+        found = LATER.search(change.words)
+        if kind != "count":
+            assert not found
+            continue
+        now = [it for it in change.lines if it not in change.ever]
+        each = [
+            re.fullmatch(r"(object_\d+) (.*?)(?:, so \((\d+)\) \2, \1)?", it)
+            for it in (found[1].split("; ") if found else [])
+        ]
+        assert [it and it.groups()[:2] for it in each] == now
+        counted = change.words.split("I count each")[-1]
+        for it in each:
+            assert it and (
+                not it[3] or f"({it[3]}) {it[2]}, {it[1]}" in re.split("[;:.] ", counted)
+            )
+        told += bool(each)
+    assert told > 100
