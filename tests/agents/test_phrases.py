@@ -347,7 +347,7 @@ def test_each_phrase_can_be_said():
     slots = {
         "thing", "other", "letter", "number", "direction", "one", "two", "each", "size_one",
         "size_two", "colour", "colour_one", "colour_two", "id", "text", "place",
-        "long_one", "long_two",
+        "long_one", "long_two", "greater", "lesser", "letter_more", "letter_less",
     }  # fmt: skip
     for occasion, ways in phrases().items():
         used = [{name for _, name, _, _ in string.Formatter().parse(way) if name} for way in ways]

@@ -55,9 +55,17 @@ def _reason(form: str, letter: str, both: tuple[Seen, Seen], say: Say) -> str:
     a, b = max(one.size), max(two.size)
     if a != b and letter == _fitting(form, a, b):
         sides = {"long_one": str(a), "long_two": str(b)}
-        said.append(say("size sides", sides))
+        said.append(say("size sides", sides | _compared(form, a, b)))
     said.append(say(f"size {form}", {"letter": letter}))
     return " ".join(said).strip()
+
+
+def _compared(form: str, a: int, b: int) -> dict[str, str]:
+    """Which of A and B is more and which is less, and what that is called."""
+    more, less = "AB" if a > b else "BA"
+    greater, lesser = ("longer", "shorter") if form == "longer" else ("larger", "smaller")
+    letters = {"letter_more": more, "letter_less": less}
+    return letters | {"greater": greater, "lesser": lesser}
 
 
 def _at_sight(asked: FirstLookQuestion, say: Say) -> FirstLookAnswer | None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from lessons import lesson, training_task
+from packed_teacher import names_in
 from painted_teacher import SIZE, taught
 from probe.agents.phrases import plainly
 from probe.assets.spec import ObjectSpec
@@ -137,6 +139,23 @@ def test_balanced_rare_types_are_told_several_times_and_each_time_otherwise(chos
     assert mirrored == ["mirrored"]
     of_the_others = [it for it in again.episodes if it[1] != SIZE]
     assert of_the_others == [it for it in plain.episodes if it[1] != SIZE]
+
+
+@pytest.mark.parametrize("kind", ["reduce", "compare", "size"])
+def test_from_the_second_time_on_things_have_other_names_and_other_sizes(episodes, kind):
+    others = [it for it in episodes if it[0].question_type != kind]
+    rare = next(
+        (task, it)
+        for task, it in episodes
+        if task.question_type == kind and it.answer and it.answer.choice == task.answer
+    )
+    again = augmented([*others, rare], ["ids", "names", "sizes"], 0, balanced=True)
+    told = [it for way, task, it in again.episodes if (way, task.question_type) == ("ids", kind)]
+    names = [{name for it in names_in(record) for name in it if name} for record in told]
+    assert len(told) > 1 and names[0] == {it for each in names_in(rare[1]) for it in each if it}
+    assert not any(names[0] & each for each in names[1:])
+    boxes = [re.findall(r"\[\d+, \d+\]", record.steps[-1].call.words) for record in told]
+    assert len({*map(tuple, boxes)}) == (len(told) if kind == "size" else 1)
 
 
 def test_ids_tell_how_often_an_episode_was_told_so():

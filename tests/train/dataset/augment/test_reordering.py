@@ -167,6 +167,17 @@ def test_colours_stay_with_the_things_that_have_them(marked):
     assert told > 1
 
 
+def test_the_longer_side_is_still_that_of_the_larger_one(marked):
+    sides = r"\[(\d+), (\d+)\]: the (?:larger|longer) one is ([AB]); the \w+ one is ([AB])\."
+    told = 0
+    for task, record in marked:
+        _, after = reordered(task, record, np.random.default_rng(0), speaker(task, record.run))
+        for a, b, more, less in re.findall(sides, after.steps[-1].call.words):
+            assert (more, less) == (("A", "B") if int(a) > int(b) else ("B", "A"))
+            told += 1
+    assert told > 1
+
+
 def test_what_isnt_sure_is_left_out(episodes):
     task, record = episodes[0]
     with pytest.raises(NotCertain, match="it has no answer"):

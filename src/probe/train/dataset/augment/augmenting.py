@@ -47,13 +47,13 @@ def augmented(
         seed: Chooses among other wordings, phrases, letters, names and object_ids.
         speech: How the teacher speaks in the data set. Plainly, it has no other phrases.
         balanced: Whether those of rare types are told several times in each way, up to four, each
-            time otherwise.
+            time otherwise: also with other names and sizes, if these are among the ways.
     """
     told = list[tuple[AugmentationWay, Task, EpisodeRecord]]()
     left_out: dict[AugmentationWay, Counter[str]] = {way: Counter() for way in ways}
     times = _times(episodes) if balanced else Counter[str]()
     records = [record for _, record in episodes] if "names" in ways else []
-    teller = Teller(seed, speech, descriptions_in(records))
+    teller = Teller(seed, speech, ways, descriptions_in(records))
     for way in left_out:
         for task, record in episodes:
             often = 1 if way == "mirrored" else max(1, times[task.question_type])

@@ -82,8 +82,9 @@ class _SayOfTheOther:
 
     def __call__(self, occasion: str, slots: Mapping[str, str]) -> str:
         other = {slot: slots[_OTHER.get(slot, slot)] for slot in slots}
-        if letter := slots.get("letter"):
-            other["letter"] = {"A": "B", "B": "A"}.get(letter, letter)
+        for slot, letter in slots.items():
+            if slot.startswith("letter"):
+                other[slot] = {"A": "B", "B": "A"}.get(letter, letter)
         return self.say(occasion, other)
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -49,12 +51,13 @@ class Teller:
     """Tells episodes again.
 
     Attributes:
-        seed, speech: As in augmented().
+        seed, speech, ways: As in augmented().
         known: Names that things may have.
     """
 
     seed: int
     speech: Speech
+    ways: Collection[AugmentationWay]
     known: Descriptions
 
     def several(
@@ -68,7 +71,7 @@ class Teller:
         told, doubts = list[tuple[Task, EpisodeRecord]](), list[NotCertain]()
         for time in range(often):
             try:
-                again = self._once(way, task, record, time)
+                again = self._once(way, *self._varied(task, record, time), time)
             except NotCertain as doubt:
                 doubts.append(doubt)
                 continue
@@ -77,6 +80,22 @@ class Teller:
         if not told:
             raise doubts[0]
         return told
+
+    def _varied(self, task: Task, record: EpisodeRecord, time: int) -> tuple[Task, EpisodeRecord]:
+        """From the second time on with other names and sizes, if these are among the ways.
+
+        Then the answer to an episode that is told often can't be learnt by heart. As it was, where
+        that isn't certain.
+        """
+        others = (("names", partial(renamed, known=self.known)), ("sizes", resized))
+        for way, vary in others if time else ():
+            if way not in self.ways:
+                continue
+            rng = generator(self.seed, f"varied {way}", task.id, record.run, time)
+            say = self.speech.words(PhraseBook(rng))
+            with suppress(NotCertain):
+                task, record = vary(task, record, rng, say)
+        return task, record
 
     def _once(
         self, way: AugmentationWay, task: Task, record: EpisodeRecord, time: int
