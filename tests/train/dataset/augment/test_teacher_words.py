@@ -15,7 +15,8 @@ SLOTS = {
     "other": "box of tea", "letter": "B", "number": "3", "one": "lime",
     "two": "lemon", "direction": "left", "each": "object_1", "size_one": "[20, 30]",
     "size_two": "[40, 10]", "colour": "green", "colour_one": "green", "colour_two": "yellow",
-    "long_one": "30", "long_two": "40",
+    "long_one": "30", "long_two": "40", "greater": "larger", "lesser": "smaller",
+    "letter_more": "B", "letter_less": "A",
 }  # fmt: skip
 
 
