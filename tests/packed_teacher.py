@@ -37,9 +37,14 @@ def episodes_of(batch: Batch) -> list[tuple[Task, EpisodeRecord]]:
     return [(tasks[record.task], record) for record in records]
 
 
+def all_episodes(folder: Path) -> list[tuple[Task, EpisodeRecord]]:
+    """Those of all batches, with their tasks."""
+    return [each for batch in packed_batches(folder) for each in episodes_of(batch)]
+
+
 def some_of_each_type(folder: Path) -> list[tuple[Task, EpisodeRecord]]:
     """Some six episodes of each type, from all batches."""
-    found = [each for batch in packed_batches(folder) for each in episodes_of(batch)]
+    found = all_episodes(folder)
     kinds = sorted({task.question_type for task, _ in found})
     of_a_kind = ([it for it in found if it[0].question_type == kind] for kind in kinds)
     return [each for some in of_a_kind for each in some[:: len(some) // 6]]

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from packed_teacher import episodes_of, packed_batches
+from packed_teacher import all_episodes
 from probe.episodes.record import EpisodeRecord
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
@@ -27,13 +27,12 @@ Known = dict[str, tuple[str, str, str, str]]
 def said(tmp_path_factory) -> list[tuple[str, Known, str]]:
     """Questions with their options, what is known of a table, and what the teacher says then."""
     told = list[tuple[str, Known, str]]()
-    for batch in packed_batches(tmp_path_factory.mktemp("packed")):
-        for task, record in episodes_of(batch):
-            words = SayWithoutFinding(speaker(task, record.run))
-            spoken = rephrased(task, record, words)
-            options = (f"{option.letter}: {option.text}" for option in task.options)
-            asked = "\n".join([task.question, *options])
-            told += [(asked, *each) for each in known_and_said(without_finding(spoken))]
+    for task, record in all_episodes(tmp_path_factory.mktemp("packed")):
+        words = SayWithoutFinding(speaker(task, record.run))
+        spoken = rephrased(task, record, words)
+        options = (f"{option.letter}: {option.text}" for option in task.options)
+        asked = "\n".join([task.question, *options])
+        told += [(asked, *each) for each in known_and_said(without_finding(spoken))]
     assert len(told) > 1000
     return told
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from packed_teacher import episodes_of, packed_batches
+from packed_teacher import all_episodes
 from probe.episodes.record import EpisodeRecord
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_finding
@@ -41,11 +41,10 @@ class Change:
 @pytest.fixture(scope="module")
 def changes(tmp_path_factory) -> list[tuple[str, Change]]:
     found = list[tuple[str, Change]]()
-    for batch in packed_batches(tmp_path_factory.mktemp("packed")):
-        for task, record in episodes_of(batch):
-            words = SayWithoutFinding(speaker(task, record.run))
-            told = without_finding(rephrased(task, record, words))
-            found += [(task.question_type, it) for it in changes_in(told)]
+    for task, record in all_episodes(tmp_path_factory.mktemp("packed")):
+        words = SayWithoutFinding(speaker(task, record.run))
+        told = without_finding(rephrased(task, record, words))
+        found += [(task.question_type, it) for it in changes_in(told)]
     return found
 
 

@@ -20,7 +20,6 @@ _UNNAMED = "without a name"
 """What shows too little."""
 _Listed = frozenset[tuple[str, str | None]]
 """object_ids with names."""
-_NONE: _Listed = frozenset()
 
 
 @dataclass(frozen=True)
@@ -104,7 +103,7 @@ def _numbered(number: int, seen: Seen) -> str:
     return f"({number}) {seen.name}, {seen.object_id or seen.place}"
 
 
-def _gone_through(graph: Graph, tally: _Tally, say: Say, listed: _Listed = _NONE) -> str:
+def _gone_through(graph: Graph, tally: _Tally, say: Say, listed: _Listed = frozenset()) -> str:
     """All of a list in its order, and which of them count: nothing if it tells no object_ids.
 
     Then one thing after another is judged, and nobody has to know when to stop counting.

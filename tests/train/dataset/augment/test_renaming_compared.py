@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from packed_teacher import episodes_of, names_in, packed_batches
+from packed_teacher import all_episodes, names_in
 from probe.tasks.wordings import wordings
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.renaming import descriptions_in, renamed
@@ -20,8 +20,7 @@ DARK, LIGHT = ("black", "brown", "purple"), ("white", "yellow", "beige")
 @pytest.fixture(scope="module")
 def packed(tmp_path_factory):
     """All packed episodes; few of each form of Compare are right."""
-    folder = tmp_path_factory.mktemp("packed")
-    return [each for batch in packed_batches(folder) for each in episodes_of(batch)]
+    return all_episodes(tmp_path_factory.mktemp("packed"))
 
 
 @pytest.fixture(scope="module")

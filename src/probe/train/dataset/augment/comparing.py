@@ -17,11 +17,12 @@ _TRIES = 40
 
 
 def compared_again(
-    draw: Callable[[], tuple[Task, EpisodeRecord]], say: Say
+    record: EpisodeRecord, draw: Callable[[], tuple[Task, EpisodeRecord]], say: Say
 ) -> tuple[Task, EpisodeRecord]:
     """The first of some changed episodes in which the colours of both things decide, and clearly.
 
     Args:
+        record: What happened.
         draw: Gives a task and an episode in which things have other colours, and the teacher still
             has its old words and the old letter.
         say: Chooses the teacher's words.
@@ -32,15 +33,14 @@ def compared_again(
     Raises:
         NotCertain: None that was tried is clear, or the teacher would do something else.
     """
-    task, record = draw()
     for _ in range(_TRIES):
+        task, changed = draw()
         listener = SlotListener(say, "colour_one")
         # Of colours that fit both things, or neither, the teacher can't tell the letter.
         with suppress(NotCertain):
-            told = with_its_answer(task, record, listener)
+            told = with_its_answer(task, changed, listener)
             if _is_clear(task.form, listener.heard, told[0].answer):
                 return told
-        task, record = draw()
     raise NotCertain(record.task, "no other colours decide clearly")
 
 

@@ -40,7 +40,7 @@ def recoloured(
         raise NotCertain(record.task, "its colours don't matter")
     if task.form != "darker":
         return retold(task, record, _Colours(rng), say)
-    return compared_again(lambda: changed(task, record, _Colours(rng)), say)
+    return compared_again(record, lambda: changed(task, record, _Colours(rng)), say)
 
 
 class _Colours:

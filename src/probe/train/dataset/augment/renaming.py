@@ -76,8 +76,8 @@ def renamed(
         return _OtherNames.drawn(record.task, names, rng, known)
 
     others = draw()
-    slots = worded(task, record).slots
-    if any(value == others(value) for slot, value in slots.items() if slot != "colour"):
+    named = {*worded(task, record).slots.values()} - {_asked_colour(task)}
+    if any(value == others(value) for value in named):
         raise NotCertain(record.task, "its question may have a name that no list has")
     if task.question_type == "compare":
         return renamed_compared(task, record, draw, known, rng, say)

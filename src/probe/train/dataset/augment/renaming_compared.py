@@ -48,7 +48,7 @@ def renamed_compared(
         colour = _main_colour(f"{name} {known[name]}")
         return changed(*_asking_for(task, record, colour), others)
 
-    return compared_again(once, say)
+    return compared_again(record, once, say)
 
 
 def _compared_things(task: Task, record: EpisodeRecord, say: Say) -> tuple[str, str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -44,6 +43,9 @@ _RETELL: Mapping[AugmentationWay, _Retell] = {
     "sizes": resized,
     "fewer": thinned,
 }
+
+
+_VARYING: tuple[_AskedAgain, ...] = ("names", "sizes")
 
 
 @dataclass(frozen=True)
@@ -87,15 +89,16 @@ class Teller:
         Then the answer to an episode that is told often can't be learnt by heart. As it was, where
         that isn't certain.
         """
-        others = (("names", partial(renamed, known=self.known)), ("sizes", resized))
-        for way, vary in others if time else ():
-            if way not in self.ways:
-                continue
-            rng = generator(self.seed, f"varied {way}", task.id, record.run, time)
-            say = self.speech.words(PhraseBook(rng))
-            with suppress(NotCertain):
-                task, record = vary(task, record, rng, say)
-        return task, record
+
+        def rng(name: str) -> np.random.Generator:
+            return generator(self.seed, f"varied {name}", task.id, record.run, time)
+
+        again = task, record
+        for way in _VARYING if time else ():
+            if way in self.ways:
+                with suppress(NotCertain):
+                    again = self._said(way, *again, rng)
+        return again
 
     def _once(
         self, way: AugmentationWay, task: Task, record: EpisodeRecord, time: int

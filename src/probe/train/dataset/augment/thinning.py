@@ -9,6 +9,7 @@ import re
 from collections import defaultdict
 from collections.abc import Collection
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -67,6 +68,7 @@ def _unspoken(record: EpisodeRecord) -> list[str]:
     return sorted(name for name in ids if name and name not in text and not ids[name] & known)
 
 
+@lru_cache(1)
 def _gone_through() -> re.Pattern[str]:
     """Where the teacher names all that is listed, or all that has moved, whatever that is."""
     known = phrases()
