@@ -7,7 +7,7 @@
 #   runs/student.sh                     # everything into outputs/student, at a small setting
 #   OUT=elsewhere SUITE=v1 SELECT="--slack 3 --least 1" \
 #       DATASET="--no-find --plain --balance --augment mirrored wordings options names ids colours sizes fewer refused" \
-#       TRAIN="--learning-rate 4e-4 --global-batch 1 --epochs 0.49 --warmup 0.04 --no-save-memory --save-every 100" \
+#       TRAIN="--learning-rate 4e-4 --global-batch 1 --steps 1400 --warmup 0.04 --no-save-memory --save-every 100" \
 #       SERVERS=2 WORKERS=8 SERVE="--cpu-bfloat16 --most-tokens 400 --at-once 8" runs/student.sh  # hours
 #   TEACHER= COUNTS="--total 40" runs/student.sh              # nothing is taken over
 #   SERVERS=8 runs/student.sh           # on many cores or a GPU: see runs/serve_and_run.sh

@@ -67,15 +67,18 @@ def test_more_examples_and_augmented_ones(student, base, tmp_path):
         BASE=str(base),
         OUT=str(tmp_path),
         PORT=str(free_ports()),
-        SIZES="4",
-        WAYS="augmented",
+        EXAMPLES="5",
+        PLAIN="6",
         VALIDATION="--counts.count 1",
-        CHOOSE="--no-near --counts count 9 find 9 compare 0 reduce 0 size 0",
-        TUNE="--learning-rate 1e-3 --global-batch 4",
+        SELECT="--no-near --counts count 2 find 2 compare 0 reduce 0 size 0",
+        DATASET="--no-find",
+        AUGMENT="--augment wordings",
+        TUNE="--learning-rate 1e-3",
         SERVE=SERVE,
     )
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-4000:]
-    card = (tmp_path / "4/augmented/trained/README.md").read_text()
-    assert "| count | 2 | 0 |" in card and "| find | 2 | 0 |" in card
-    assert "4 examples more are episodes of these, asked in other words" in card
-    check_tables(tmp_path, "base", "augmented-4")
+    card = (tmp_path / "trained/augmented-5/README.md").read_text()
+    assert "4 examples and 4 that tell them again, 5 steps" in card
+    # Four episodes, two of which are read twice.
+    assert "4 examples, 6 steps" in (tmp_path / "trained/plain-6/README.md").read_text()
+    check_tables(tmp_path, "base", "augmented-5", "plain-6")

@@ -46,14 +46,25 @@ def test_it_learns_without_pictures(tmp_path, dataset, model, lora):
     card = (tmp_path / "README.md").read_text()
     # Four episodes of each type, all with tools.
     assert "| count | 4 | 0 |" in card and "| find | 4 | 0 |" in card
+    run = Run.model_validate_json((tmp_path / "run.json").read_text())
+    assert run.tokens == 3 * tokens_of(dataset, model)
+    assert f"{run.tokens:,} tokens read" in card
+
+
+def tokens_of(dataset, model) -> int:
     processor = load(str(model))[1]
-    lengths = [
+    return sum(
         encoded(processor, of_row(row), tools_of_row(row))["input_ids"].shape[1]
         for row in libraries.part("datasets").load_dataset(str(dataset))["train"]
-    ]
+    )
+
+
+def test_it_makes_as_many_steps_as_are_asked_for(tmp_path, dataset, model):
+    # Each of two steps reads all eight examples, where the epochs would be one.
+    train(dataset, str(model), tmp_path, Tuning(1e-3, 1.0, global_batch=8, steps=2), ())
     run = Run.model_validate_json((tmp_path / "run.json").read_text())
-    assert run.tokens == 3 * sum(lengths)
-    assert f"{run.tokens:,} tokens read" in card
+    assert len(read_log(tmp_path)) == run.steps == 2
+    assert run.tokens == 2 * tokens_of(dataset, model)
 
 
 def test_attention_makes_no_plan_for_each_length(model):

@@ -23,6 +23,7 @@ from probe.train.tune.tuning import Tuning
         ("--learning-rate", {"learning_rate": 0.0}),
         ("--learning-rate", {"learning_rate": nan}),
         ("--global-batch", {"global_batch": 0}),
+        ("--steps", {"steps": 0}),
         ("--device-batch", {"device_batch": 0}),
         ("--save-every", {"save_every": 0}),
         ("--loaders", {"loaders": -1}),

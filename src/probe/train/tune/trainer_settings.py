@@ -34,6 +34,7 @@ def settings_for(out: Path, tuning: Tuning) -> Any:
         output_dir=str(out / CHECKPOINTS),
         learning_rate=tuning.learning_rate,
         num_train_epochs=tuning.epochs,
+        max_steps=-1 if tuning.steps is None else tuning.steps,
         per_device_train_batch_size=tuning.device_batch,
         gradient_accumulation_steps=tuning.accumulation(int(state.num_processes)),
         lr_scheduler_type=tuning.schedule,

@@ -20,6 +20,7 @@ class Tuning:
         learning_rate: Of AdamW, at its highest.
         epochs: How often each example is seen.
         global_batch: Examples a step, over all processes.
+        steps: How many, whatever that makes in epochs; by default as many as the epochs need.
         device_batch: Examples that a process takes at once; the rest of a step is accumulated.
         lora: Rank of LoRA's matrices; by default all weights are trained.
         schedule: How the learning rate goes down.
@@ -37,6 +38,7 @@ class Tuning:
     learning_rate: float = 2e-5
     epochs: float = 2.0
     global_batch: int = 32
+    steps: int | None = None
     device_batch: int = 1
     lora: int | None = None
     schedule: Literal["linear", "cosine", "constant"] = "linear"
@@ -53,6 +55,7 @@ class Tuning:
             ("learning_rate", 0 < self.learning_rate < inf, "a number above 0"),
             ("epochs", 0 < self.epochs < inf, "a number above 0"),
             ("global_batch", self.global_batch >= 1, "1 or more"),
+            ("steps", self.steps is None or self.steps >= 1, "1 or more, or leave it out"),
             ("device_batch", self.device_batch >= 1, "1 or more"),
             ("lora", self.lora is None or self.lora >= 1, "1 or more, or leave it out"),
             ("warmup", 0 <= self.warmup < 1, "a number from 0 to below 1"),
