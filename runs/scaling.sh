@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# How a student gets better with more examples, and what augmented ones bring, after runs/student.sh:
-# for each number a training from the model as it was, which reads so many examples, and its
-# evaluation on tasks for validation. EXAMPLES are drawn from episodes told in many ways, those of rare
-# types in more of them; PLAIN from the same episodes told once, as they went, which are read several
-# times if there are fewer. The tasks have objects of the pool for training, as episodes have, and
-# seeds of their own, in the same light, so nothing is chosen here by a suite. It goes on where it was
-# stopped: run it again, with the same settings. EXAMPLES and PLAIN may grow.
+# What more examples and augmented ones bring, after runs/student.sh. Trains one student, from the
+# untrained model, for each number in EXAMPLES, with one update an example, and evaluates each on tasks
+# for validation. The examples are drawn from episodes told in many ways, those of rare types in more of
+# them; for each number in UNAUGMENTED from the same episodes told once, as they went, which are read
+# several times if there are fewer. The tasks have objects of the pool for training, as episodes have,
+# and seeds of their own, in the same light, so nothing is chosen here by a suite. It goes on where it
+# was stopped: run it again, with the same settings. EXAMPLES and UNAUGMENTED may grow.
 #
 #   runs/student.sh && SERVERS=2 WORKERS=8 runs/scaling.sh   # into outputs/scaling
-#   EXAMPLES="75 150" PLAIN= STUDENT=outputs/teacher OUT=there runs/scaling.sh
+#   EXAMPLES="75 150" UNAUGMENTED= STUDENT=outputs/teacher OUT=there runs/scaling.sh
 #
 # On two cores with bfloat16 an example takes some 7 s, the default five and a half hours, and each
 # evaluation some 20 minutes. Tables: ladder.md and table.md.
@@ -18,7 +18,7 @@ cd "$(dirname "$0")/.."
 STUDENT=${STUDENT:-outputs/student}     # has collected/
 OUT=${OUT:-outputs/scaling}
 EXAMPLES=${EXAMPLES-75 150 300 600 1200}
-PLAIN=${PLAIN-600}
+UNAUGMENTED=${UNAUGMENTED-600}
 VALIDATION=${VALIDATION:---lighting ambient --looks 1 --counts.count 16 --counts.find 16 --counts.size 12 --counts.compare 7 --counts.reduce 6}
 SELECT=${SELECT:---slack 3 --least 1 --no-near}  # more options of probe select
 DATASET=${DATASET:---no-find --plain}   # and of probe dataset
@@ -56,7 +56,7 @@ fi
 step "select, and what is told of it once and in many ways"
 [ -e "$OUT/selected/selection.json" ] ||
     $probe select "$STUDENT/collected" --out "$OUT/selected" --direct-share 0 --against "$SUITE" $SELECT
-for way in augmented plain; do
+for way in augmented unaugmented; do
     [ "$way" = augmented ] && augment=$AUGMENT || augment=""
     [ -e "$OUT/$way/manifest.json" ] ||
         $probe dataset "$OUT/selected" "$OUT/$way" --setting text-only --graphs short --no-others \
@@ -71,7 +71,7 @@ point() { # WAY EXAMPLES
     runs/serve_and_run.sh "$name" "$OUT/trained/$name/model"
 }
 for examples in $EXAMPLES; do point augmented "$examples"; done
-for examples in $PLAIN; do point plain "$examples"; done
+for examples in $UNAUGMENTED; do point unaugmented "$examples"; done
 
 step "what they are compared with: the model as it was, and the teacher"
 runs/serve_and_run.sh base "$BASE"

@@ -68,7 +68,7 @@ def test_more_examples_and_augmented_ones(student, base, tmp_path):
         OUT=str(tmp_path),
         PORT=str(free_ports()),
         EXAMPLES="5",
-        PLAIN="6",
+        UNAUGMENTED="6",
         VALIDATION="--counts.count 1",
         SELECT="--no-near --counts count 2 find 2 compare 0 reduce 0 size 0",
         DATASET="--no-find",
@@ -80,5 +80,5 @@ def test_more_examples_and_augmented_ones(student, base, tmp_path):
     card = (tmp_path / "trained/augmented-5/README.md").read_text()
     assert "4 examples and 4 that tell them again, 5 steps" in card
     # Four episodes, two of which are read twice.
-    assert "4 examples, 6 steps" in (tmp_path / "trained/plain-6/README.md").read_text()
-    check_tables(tmp_path, "base", "augmented-5", "plain-6")
+    assert "4 examples, 6 steps" in (tmp_path / "trained/unaugmented-6/README.md").read_text()
+    check_tables(tmp_path, "base", "augmented-5", "unaugmented-6")
