@@ -179,6 +179,8 @@ class Search:
         name = seen.name or ""
         tried = self._tried[name]
         how = f"{way} {tried[-1][1]}" if tried else way
+        if way == "grasp" and tried[-1:] == [("grasp", "blocked")]:
+            how = "grasp again"
         slots = {"thing": name, "id": seen.object_id or "", **why.slots}
         return self.after_remarks(f"{self.say(why.reason, slots)} {self.say(how, slots)}".strip())
 

@@ -85,14 +85,20 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
         wanted = ring.wanted
         chosen = next((it for it in covers.left if ring.home_of(it) == wanted), chosen)
         home = ring.home_of(chosen)
-        why = Reason("any of the ring" if wanted is None else "next of the ring")
-        if not (yield from covers.clear_next(why, chosen)):
+        if not (yield from covers.clear_next(_why(home, wanted), chosen)):
             break
         for seen in covers.newcomers:
             if seen.name and seen.name not in ring.found.values():
                 ring.found.setdefault(home, seen.name)
         found = ring.answer()
     yield from conclude(asked, found, covers.search)
+
+
+def _why(home: int, wanted: int | None) -> Reason:
+    """Why the cover at a place is lifted, if another one may be asked for."""
+    if wanted is None:
+        return Reason("any of the ring")
+    return Reason("next of the ring" if home == wanted else "other of the ring")
 
 
 def _says(asked: ScriptedQuestion, name: str) -> bool:

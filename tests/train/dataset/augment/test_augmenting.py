@@ -124,6 +124,14 @@ def test_phrases_are_the_teachers_and_never_the_same(tmp_path, chosen):
     assert [step.text for step in saying.steps] == [step.text for step in taught().steps]
 
 
+def test_what_comes_out_as_it_was_is_left_out():
+    """Its teacher has said each thing in the one way that it has."""
+    plain = rephrased(SIZE, taught(), plainly)
+    told = augmented([(SIZE, plain)], ["phrases"], 0, Speech(plain=True))
+    assert not told.episodes
+    assert told.left_out == {"phrases": {"it comes out the same": 1}}
+
+
 def test_balanced_rare_types_are_told_several_times_and_each_time_otherwise(chosen):
     episodes = [*chosen.episodes, (SIZE, taught())]
     plain = augmented(episodes, ["phrases", "mirrored"], 0)

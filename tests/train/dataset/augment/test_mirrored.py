@@ -202,6 +202,14 @@ def test_what_cant_be_mirrored_for_sure_is_refused(change, reason):
         mirrored(FIND, replace(here, steps=(replace(here.steps[0], **change),)))
 
 
+def test_a_question_that_goes_round_the_table_is_refused():
+    """Mirrored, another thing would be the next one."""
+    ring = next(it for it in packaged_suite("v2").tasks if it.question_type == "relation")
+    here = played(BLOCKS, [LOOK])
+    with pytest.raises(NotCertain, match="its question speaks of a side"):
+        mirrored(ring, replace(here, task=ring.id, question=question_of(ring)))
+
+
 def test_a_place_that_the_list_doesnt_tell_is_refused():
     with pytest.raises(NotCertain, match="a place that the last list doesn't tell"):
         mirrored(FIND, played(BLOCKS, [LOOK, find(160, 160)]))

@@ -12,6 +12,7 @@ from probe.perception.colour_words import KNOWN
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.recolouring import recoloured
+from probe.train.dataset.augment.retelling import changed
 
 COLOUR = re.compile(rf"\b(?:{'|'.join(KNOWN)})\b")
 
@@ -82,6 +83,13 @@ def test_the_darker_one_is_clearly_darker_and_may_be_the_other_one(darker):
 
 def test_colours_of_about_the_same_lightness_are_not_taken(darker):
     assert not [it for it in darker if {*it[2:]} in ALIKE or it[2] == it[3]]
+
+
+def test_a_thing_with_the_name_of_a_colour_is_refused(episodes):
+    task, record = asked_for_colours(episodes)[0]
+    name = next(name for names in names_in(record) for name in names if name)
+    with pytest.raises(NotCertain, match="a name is a colour"):
+        told(*changed(task, record, lambda text: text.replace(name, "orange")))
 
 
 def test_where_no_colour_is_asked_for_they_stay(episodes):

@@ -11,7 +11,8 @@ from probe.perception.colour_words import colours_in
 from probe.tasks.task import Task
 from probe.tasks.truth import DARKER
 from probe.train.dataset.augment.certain import NotCertain
-from probe.train.dataset.augment.retelling import SlotListener, with_its_answer
+from probe.train.dataset.augment.listing import said_of_things
+from probe.train.dataset.augment.retelling import SlotListener, texts_of, with_its_answer
 
 _TRIES = 40
 
@@ -39,23 +40,27 @@ def compared_again(
         # Of colours that fit both things, or neither, the teacher can't tell the letter.
         with suppress(NotCertain):
             told = with_its_answer(task, changed, listener)
-            if _is_clear(task.form, listener.heard, told[0].answer):
+            if _is_clear(task.form, listener.heard, told):
                 return told
     raise NotCertain(record.task, "no other colours decide clearly")
 
 
-def _is_clear(form: str, compared: Mapping[str, str], letter: str) -> bool:
+def _is_clear(form: str, compared: Mapping[str, str], told: tuple[Task, EpisodeRecord]) -> bool:
+    """Whether the teacher has compared both, and goes by a clear difference if it asks for one."""
     if not compared:
         return False
-    return form != "darker" or _clearly_darker(compared) == letter
-
-
-def _clearly_darker(compared: Mapping[str, str]) -> str | None:
-    """Letter of the thing that is darker by the first colour of its name, its shade included."""
-    a, b = (
-        colours_in(f"{compared[which]} {compared[f'colour_{which}']}")[0][0]
+    task, record = told
+    descriptions = dict(said_of_things(texts_of(record)))
+    both = [
+        f"{compared[which]} {descriptions.get(compared[which], compared[f'colour_{which}'])}"
         for which in ("one", "two")
-    )
-    if abs(a - b) < DARKER:
+    ]
+    return form != "darker" or _clearly_darker(*both) == task.answer
+
+
+def _clearly_darker(one: str, two: str) -> str | None:
+    """Letter of what is darker by the first colour that is said of it, its shade included."""
+    a, b = (colours_in(said)[:1] for said in (one, two))
+    if not (a and b) or abs(a[0][0] - b[0][0]) < DARKER:
         return None
-    return "A" if a < b else "B"
+    return "A" if a[0][0] < b[0][0] else "B"

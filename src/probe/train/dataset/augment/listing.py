@@ -16,6 +16,10 @@ _ENTRY = re.compile(
     r"  point: \[(\d+), (\d+)\]\n  box: \[(\d+), (\d+), (\d+), (\d+)\]\n"
 )
 _NAME = re.compile(r'name: ("[^\n]*")')
+SAID = re.compile(
+    r'(?P<name>name: )(?P<is>"[^\n]*")(?P<then>\n\s*description: )(?P<said>"[^\n]*")'
+)
+"""A name and a description in a list, each in quotation marks."""
 _RELATION = re.compile(r"- (\d+) ([a-z_]+) (\d+)\n")
 _OBJECTS, _RELATIONS, _CLUTTERED, _CLEAR = (
     "\nobjects:\n",
@@ -95,6 +99,12 @@ def read_listing(text: str) -> Listing | None:
         _names(clear),
     )
     return listing if listing.text == text else None
+
+
+def said_of_things(text: str) -> Iterator[tuple[str, str]]:
+    """Names in a list, in order, with descriptions; none in any other text."""
+    for found in SAID.finditer(text):
+        yield json.loads(found["is"]), json.loads(found["said"])
 
 
 def _entries(text: str) -> Iterator[re.Match[str]]:

@@ -56,8 +56,8 @@ def _question(task: Task, record: EpisodeRecord) -> Question:
     """The same question with the marks where they would be."""
     known, side_px = worded(task, record), record.scale.side_px
     named = "\n".join([*known.slots.values(), *(text for _, text in record.question.options)])
-    if has_sides(named):
-        raise NotCertain(record.task, "a name in its question speaks of a side")
+    if has_sides(named) or has_sides(task.form):
+        raise NotCertain(record.task, "its question speaks of a side")
     marks = [replace(it, point=mirrored_place(it.point, side_px)) for it in task.marks]
     return replace(record.question, text=asked(known.wording.text, known.slots, marks))
 

@@ -12,7 +12,12 @@ from probe.perception.colour_words import KNOWN
 from probe.tasks.task import Task
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.comparing import compared_again
-from probe.train.dataset.augment.retelling import changed, check_scripted, retold
+from probe.train.dataset.augment.retelling import (
+    changed,
+    check_no_name_is_a_colour,
+    check_scripted,
+    retold,
+)
 
 _COLOUR = re.compile(rf"\b(?:{'|'.join(KNOWN)})\b")
 
@@ -32,12 +37,13 @@ def recoloured(
         say: Chooses the teacher's words.
 
     Raises:
-        NotCertain: No colour is asked for, none that was tried is clearly darker, or the teacher
-            isn't the scripted one, or would do something else.
+        NotCertain: No colour is asked for, a thing has the name of one, none that was tried is
+            clearly darker, or the teacher isn't the scripted one, or would do something else.
     """
     check_scripted(record)
     if task.question_type != "compare":
         raise NotCertain(record.task, "its colours don't matter")
+    check_no_name_is_a_colour(record)
     if task.form != "darker":
         return retold(task, record, _Colours(rng), say)
     return compared_again(record, lambda: changed(task, record, _Colours(rng)), say)

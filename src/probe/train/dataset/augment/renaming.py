@@ -20,17 +20,20 @@ from probe.perception.colour_words import colour_words_in
 from probe.tasks.english import plural
 from probe.tasks.task import NONE_OF_THE_ABOVE, Task
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listing import SAID, said_of_things
 from probe.train.dataset.augment.mirrored_reply import others_told
 from probe.train.dataset.augment.renaming_compared import renamed_compared
-from probe.train.dataset.augment.retelling import check_scripted, retold
+from probe.train.dataset.augment.retelling import (
+    check_no_name_is_a_colour,
+    check_scripted,
+    retold,
+    texts_of,
+)
 from probe.train.dataset.augment.rewording import worded
 
 Descriptions = Mapping[str, str]
 """What lists say of things, by their names."""
 
-_ENTRY = re.compile(
-    r'(?P<name>name: )(?P<is>"[^\n]*")(?P<then>\n\s*description: )(?P<said>"[^\n]*")'
-)
 _PART = "part of something"
 
 
@@ -41,7 +44,7 @@ def descriptions_in(records: Iterable[EpisodeRecord]) -> Descriptions:
     """
     found = dict[str, str]()
     for record in records:
-        for name, said in _entries_of(record):
+        for name, said in said_of_things(texts_of(record)):
             found[name] = min(found.get(name, said), said, key=len)
     return found
 
@@ -68,9 +71,8 @@ def renamed(
             one or would do something else.
     """
     check_scripted(record)
+    check_no_name_is_a_colour(record)
     names = _names_of(task, record, known)
-    if any(name in colour_words_in(name) for name in names):
-        raise NotCertain(record.task, "a name is a colour, too")
 
     def draw() -> _OtherNames:
         return _OtherNames.drawn(record.task, names, rng, known)
@@ -114,7 +116,7 @@ class _OtherNames:
             now[name] = chosen
         many = {plural(old): plural(new) for old, new in now.items()}
         all_of_them = now | {old: new for old, new in many.items() if old and new}
-        pattern = re.compile(rf"{_ENTRY.pattern}|{_whole_names(all_of_them)}")
+        pattern = re.compile(rf"{SAID.pattern}|{_whole_names(all_of_them)}")
         return cls(all_of_them, known, pattern)
 
     def __call__(self, text: str) -> str:
@@ -139,10 +141,10 @@ def _names_of(task: Task, record: EpisodeRecord, known: Descriptions) -> list[st
     Raises:
         NotCertain: A reply says of something that it has moved, and no list names that.
     """
-    listed = {name for name, _ in _entries_of(record)}
+    listed = {name for name, _ in said_of_things(texts_of(record))}
     offered = {it.text for it in task.options if not task.marks and _is_name(it.text)}
     subjects = {*filter(None, task.subject.split(", "))} - {_asked_colour(task)}
-    texts = [_ENTRY.sub("", step.text) for step in record.steps]
+    texts = [SAID.sub("", step.text) for step in record.steps]
     names = listed | offered | subjects | _spoken("\n".join([task.question, *texts]), known)
     moved = [it for text in texts for it in others_told(text)]
     if any(_PART not in it and not any(name in it for name in names) for it in moved):
@@ -171,10 +173,3 @@ def _whole_names(names: Iterable[str]) -> str:
 def _is_name(option: str) -> bool:
     """Whether an option isn't "None of the above" or a number."""
     return option != NONE_OF_THE_ABOVE and not option.isdecimal()
-
-
-def _entries_of(record: EpisodeRecord) -> Iterable[tuple[str, str]]:
-    """Names in lists, with descriptions."""
-    for step in record.steps:
-        for found in _ENTRY.finditer(step.text):
-            yield json.loads(found["is"]), json.loads(found["said"])

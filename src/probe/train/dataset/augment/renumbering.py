@@ -9,7 +9,7 @@ import numpy as np
 from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord
 from probe.tasks.task import Task
-from probe.train.dataset.augment.retelling import check_scripted, retold
+from probe.train.dataset.augment.retelling import check_scripted, retold, texts_of
 
 _ID = re.compile(r"\bobject_(\d+)\b")
 _MOST_IDS = 3
@@ -31,8 +31,7 @@ def renumbered(
         NotCertain: The teacher isn't the scripted one, or would do something else.
     """
     check_scripted(record)
-    texts = "\n".join(step.text for step in record.steps)
-    before = sorted({int(number) for number in _ID.findall(texts)})
+    before = sorted({int(number) for number in _ID.findall(texts_of(record))})
     drawn = rng.choice(_MOST_IDS * len(before) or 1, len(before), replace=False)
     now = {old: int(new) + 1 for old, new in zip(before, drawn, strict=True)}
 

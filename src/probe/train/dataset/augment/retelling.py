@@ -9,8 +9,10 @@ from typing import Any, cast
 from probe.agents.phrases import Say
 from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call
+from probe.perception.colour_words import colour_words_in
 from probe.tasks.task import LETTERS, Task
 from probe.train.dataset.augment.certain import NotCertain
+from probe.train.dataset.augment.listing import said_of_things
 from probe.train.dataset.augment.rephrasing import check_teacher, rephrased
 
 
@@ -43,6 +45,21 @@ def check_scripted(record: EpisodeRecord) -> None:
     check_teacher(record)
     if not all(isinstance(step.call.values, dict) for step in record.steps):
         raise NotCertain(record.task, "a call is written in another way")
+
+
+def texts_of(record: EpisodeRecord) -> str:
+    """All that tools said in an episode, a reply after another."""
+    return "\n".join(step.text for step in record.steps)
+
+
+def check_no_name_is_a_colour(record: EpisodeRecord) -> None:
+    """See that what has the name of a colour in an episode is a colour. An orange has it, too.
+
+    Raises:
+        NotCertain: A list names a thing so.
+    """
+    if any(name in colour_words_in(name) for name, _ in said_of_things(texts_of(record))):
+        raise NotCertain(record.task, "a name is a colour, too")
 
 
 def changed(

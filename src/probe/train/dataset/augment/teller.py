@@ -68,19 +68,20 @@ class Teller:
         """An episode told so often, each time otherwise; what comes out the same is left out.
 
         Raises:
-            NotCertain: It can't be told so even once.
+            NotCertain: It can't be told so even once, or comes out as it was.
         """
         told, doubts = list[tuple[Task, EpisodeRecord]](), list[NotCertain]()
+        as_it_went = task, self._shown(record)
         for time in range(often):
             try:
                 again = self._once(way, *self._varied(task, record, time), time)
             except NotCertain as doubt:
                 doubts.append(doubt)
                 continue
-            if again not in told:
+            if again not in (as_it_went, *told):
                 told.append(again)
         if not told:
-            raise doubts[0]
+            raise doubts[0] if doubts else NotCertain(record.task, "it comes out the same")
         return told
 
     def _varied(self, task: Task, record: EpisodeRecord, time: int) -> tuple[Task, EpisodeRecord]:
@@ -131,13 +132,10 @@ class Teller:
     ) -> tuple[Task, EpisodeRecord]:
         """An episode whose teacher is asked again what it would say."""
         drawn = "phrases" if way == "phrases" else f"{way} phrases"
-        drawn_anew = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
-        say = self.speech.words(drawn_anew)
+        phrases = speaker(task, record.run) if way == "options" else PhraseBook(rng(drawn))
+        say = self.speech.words(phrases)
         if way == "names":
             return renamed(task, record, rng("names"), say, self.known)
-        if way != "phrases":
-            return _RETELL[way](task, record, rng(way), say)
-        again = rephrased(task, record, say)
-        if again == record:
-            raise NotCertain(record.task, "its teacher's phrases came out the same")
-        return task, again
+        if way == "phrases":
+            return task, rephrased(task, record, say)
+        return _RETELL[way](task, record, rng(way), say)
