@@ -20,9 +20,8 @@ import numpy as np
 
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
-from probe.episodes.participation import ModelReply
 from probe.episodes.record import EpisodeRecord
-from probe.transcripts.messages import PLAIN, messages
+from probe.transcripts.messages import messages, participation_of
 from probe.transcripts.prompts import Graphs, told_with
 from probe.transcripts.tools import as_sent
 
@@ -31,8 +30,7 @@ WINDOWS = (2048, 4096, 8192)
 
 def as_text(record: EpisodeRecord, graphs: Graphs) -> str:
     """An episode of an agent without a model as a chat template with Qwen's calls has it."""
-    replies = tuple(ModelReply(1) for _ in record.steps)
-    seat = replace(PLAIN, setting=told_with("text-only", graphs), replies=replies)
+    seat = replace(participation_of(record), setting=told_with("text-only", graphs))
     told = messages(replace(record, participation=seat), (), (None,) * len(record.steps))
     rules, *others = told
     tools = json.dumps(as_sent(seat.points, record.scale, "text-only"))

@@ -33,6 +33,24 @@ class FoundAnswer:
         return f"{why} {option_by_option(question, self.letter, say)}".strip()
 
 
+def answer_naming(
+    question: Question, name: str, occasion: str, slots: Mapping[str, str]
+) -> FoundAnswer | None:
+    """The letter of the option with a name, else of "None of the above"; None if there is none.
+
+    Args:
+        question: Has the options.
+        name: What it is.
+        occasion: To say so; followed by "none" where no option has the name.
+        slots: Fill its phrase.
+    """
+    for letter, text in question.options:
+        if same(name, text):
+            return FoundAnswer(letter, occasion, slots)
+    none = none_of_them(question)
+    return FoundAnswer(none, f"{occasion} none", slots) if none else None
+
+
 def conclude(asked: ScriptedQuestion, found: FoundAnswer | None, search: Search) -> Plan[None]:
     """Answer; without evidence by chance if bold, else not at all."""
     if found is None and asked.bold:

@@ -27,9 +27,6 @@ Picture = Array | bytes
 PICTURE_FOLLOWS = "Image content is included below."
 """Ends a tool result whose picture follows in a message of its own."""
 
-PLAIN = Participation("agentic")
-"""How a record of an agent without a model is told: one call a reply, places in pixels."""
-
 
 class OtherPictures(ProbeError):
     """The pictures aren't those of the record."""
@@ -91,7 +88,7 @@ def messages(
     Raises:
         OtherPictures: There are more or fewer.
     """
-    seat = record.participation or _plain(record)
+    seat = participation_of(record)
     if len(later) != len(record.steps):
         raise OtherPictures(record.task, len(record.steps), len(later))
     setting = setting_named(seat.setting)
@@ -99,8 +96,10 @@ def messages(
     return [*told_first, *_conversation(record, seat, setting, later)]
 
 
-def _plain(record: EpisodeRecord) -> Participation:
-    return Participation(PLAIN.setting, PLAIN.points, tuple(ModelReply(1) for _ in record.steps))
+def participation_of(record: EpisodeRecord) -> Participation:
+    """How an agent took part; without a model with tools, one call a reply, places in pixels."""
+    replies = tuple(ModelReply(1) for _ in record.steps)
+    return record.participation or Participation("agentic", replies=replies)
 
 
 def _conversation(

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from probe.agents.moves import Plan, none_of_them
+from probe.agents.moves import Plan
 from probe.agents.named_removal import gentle_search, left_of, next_named
 from probe.agents.phrases import Reason
-from probe.agents.reading import Box, Graph, same
+from probe.agents.reading import Box, Graph
 from probe.agents.type_plan import ScriptedQuestion, TypePlan
-from probe.agents.uncovering import FoundAnswer, conclude, newcomers
+from probe.agents.uncovering import FoundAnswer, answer_naming, conclude, newcomers
 
 
 @dataclass
@@ -46,14 +46,11 @@ class _Notes:
     def answer(self) -> FoundAnswer | None:
         """The letter of what was under the cover that is asked about; None if that isn't known."""
         cover = self.asked.subject.split(", ")[0]
-        name, none = self.found.get(cover), none_of_them(self.asked.question)
+        name = self.found.get(cover)
         if name is None:
             return None
         slots = {"thing": name, "other": cover}
-        for letter, text in self.asked.question.options:
-            if same(name, text):
-                return FoundAnswer(letter, "remembered", slots)
-        return FoundAnswer(none, "remembered none", slots) if none else None
+        return answer_naming(self.asked.question, name, "remembered", slots)
 
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:

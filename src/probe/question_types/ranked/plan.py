@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from probe.agents.like_covers import LikeCovers
-from probe.agents.moves import Plan, none_of_them
+from probe.agents.moves import Plan
 from probe.agents.phrases import Reason
-from probe.agents.reading import Seen, same
+from probe.agents.reading import Seen
 from probe.agents.type_plan import ScriptedQuestion, TypePlan
-from probe.agents.uncovering import FoundAnswer, conclude
+from probe.agents.uncovering import FoundAnswer, answer_naming, conclude
 from probe.question_types.ranked.rules import RANKS
 
 
@@ -39,12 +39,7 @@ def _ranked(asked: ScriptedQuestion, things: Sequence[Seen]) -> FoundAnswer | No
     if len(order) != len(RANKS):
         return None
     name = order[RANKS.index(asked.form)].name or ""
-    slots = {"thing": name}
-    for letter, text in asked.question.options:
-        if same(name, text):
-            return FoundAnswer(letter, f"rank {asked.form}", slots)
-    none = none_of_them(asked.question)
-    return FoundAnswer(none, f"rank {asked.form} none", slots) if none else None
+    return answer_naming(asked.question, name, f"rank {asked.form}", {"thing": name})
 
 
 def _length(seen: Seen) -> int:

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from probe.agents.like_covers import LikeCovers
-from probe.agents.moves import Plan, none_of_them
+from probe.agents.moves import Plan
 from probe.agents.phrases import Reason
-from probe.agents.reading import Seen, same
+from probe.agents.reading import Seen
 from probe.agents.type_plan import ScriptedQuestion, TypePlan
-from probe.agents.uncovering import FoundAnswer, conclude
+from probe.agents.uncovering import FoundAnswer, answer_naming, conclude
 from probe.question_types.relation.truth import RING, clockwise, next_along
 
 Point = tuple[float, float]
@@ -68,11 +68,7 @@ class _Ring:
             return None
         name = self.found[self.wanted]
         other = self.found.get(self.start, "thing that is named")
-        slots, none = {"thing": name, "other": other}, none_of_them(self.asked.question)
-        for letter, text in self.asked.question.options:
-            if same(name, text):
-                return FoundAnswer(letter, "ring", slots)
-        return FoundAnswer(none, "ring none", slots) if none else None
+        return answer_naming(self.asked.question, name, "ring", {"thing": name, "other": other})
 
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:

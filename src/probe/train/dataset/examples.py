@@ -18,7 +18,7 @@ from probe.tasks.task import Task
 from probe.toolshed.result import DID_NOTHING
 from probe.train.dataset.showing import EpisodePictures
 from probe.transcripts.coordinates import told
-from probe.transcripts.messages import PLAIN, Message, messages
+from probe.transcripts.messages import Message, messages, participation_of
 from probe.transcripts.prompts import graphs_of, setting_named, told_with
 from probe.transcripts.tools import as_sent
 
@@ -113,9 +113,7 @@ def example_of(
 
 def _retold(record: EpisodeRecord, points: Points | None) -> EpisodeRecord:
     """What the teacher said, told in the way in which a student counts places."""
-    seat = record.participation or replace(
-        PLAIN, replies=tuple(ModelReply(1) for _ in record.steps)
-    )
+    seat = participation_of(record)
     if points is None or points == seat.points:
         return replace(record, participation=seat)
     if seat.points != "pixels":

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from probe.episodes.participation import ModelReply
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.train.choose.chosen import LoadedSelection
 from probe.train.dataset.showing import EpisodePictures
-from probe.transcripts.messages import PLAIN
+from probe.transcripts.messages import participation_of
 from probe.transcripts.prompts import Graphs, graphs_of, setting_named, told_with
 
 _OPTION = "--setting text-only"
@@ -50,7 +49,4 @@ def _unseen(record: EpisodeRecord, setting: str) -> EpisodeRecord:
         if setting_named(record.setting) == "text-only":
             remedy = f"Say --graphs {graphs_of(record.setting)}, as its model was told lists"
         raise BadData(_OPTION, reason, remedy)
-    seat = record.participation or replace(
-        PLAIN, replies=tuple(ModelReply(1) for _ in record.steps)
-    )
-    return replace(record, participation=replace(seat, setting=setting))
+    return replace(record, participation=replace(participation_of(record), setting=setting))

@@ -14,7 +14,6 @@ from painted_teacher import SIZE, taught
 from probe.agents.phrases import plainly
 from probe.agents.reading import read_graph
 from probe.assets.library import open_library
-from probe.episodes.participation import ModelReply
 from probe.episodes.play import set_table
 from probe.render.renderer import Renderer
 from probe.toolshed.result import MOVING
@@ -25,7 +24,7 @@ from probe.train.dataset.augment.rephrasing import rephrased
 from probe.train.dataset.examples import example_of
 from probe.train.dataset.rows import trl_row
 from probe.train.dataset.text_only import no_pictures
-from probe.transcripts.messages import PLAIN
+from probe.transcripts.messages import participation_of
 
 SAY = SayWithoutFinding(plainly)
 
@@ -112,8 +111,8 @@ def test_all_but_the_slip_is_learnt(slips):
 
 
 def of_steps(record, steps):
-    seat = replace(PLAIN, replies=tuple(ModelReply(1) for _ in steps))
-    return replace(record, steps=steps, participation=seat)
+    played = replace(record, steps=steps, participation=None)
+    return replace(played, participation=participation_of(played))
 
 
 def test_where_nothing_is_out_of_date_there_is_no_slip():

@@ -16,9 +16,7 @@ _ENTRY = re.compile(
     r"  point: \[(\d+), (\d+)\]\n  box: \[(\d+), (\d+), (\d+), (\d+)\]\n"
 )
 _NAME = re.compile(r'name: ("[^\n]*")')
-SAID = re.compile(
-    r'(?P<name>name: )(?P<is>"[^\n]*")(?P<then>\n\s*description: )(?P<said>"[^\n]*")'
-)
+SAID = re.compile(r'(?P<name>name: )(?P<is>"[^\n]*")(?P<then>\n\s*description: )(?P<said>"[^\n]*")')
 """A name and a description in a list, each in quotation marks."""
 _RELATION = re.compile(r"- (\d+) ([a-z_]+) (\d+)\n")
 _OBJECTS, _RELATIONS, _CLUTTERED, _CLEAR = (

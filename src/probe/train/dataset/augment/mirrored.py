@@ -26,7 +26,7 @@ from probe.train.dataset.augment.mirrored_reply import (
 from probe.train.dataset.augment.rewording import worded
 from probe.train.dataset.augment.teacher_words import MIRRORED_DIRECTION, mirrored_words
 from probe.transcripts.coordinates import as_whole, told
-from probe.transcripts.messages import PLAIN
+from probe.transcripts.messages import participation_of
 
 _PLACE = re.compile(r"\(\d+, \d+\)")
 _ID = re.compile(r"\bobject_\d+\b")
@@ -42,7 +42,7 @@ def mirrored(task: Task, record: EpisodeRecord) -> EpisodeRecord:
     Raises:
         NotCertain: A text in it can't be mirrored for sure.
     """
-    seat = record.participation or PLAIN
+    seat = participation_of(record)
     if any(reply.words for reply in seat.replies):
         raise NotCertain(record.task, "its teacher spoke freely")
     telling = _Telling(task, record.scale.side_px, seat.points)

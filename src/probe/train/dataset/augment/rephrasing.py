@@ -11,7 +11,7 @@ from probe.tasks.task import Task
 from probe.toolshed.result import ToolResult
 from probe.train.collect.teacher import TEACHER, teacher
 from probe.train.dataset.augment.certain import NotCertain
-from probe.transcripts.messages import PLAIN
+from probe.transcripts.messages import participation_of
 
 
 def check_teacher(record: EpisodeRecord) -> None:
@@ -38,7 +38,7 @@ def rephrased(task: Task, record: EpisodeRecord, say: Say | None = None) -> Epis
         NotCertain: Somebody else taught, or today's teacher would have done something else.
     """
     check_teacher(record)
-    agent = teacher(task, record.run, (record.participation or PLAIN).points, say)
+    agent = teacher(task, record.run, participation_of(record).points, say)
     history, steps = list[Turn](), list[Step]()
     for step in record.steps:
         call = agent.act(record.question, history)

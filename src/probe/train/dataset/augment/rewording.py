@@ -15,7 +15,7 @@ from probe.tasks.wordings import Wording, wordings
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.slots import pattern_of
 from probe.train.dataset.augment.teacher_words import are_the_teachers
-from probe.transcripts.messages import PLAIN
+from probe.transcripts.messages import participation_of
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def reworded(task: Task, record: EpisodeRecord, rng: np.random.Generator) -> Epi
         NotCertain: The question can't be asked otherwise, or the teacher may have quoted it.
     """
     known = worded(task, record)
-    seat = record.participation or PLAIN
+    seat = participation_of(record)
     said = [step.call.words for step in record.steps] + [reply.words for reply in seat.replies]
     if not all(map(are_the_teachers, said)):
         raise NotCertain(record.task, "its teacher spoke freely, and may have quoted the question")
