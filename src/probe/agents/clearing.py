@@ -12,6 +12,7 @@ from probe.agents.cover_nouns import hider
 from probe.agents.moves import Outcome, Plan, Way, look, move_away
 from probe.agents.phrases import Reason, Say, silent
 from probe.agents.reading import Graph, Seen
+from probe.agents.type_plan import ScriptedQuestion
 from probe.toolshed.toolshed import MANIPULATIONS
 from probe.types import USUAL_SCALE, PictureScale
 
@@ -57,6 +58,13 @@ class Search:
     )
     _searched: set[str] = field(default_factory=set[str])
     _before: Graph = field(default_factory=Graph)
+
+    @classmethod
+    def of(
+        cls, asked: ScriptedQuestion, keep: Callable[[Seen], bool] = lambda seen: False
+    ) -> Search:
+        """Before the first look for what a question asks; by default all things may be moved."""
+        return cls(keep, asked.first, asked.rng, say=asked.say, scale=asked.question.scale)
 
     def begin(self, words: str = "") -> Plan[None]:
         """Look for the first time, after what is said of the question."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from probe.agents.clearing import Search
 from probe.agents.moves import Plan
@@ -80,10 +80,7 @@ class LikeCovers:
 
 
 def _search(asked: ScriptedQuestion, graph: Graph, spent: int) -> Search:
-    scale = asked.question.scale
-    return Search(
-        lambda seen: False, asked.first, asked.rng, graph, spent, say=asked.say, scale=scale
-    )
+    return replace(Search.of(asked), graph=graph, spent=spent)
 
 
 def _place(seen: Seen) -> tuple[int, int]:

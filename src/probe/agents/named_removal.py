@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from probe.agents.clearing import Search
 from probe.agents.reading import Seen
@@ -11,8 +12,7 @@ from probe.agents.type_plan import ScriptedQuestion
 
 def gentle_search(asked: ScriptedQuestion) -> Search:
     """A search that pushes nothing, before the first look."""
-    scale = asked.question.scale
-    return Search(lambda seen: False, "grasp", asked.rng, say=asked.say, scale=scale, gentle=True)
+    return replace(Search.of(asked), first="grasp", gentle=True)
 
 
 def left_of(search: Search, names: Sequence[str]) -> list[Seen]:

@@ -70,9 +70,7 @@ def uncover(asked: ScriptedQuestion, names: Sequence[str], why: Reason) -> Plan[
         why: The reason.
     """
     question = asked.question
-    search = Search(
-        lambda seen: False, asked.first, asked.rng, say=asked.say, scale=asked.question.scale
-    )
+    search = Search.of(asked)
     yield from search.begin(options_told(question, search.say))
     known = {seen.name for seen in search.graph.named}
     place = around(seen.box for name in names for seen in search.graph.called(name))

@@ -25,7 +25,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Lift covers that are large enough until something of the length shows."""
     scale, length = asked.question.scale, _length_told(asked.question.text)
     budget = asked.question.manipulations
-    search = Search(lambda seen: False, asked.first, asked.rng, say=asked.say, scale=scale)
+    search = Search.of(asked)
     if budget is not None:
         search.budget = budget
     yield from search.begin()

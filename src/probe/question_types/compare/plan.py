@@ -26,7 +26,7 @@ _LIGHTNESS = {
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Uncover both marked things and go by the colours that their descriptions name first."""
     form, bold, say = asked.form, asked.bold, asked.say
-    search = Search(lambda seen: False, asked.first, asked.rng, say=say, scale=asked.question.scale)
+    search = Search.of(asked)
     yield from search.begin()
     like = search.graph.called(asked.subject) if form == "like" else ()
     wanted = _wanted_colour(form, asked.subject, like)

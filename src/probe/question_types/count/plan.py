@@ -78,7 +78,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     def counts(seen: Seen) -> bool:
         return same(seen.name or "", name)
 
-    search = Search(counts, asked.first, asked.rng, say=asked.say, scale=asked.question.scale)
+    search = Search.of(asked, counts)
     yield from search.begin()
     now = most = _Tally(search.graph.called(name))
     search.remark(_gone_through(search.graph, now, asked.say))

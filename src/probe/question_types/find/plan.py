@@ -18,7 +18,7 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     def offered(seen: Seen) -> bool:
         return is_offered(question, seen)
 
-    search = Search(offered, asked.first, asked.rng, say=say, scale=asked.question.scale)
+    search = Search.of(asked, offered)
     yield from search.begin(options_told(question, say))
     known = {seen.name for seen in search.graph.named}
     while not (shown := _shown_options(question, search.graph)) and not search.complete:

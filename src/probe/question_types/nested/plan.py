@@ -20,8 +20,7 @@ from probe.agents.uncovering import (
 
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Clear the outer cover away, then the inner one, and name what comes to light."""
-    scale = asked.question.scale
-    search = Search(lambda seen: False, asked.first, asked.rng, say=asked.say, scale=scale)
+    search = Search.of(asked)
     yield from search.begin()
     known = {seen.name for seen in search.graph.named}
     place = around(seen.box for seen in search.graph.called(asked.subject))

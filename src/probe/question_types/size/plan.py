@@ -15,7 +15,7 @@ from probe.agents.type_plan import FirstLookAnswer, FirstLookQuestion, ScriptedQ
 def _begin(asked: ScriptedQuestion) -> Plan[None]:
     """Uncover both marked things and go by the boxes that they then have."""
     form, say = asked.form, asked.say
-    search = Search(lambda seen: False, asked.first, asked.rng, say=say, scale=asked.question.scale)
+    search = Search.of(asked)
     yield from search.begin()
     search.remark(say(f"asked {form}", {}))
     one, other = yield from uncover_both(asked.question, search, bold=asked.bold)
