@@ -16,8 +16,10 @@ from pages import Page
 from probe.api.sim_real import write_sim_real
 from probe.cli.sim_real import sim_real
 from probe.episodes.files import line_of
+from probe.episodes.tool_errors import HEADLINE
 from probe.errors import BadData
 from probe.scores.row import Entrant
+from probe.tasks.headline import HeadlineErrors
 from probe.tasks.task import Task
 from run_folders import DEMO, episode, on_robot, write_run
 
@@ -41,7 +43,13 @@ REAL: Results = {
 
 
 def folder(
-    path: Path, results: Results, tasks: Sequence[Task], *, real: bool, name: str = "demo"
+    path: Path,
+    results: Results,
+    tasks: Sequence[Task],
+    *,
+    real: bool,
+    name: str = "demo",
+    headline: HeadlineErrors | None = None,
 ) -> Path:
     records = [
         episode(task, agent=agent, run=run, right=it == "1")
@@ -50,7 +58,8 @@ def folder(
         for run, it in enumerate(runs)
     ]
     made = [on_robot(it, path) for it in records] if real else records
-    return write_run(path, made, replace(DEMO, name=name, tasks=tuple(tasks)), pictures=False)
+    suite = replace(DEMO, name=name, tasks=tuple(tasks), headline=headline)
+    return write_run(path, made, suite, pictures=False)
 
 
 def success(runs: Sequence[str], chosen: Sequence[int] = (0, 1, 2, 3)) -> Fraction:
@@ -60,16 +69,24 @@ def success(runs: Sequence[str], chosen: Sequence[int] = (0, 1, 2, 3)) -> Fracti
     return sum((tasks[it] / 4 for it in (*beneath, *count)), Fraction(0))
 
 
-def r_of(x: Sequence[Fraction], y: Sequence[Fraction]) -> float:
+def r_of(x: Sequence[Fraction | float], y: Sequence[Fraction | float]) -> float:
     top = 3 * sum(a * b for a, b in zip(x, y, strict=True)) - sum(x) * sum(y)
     below = [3 * sum(a * a for a in row) - sum(row) ** 2 for row in (x, y)]
     return float(top) / math.sqrt(below[0] * below[1])
 
 
-def ranks(x: Sequence[Fraction]) -> list[Fraction]:
+def ranks(x: Sequence[Fraction | float]) -> list[Fraction]:
     return [
         Fraction(2 * sum(other < mine for other in x) + sum(other == mine for other in x) + 1, 2)
         for mine in x
+    ]
+
+
+def widened(chosen: Sequence[int]) -> list[list[float]]:
+    """Both sides drawn so; what two tasks deviate from their mean by is widened by sqrt(2)."""
+    return [
+        [float(mean) + math.sqrt(2) * float(one - mean) for one, mean in zip(*both, strict=True)]
+        for both in zip(both_sides(chosen), both_sides(), strict=True)
     ]
 
 
@@ -106,7 +123,7 @@ def test_three_agents_as_computed_by_hand(tmp_path: Path) -> None:
         assert agreement.p == pytest.approx(as_good / 6)
         # Two tasks of a type are drawn in 4 ways, so that each of 16 draws has 6.25 %: more than
         # either tail, and the interval reaches from the least to the largest.
-        draws = [how(*both_sides(d)) for d in product((0, 1), (0, 1), (2, 3), (2, 3))]
+        draws = [how(*widened(d)) for d in product((0, 1), (0, 1), (2, 3), (2, 3))]
         assert agreement.over_tasks is not None
         assert agreement.over_tasks.low == pytest.approx(min(draws), abs=1e-9)
         assert agreement.over_tasks.high == pytest.approx(max(draws), abs=1e-9)
@@ -150,10 +167,27 @@ def test_what_both_places_dont_share_is_named(tmp_path: Path) -> None:
         TASKS[2].id: "hasty has no result on the robot",
         TASKS[3].id: "it isn't in the robot's suite",
     }
+    hasty = next(it for it in found.agents if it.entrant.agent == "hasty")
+    assert hasty.real.interrupted == 1  # at a task that isn't compared
+    # One task of a type tells nothing of others.
+    assert found.pearson.over_tasks is None
     slow = Entrant("slow", "agentic")
     assert found.agents_left_out == {slow: "isn't there in simulation"}
     page = Page((tmp_path / "out" / "index.html").read_text()).section("left-out")
     assert "1 task, since hasty has no result on the robot" in page and "slow" in page
+
+
+def test_conditions_apart_from_the_headline_are_not_the_agents(
+    tmp_path: Path,
+) -> None:
+    sim, real = (
+        folder(tmp_path / name, results, TASKS, real=name == "real", headline=HEADLINE)
+        for name, results in (("sim", SIM), ("real", REAL))
+    )
+    found = write_sim_real(sim, real, tmp_path / "out")
+    assert {it.entrant.agent for it in found.agents} == {*SIM} and not found.agents_left_out
+    top = Page((tmp_path / "out" / "index.html").read_text()).all("header")[0].text
+    assert "ideal hand" in top and "perception segmenter" in top
 
 
 def test_two_folders_of_simulation_are_refused(tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ import pytest
 
 from probe.agents.question_classifier import QuestionClassifier
 from probe.errors import BadData
+from probe.scores.marking import roster_of_tasks
 from probe.train.baselines import floors
 from probe.train.held_out import markdown, standings
 from run_folders import DEMO
@@ -31,7 +32,7 @@ def test_what_nobody_learnt_is_apart():
         == "|  | episodes | n | macro, trained types | find | size | **beneath**, held out (n) |"
     )
     cells = [cell.strip() for cell in lines[3].strip("|").split("|")]
-    assert cells[:3] == ["base, agentic", "4", "4"] and cells[3].startswith("75.0 (")
+    assert cells[:3] == ["base, agentic", "6", "4"] and cells[3].startswith("75.0 (")
     assert cells[4:6] == ["50", "100"] and cells[6].startswith("0.0 (0-") and "(2)" in cells[6]
 
 
@@ -87,9 +88,13 @@ def test_there_must_be_something_to_be_best_at():
         floors(DEMO, [task.question_type for task in DEMO.tasks], {})
 
 
-def test_question_only_is_silent_about_what_it_never_learnt():
+def test_question_only_is_asked_only_what_it_has_learnt():
     learnt = {"count": QuestionClassifier(tasks=9, weights={"@1": 1.0})}
-    rows = [it for it in floors(DEMO, [], learnt) if it.agent == "question-only"]
-    assert {it.answer for it in rows if it.question_type == "count"} == {"B"}
-    assert {it.answer for it in rows if it.question_type != "count"} == {None}
-    assert len(rows) == len(DEMO.tasks)
+    others = {task.question_type for task in DEMO.tasks} - {"count"}
+    rows = floors(DEMO, others, learnt)
+    asked = [it for it in rows if it.agent == "question-only"]
+    assert {(it.question_type, it.answer) for it in asked} == {("count", "B")}
+    line = markdown(standings(rows, roster_of_tasks(DEMO.tasks), others)).splitlines()[-1]
+    assert line.startswith("| question-only") and line.endswith("| 50 |" + "  |" * len(others))
+    with pytest.raises(BadData, match=r"question-only: has learnt nothing about find\."):
+        floors(DEMO, others - {"find"}, learnt)

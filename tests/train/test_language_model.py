@@ -124,6 +124,22 @@ def test_models_that_see_write_one_reply_at_a_time(tmp_path):
         ServedModel(str(seeing), at_once=2)
 
 
+@pytest.mark.parametrize("pictures", [False, True])
+def test_a_reply_that_ends_in_another_of_its_models_ends_isnt_cut_off(tmp_path, pictures):
+    folder = small_model(
+        tmp_path / "m", small_dataset(tmp_path, pictures=pictures), pictures=pictures
+    )
+    body = {"messages": [{"role": "user", "content": "A lies there."}], "max_tokens": 12}
+    asked = ServedModel(str(folder)).asked(body)
+    with libraries.torch().inference_mode():
+        first = int(load(str(folder))[0](**asked).logits[0, -1].argmax())
+    path = folder / "generation_config.json"
+    config = json.loads(path.read_text())
+    path.write_text(json.dumps(config | {"eos_token_id": [config["eos_token_id"], first]}))
+    reply = ServedModel(str(folder)).reply(body)
+    assert (reply.tokens_out, reply.cut) == (1, False)
+
+
 @pytest.mark.parametrize(
     "asked",
     [{"max_tokens": -1}, {"max_tokens": "many"}, {"temperature": math.inf}, {"temperature": "x"}],

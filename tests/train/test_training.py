@@ -11,12 +11,14 @@ from importlib import import_module
 
 import pytest
 
+from probe.episodes.folder import reserved
 from probe.errors import BadData, MissingExtra, OutputFailed
 from probe.train.dataset.manifest import Manifest, write_manifest
 from probe.train.tune import libraries
 from probe.train.tune.fine_tuning import train
 from probe.train.tune.loading import NoModel, UnknownTemplate, load
 from probe.train.tune.run_card import Run
+from probe.train.tune.started import TRAINING, begun, take_up
 from probe.train.tune.training_log import read_log
 from probe.train.tune.tuning import Tuning
 from small_models import small_dataset, small_model
@@ -120,8 +122,15 @@ def test_where_a_gpu_computes_in_bfloat16_weights_are_trained_in_float32(
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("default")
-def test_a_model_is_never_without_its_card(tmp_path, dataset, model):
-    tuning = Tuning(learning_rate=1e-3, global_batch=9, epochs=1)
+@pytest.mark.parametrize(
+    ("tuning", "steps"),
+    [
+        (Tuning(learning_rate=1e-3, global_batch=9, epochs=1), [1]),
+        # Its last step isn't an epoch's.
+        (Tuning(learning_rate=1e-3, global_batch=4, steps=2, save_every=1), [1, 2]),
+    ],
+)
+def test_a_model_is_never_without_its_card(tmp_path, dataset, model, tuning, steps):
     (tmp_path / "README.md").mkdir()
     with pytest.raises(OutputFailed, match=r"README\.md"):
         train(dataset, str(model), tmp_path, tuning, ())
@@ -129,7 +138,25 @@ def test_a_model_is_never_without_its_card(tmp_path, dataset, model):
     (tmp_path / "README.md").rmdir()
     folder = train(dataset, str(model), tmp_path, tuning, ())
     assert (tmp_path / "run.json").exists() and (tmp_path / "README.md").is_file()
-    assert sorted(losses(tmp_path)) == [1] and load(str(folder))
+    assert sorted(losses(tmp_path)) == steps and load(str(folder))
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
+def test_a_loss_that_isnt_finite_ends_it(tmp_path, dataset, model):
+    tuning = Tuning(learning_rate=1e30, global_batch=4, save_every=1)
+    with pytest.raises(BadData, match="--learning-rate: the loss of step 2 is (nan|inf)"):
+        train(dataset, str(model), tmp_path, tuning, ())
+    assert sorted(losses(tmp_path)) == [1] and not (tmp_path / "model").exists()
+
+
+def test_two_cannot_train_in_one_folder(tmp_path, dataset, model):
+    take_up(tmp_path, begun(dataset, str(model), TUNING))
+    with (
+        reserved(tmp_path / TRAINING),
+        pytest.raises(BadData, match="another run is at work there"),
+    ):
+        train(dataset, str(model), tmp_path, TUNING, ())
 
 
 def broken(tmp_path, folder):

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pydantic
 
-from probe.api.grading import Graded, graded
+from probe.api.grading import graded
 from probe.api.progress import Track, silent
 from probe.api.rows import rows_of, setting_of_record
-from probe.episodes.folder import SUITE
+from probe.episodes.folder import SUITE, setting_of_folder
 from probe.episodes.tool_errors import label_of
 from probe.errors import BadData
 from probe.files import write_text
@@ -106,16 +106,16 @@ def _read(folder: Path, *, is_real: bool, track: Track) -> _Folder:
             kind = "simulation" if is_real else "a robot"
             raise BadData(folder, f"has records of {kind}", "Name the simulation's folder first")
     first = found[0][1]
-    label = label_of(first, suite.headline, setting_of_record(first))
     rows = rows_of(folder, suite, found, title=identity_of(suite).title)
-    plain = tuple(_plain(row, it) for row, it in zip(rows, found, strict=True))
+    given = setting_of_folder(folder)
+    label = label_of(first, suite.headline, given or setting_of_record(first))
+    settings = [given or setting_of_record(record) for _, record, _ in found]
+    # Without conditions: these differ between the places anyway.
+    plain = tuple(
+        row.model_copy(update={"setting": setting})
+        for row, setting in zip(rows, settings, strict=True)
+    )
     return _Folder({task.id: task for task in suite.tasks}, plain, label or "perception oracle")
-
-
-def _plain(row: Row, found: Graded) -> Row:
-    """The row under the agent's own setting: conditions differ between the places anyway."""
-    setting = row.setting.removesuffix(f", {found[1].label}")
-    return row.model_copy(update={"setting": setting})
 
 
 def _apart(sim: Mapping[str, Task], real: Mapping[str, Task]) -> dict[str, str]:

@@ -21,6 +21,7 @@ from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
 from probe.tasks.task import QuestionType
+from probe.texts import plural
 from probe.train.baselines import floors
 from probe.train.collect.aim import uncollected
 from probe.train.differences import differences
@@ -82,10 +83,10 @@ def _learnt(path: Path | None) -> Mapping[str, QuestionClassifier]:
     return read_learnt(path)
 
 
-def _words(suite: Suite, runs: int) -> str:
+def _words(suite: Suite, folders: int) -> str:
     title = identity_of(suite).title
     return (
-        f"Right answers in per cent on {title}, {len(suite.tasks)} tasks, {runs} runs; in "
-        "brackets 95 % intervals (t, over tasks). The constant answer is the one that is best over "
-        "the trained types."
+        f"Right answers in per cent on {title}, {plural(len(suite.tasks), 'task')}, "
+        f"{plural(folders, 'folder')}; in brackets 95 % intervals (t, over tasks). "
+        "The constant answer is the one that is best over the trained types."
     )

@@ -48,7 +48,7 @@ def occupied(out: Path, suite: Suite) -> Generator[None]:
         OutputFailed: It can't be written.
     """
     _found(out, suite)
-    with reserved(out):
+    with reserved(out / SUITE):
         yield
 
 
@@ -146,18 +146,21 @@ def standing(records: Iterable[EpisodeRecord]) -> list[EpisodeRecord]:
 
 
 @contextmanager
-def reserved(out: Path) -> Generator[None]:
+def reserved(path: Path) -> Generator[None]:
     """Keep other runs out of a started folder; the lock leaves no file and dies with us.
+
+    Args:
+        path: A file of the folder that each of them locks.
 
     Raises:
         BadData: Another run is at work there.
     """
-    with opened(out / SUITE) as file:
+    with opened(path) as file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
             remedy = "Wait for it, or choose another folder"
-            raise BadData(out, "another run is at work there", remedy) from error
+            raise BadData(path.parent, "another run is at work there", remedy) from error
         yield
 
 

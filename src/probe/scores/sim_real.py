@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +23,7 @@ from probe.scores.intervals import DRAWS, Interval, student
 from probe.scores.missing import present, settled
 from probe.scores.pairs import Pair, family
 from probe.scores.row import Entrant, Row
-from probe.scores.units import Unit, by_entrant, strata_of, units_of
+from probe.scores.units import Strata, Unit, by_entrant, strata_of, units_of
 from probe.types import Array
 
 FEWEST = 3
@@ -39,7 +40,8 @@ class Side:
         success: Macro average over question types, as in all scores.
         interval: Its 95 % interval (stratified t, over tasks).
         runs: Episodes that it rests on.
-        interrupted: Episodes that a failure of ours ended, in none of the other numbers.
+        interrupted: Episodes that a failure of ours ended, at whatever task; in none of the other
+            numbers.
         causes: How many episodes weren't right, by cause.
     """
 
@@ -67,7 +69,8 @@ class Correlated:
     Attributes:
         value: Of the success rates; None where there are fewer than three models, or all fared
             alike in one of the places.
-        over_tasks: 95 % interval over other tasks of the same kinds, for these very models.
+        over_tasks: 95 % interval over other tasks of the same kinds, for these very models; None
+            where a type has one task.
         undefined: Share of its draws that had no correlation; see spread_over().
         over_models: 95 % interval over other models like these; None for Spearman's, for which
             there is no exact one, and for a perfect one.
@@ -122,7 +125,9 @@ def sim_real(sim: Sequence[Row], real: Sequence[Row], seed: int = 0) -> SimReal:
     if not tasks:
         return SimReal((), (), Correlated(None), Correlated(None), lacking, away)
     shared, there_too = (_only(rows, both, tasks) for rows in there.values())
-    return SimReal(tasks, *_compared(both, shared, there_too, seed), lacking, away)
+    lost = [{it: sum(row.missing for row in rows[it]) for it in both} for rows in there.values()]
+    agents, r, rho = _compared(both, (shared, there_too), lost, seed)
+    return SimReal(tasks, agents, r, rho, lacking, away)
 
 
 def cause_of(row: Row) -> str:
@@ -153,55 +158,75 @@ def _only(rows: Rows, both: Sequence[Entrant], tasks: Sequence[str]) -> dict[Ent
 
 
 def _compared(
-    both: Sequence[Entrant], sim: Rows, real: Rows, seed: int
+    both: Sequence[Entrant],
+    sides: Sequence[Rows],
+    lost: Sequence[Mapping[Entrant, int]],
+    seed: int,
 ) -> tuple[tuple[Compared, ...], Correlated, Correlated]:
-    units = [{it: units_of(present(settled(rows[it]))) for it in both} for rows in (sim, real)]
+    """All agents and both correlations; of simulation and the robot, in this order.
+
+    Args:
+        both: Who is in both places.
+        sides: Their rows of the tasks that are compared.
+        lost: How many of their episodes were interrupted, at any task.
+        seed: Of all draws.
+    """
+    units = [{it: units_of(present(settled(rows[it]))) for it in both} for rows in sides]
     named = [
         {Entrant(it.agent, f"{it.setting}, {place}"): mine for it, mine in side.items()}
         for place, side in zip(("simulation", "robot"), units, strict=True)
     ]
     pairs = family(named[0] | named[1], zip(named[1], named[0], strict=True), seed)
-    agents = [
-        Compared(it, _side(sim[it], units[0][it]), _side(real[it], units[1][it]), pair)
-        for it, pair in zip(both, pairs, strict=True)
-    ]
+    sim, real = (
+        {it: _side(rows[it], mine[it], gone[it]) for it in both}
+        for rows, mine, gone in zip(sides, units, lost, strict=True)
+    )
+    agents = [Compared(it, sim[it], real[it], pair) for it, pair in zip(both, pairs, strict=True)]
     x, y = np.array([[agent.sim.success, agent.real.success] for agent in agents]).T
-    drawn = [_redrawn([side[it] for it in both], seed) for side in units]
+    in_order = [[sorted(side[it], key=lambda unit: unit.task) for it in both] for side in units]
+    drawn = [_redrawn([strata_of(mine) for mine in side], seed) for side in in_order]
     r, rho = (_agreement(x, y, drawn, seed, how) for how in (pearson, spearman))
     agents.sort(key=lambda it: (-it.real.success, -it.sim.success, it.entrant))
     return tuple(agents), r, rho
 
 
-def _side(rows: Sequence[Row], units: Sequence[Unit]) -> Side:
+def _side(rows: Sequence[Row], units: Sequence[Unit], interrupted: int) -> Side:
     done, strata = present(settled(rows)), strata_of(units)
     causes = Counter(cause_of(row) for row in done if not row.correct)
-    interrupted = sum(row.missing for row in rows)
     ranked = dict(sorted(causes.items(), key=lambda it: (-it[1], it[0])))
     return Side(macro(strata), student(strata), len(done), interrupted, ranked)
 
 
-def _redrawn(agents: Sequence[Sequence[Unit]], seed: int) -> Array:
+def _redrawn(strata: Sequence[Strata], seed: int) -> Array | None:
     """Success of each agent over tasks drawn again within types, shape (draws, agents).
 
     The draws are the same in every call, since the tasks are the same for all and in both places.
+    Deviations are widened as those of bootstrap() are. None where a type has one task, which tells
+    nothing of others.
     """
-    strata = [strata_of(sorted(units, key=lambda unit: unit.task)) for units in agents]
-    total = np.zeros((DRAWS, len(agents)))
+    if any(len(values) < 2 for values in strata[0].values()):
+        return None
+    total = np.zeros((DRAWS, len(strata)))
     for question_type in strata[0]:
         values = np.array([of[question_type] for of in strata])
         n = values.shape[1]
         rng = generator(seed, "sim-real", question_type)
-        total += rng.multinomial(n, np.full(n, 1 / n), size=DRAWS) @ values.T / n
+        drawn = rng.multinomial(n, np.full(n, 1 / n), size=DRAWS) @ values.T / n
+        mean = values.mean(axis=1)
+        total += mean + math.sqrt(n / (n - 1)) * (drawn - mean)
     return total / len(strata[0])
 
 
 def _agreement(
-    x: Array, y: Array, drawn: Sequence[Array], seed: int, correlation: Correlation
+    x: Array, y: Array, drawn: Sequence[Array | None], seed: int, correlation: Correlation
 ) -> Correlated:
     value = float(correlation(x, y)) if len(x) >= FEWEST else float("nan")
     if np.isnan(value):
         return Correlated(None)
-    over_tasks, undefined = spread_over(correlation(drawn[0], drawn[1]))
+    first, second = drawn
+    over_tasks, undefined = None, 0.0
+    if first is not None and second is not None:
+        over_tasks, undefined = spread_over(correlation(first, second))
     return Correlated(
         value=value,
         over_tasks=over_tasks,

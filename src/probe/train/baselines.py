@@ -11,7 +11,6 @@ import numpy as np
 from probe.agents.baselines import Rule, always, always_none
 from probe.agents.question_classifier import QuestionClassifier, most_likely
 from probe.episodes.grading import grade_episode, question_of
-from probe.episodes.turns import Question
 from probe.errors import BadData
 from probe.runs.plan import Job, RunOrder
 from probe.runs.work import stopped
@@ -33,14 +32,20 @@ def floors(
     Args:
         suite: What is asked.
         held_out: Types on which the best constant answer isn't chosen.
-        learnt: By question-only. About a type that is missing it gives no answer.
+        learnt: By question-only; nothing leaves it out. It isn't asked about a held-out type that
+            it hasn't learnt.
 
     Raises:
-        BadData: No type is left that was trained.
+        BadData: No type is left that was trained, or question-only has learnt others.
     """
-    if {task.question_type for task in suite.tasks} <= {*held_out}:
+    trained = {task.question_type for task in suite.tasks} - {*held_out}
+    if not trained:
         reason = f"leaves no type of {suite.name} that was trained"
         raise BadData("--types", reason, "Name fewer, or compare runs of a suite with more types")
+    if learnt and not trained <= learnt.keys():
+        reason = f"has learnt nothing about {', '.join(sorted(trained - learnt.keys()))}"
+        remedy = "Let it learn tasks of these types, too, or name them with --types"
+        raise BadData("question-only", reason, remedy)
     constants: dict[str, Rule] = {f"always-{letter}": always(letter) for letter in LETTERS}
     constants["always-none"] = always_none
     played = {
@@ -52,14 +57,11 @@ def floors(
         return played[best]
     rules = {question_type: most_likely(known.weights) for question_type, known in learnt.items()}
     blind = [
-        _row(suite, task, QUESTION_ONLY, rules.get(task.question_type, _silent))
+        _row(suite, task, QUESTION_ONLY, rules[task.question_type])
         for task in suite.tasks
+        if task.question_type in rules
     ]
     return [*played[best], *blind]
-
-
-def _silent(question: Question) -> None:
-    return None
 
 
 def _row(suite: Suite, task: Task, name: str, rule: Rule) -> Row:

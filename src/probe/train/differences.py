@@ -50,5 +50,6 @@ def markdown(found: Sequence[Pair]) -> str:
 def _cells(pair: Pair) -> list[str]:
     low, high = 100 * pair.student.low, 100 * pair.student.high
     less = f"{100 * pair.difference:.1f} ({low:.0f} to {high:.0f})"
-    told = [pair.first.title, pair.second.title, str(pair.tasks), less]
+    tasks = f"{pair.tasks} ({pair.left_out} left out)" if pair.left_out else str(pair.tasks)
+    told = [pair.first.title, pair.second.title, tasks, less]
     return [*told, *(f"{p:.5f}" if p < 0.001 else f"{p:.3f}" for p in (pair.p, pair.adjusted))]

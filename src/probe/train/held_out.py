@@ -64,7 +64,7 @@ def markdown(found: Sequence[EntrantResult]) -> str:
 
 
 def _cells(each: EntrantResult, question_types: Sequence[str], others: Sequence[str]) -> list[str]:
-    runs = max(card.macro.runs for card in (each.trained, each.held_out) if card)
+    runs = sum(card.macro.runs for card in (each.trained, each.held_out) if card)
     cells = [each.entrant.title, str(runs)]
     trained = each.trained
     cells += [str(trained.macro.tasks), _share(trained.macro)] if trained else ["0", ""]

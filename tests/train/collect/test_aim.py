@@ -55,9 +55,19 @@ def test_a_batch_follows_what_is_lacking_and_the_rate():
 def test_a_batch_is_no_larger_than_allowed_and_lacks_no_type():
     aim = Aim({"find": 1000, "count": 10}, FIRST, batch=10)
     places = aim.next_places(CollectedBatches())
-    assert len(places) == 10 and {place.question_type for place in places} == {"find"}
+    assert Counter(place.question_type for place in places) == {"find": 9, "count": 1}
     late = CollectedBatches(Counter(find=1000), Counter(find=1000), last={"find": FIRST + 999})
     assert {place.question_type for place in aim.next_places(late)} == {"count"}
+
+
+def test_if_there_is_room_for_a_few_no_type_gets_two():
+    few = Aim({"find": 500, "count": 400, "size": 5}, FIRST, most_cost=10.0)
+    first = few.next_places(CollectedBatches())
+    assert sorted(place.question_type for place in first) == ["count", "find", "size"]
+    fewer = Aim({"find": 500, "count": 400, "size": 5}, FIRST, most_episodes=2)
+    assert [it.question_type for it in fewer.next_places(CollectedBatches())] == ["find"]
+    two = Aim({"find": 500, "count": 400, "size": 5}, FIRST, batch=2)
+    assert [it.question_type for it in two.next_places(CollectedBatches())] == ["find", "count"]
 
 
 def test_budgets():

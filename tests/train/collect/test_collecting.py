@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -173,6 +174,28 @@ def test_an_episode_that_left_no_record_is_missing(tmp_path, things):
     # It isn't known from the picture, so that tools are tried.
     assert (counting_task(1).id, "agentic") in world.played
     assert so_far.tasks["count"] == len(world.made)
+
+
+def test_a_batch_after_a_deleted_one_overwrites_none(tmp_path, things):
+    run(World(tmp_path, things), Aim({"count": 5}, FIRST, batch=4))
+    first, second, third = batches(tmp_path)
+    kept = {path: path.read_bytes() for path in third.folder.rglob("*") if path.is_file()}
+    shutil.rmtree(second.folder)
+    run(World(tmp_path, things), Aim({"count": 7}, FIRST, batch=4))
+    assert kept == {path: path.read_bytes() for path in kept}
+    assert [it.folder.name[-1] for it in batches(tmp_path)][:3] == ["0", "2", "3"]
+
+
+def test_what_was_missing_may_be_right_once_it_goes_on(tmp_path, things):
+    """The task is played with tools by then, since nothing was known of it without."""
+    world = World(tmp_path, things, lost=(counting_task(4).id, "direct"), stop_after=12)
+    with pytest.raises(KeyboardInterrupt):
+        run(world, AIM)
+    assert world.played[-1] == (counting_task(4).id, "agentic")
+    world.stop_after, world.lost = None, ("", "")
+    so_far = run(world, AIM)
+    assert AIM.reached(so_far) == 5 and so_far.missing == 0
+    assert world.played.count((counting_task(4).id, "direct")) == 2
 
 
 def test_tasks_that_cannot_be_made_are_told(tmp_path, things):

@@ -6,7 +6,8 @@ import pytest
 
 from probe.train.tune.started import last_checkpoint
 
-WHOLE = '{"global_step": 2, "log_history": [{"loss": 1.5}]}\n'
+WHOLE = '{"global_step": 2, "max_steps": 12, "log_history": [{"loss": 1.5}]}\n'
+LAST = '{"global_step": 12, "max_steps": 12, "log_history": [{"loss": 1.5}]}\n'
 
 
 def checkpoint(out, step, state):
@@ -27,6 +28,13 @@ def test_a_checkpoint_that_was_cut_off_is_passed_over(tmp_path, cut):
     assert later.exists()
     (later / "trainer_state.json").write_text(WHOLE)
     assert last_checkpoint(tmp_path) == later
+
+
+def test_one_of_the_last_step_is_passed_over(tmp_path):
+    """Who goes on from it makes a step more than there are."""
+    before = checkpoint(tmp_path, 9, WHOLE)
+    checkpoint(tmp_path, 12, LAST)
+    assert last_checkpoint(tmp_path) == before
 
 
 def test_without_a_whole_one_it_begins_anew(tmp_path):

@@ -52,6 +52,21 @@ def in_proportion(counts: Mapping[QuestionType, int], total: int) -> dict[Questi
     return made
 
 
+def _shared(needs: Mapping[QuestionType, int], most: int) -> dict[QuestionType, int]:
+    """What is needed, within a number: one of each type that lacks some, the rest in proportion.
+
+    If not even that many are allowed, the types with the largest needs get one.
+    """
+    lacking = {question_type: need for question_type, need in needs.items() if need}
+    if sum(lacking.values()) <= most:
+        return lacking
+    first = sorted(lacking, key=lambda question_type: -lacking[question_type])[:most]
+    if len(first) == most:
+        return dict.fromkeys(first, 1)
+    others = in_proportion({it: lacking[it] - 1 for it in first}, most - len(first))
+    return {question_type: 1 + others[question_type] for question_type in first}
+
+
 Mode = Literal["both", "direct", "agentic", "text-only"]
 _MARGIN = 1.1
 
@@ -113,20 +128,14 @@ class Aim:
     def next_places(self, so_far: CollectedBatches) -> list[TaskSlot]:
         """What to make next: as much as is lacking by the success rates so far, within a batch."""
         needs = {question_type: self._need(question_type, so_far) for question_type in self.counts}
-        most, total = min(self.batch, self._room(so_far)), sum(needs.values())
-        if total > most:
-            # Every type that lacks some gets its part, from the largest need on.
-            needs = {
-                question_type: math.ceil(need * most / total)
-                for question_type, need in needs.items()
-            }
+        shares = _shared(needs, min(self.batch, self._room(so_far)))
         places = list[TaskSlot]()
-        for question_type in sorted(self.counts, key=lambda question_type: -needs[question_type]):
+        for question_type in sorted(shares, key=lambda question_type: -shares[question_type]):
             fresh = fresh_places(
                 question_type, self.first, self.shard, so_far.last.get(question_type)
             )
-            places += islice(fresh, needs[question_type])
-        return places[:most]
+            places += islice(fresh, shares[question_type])
+        return places
 
     def _need(self, question_type: QuestionType, so_far: CollectedBatches) -> int:
         lacking = self.wanted(question_type) - so_far.successes[question_type]

@@ -142,8 +142,9 @@ def batches(out: Path, shard: Shard | None = None) -> list[Batch]:
 
 
 def new_batch(out: Path, shard: Shard) -> Batch:
-    """A shard's next one; its folder isn't made yet."""
-    number = len(batches(out, shard))
+    """A shard's next one, after all that are there; its folder isn't made yet."""
+    there = (out / BATCHES).glob(f"{_mark(shard)}-*")
+    number = max((int(it.name.rpartition("-")[2]) for it in there), default=-1) + 1
     return Batch(out / BATCHES / f"{_mark(shard)}-{number:05d}")
 
 

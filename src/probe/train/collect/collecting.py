@@ -88,8 +88,9 @@ def collect(out: Path, aim: Aim, hands: TeacherWorkers) -> Generator[CollectionP
         if not batch.whole:
             suite = read_suite(batch.folder / SUITE)
             check_objects(suite, hands.library)
+            so_far = collected(batches(out, aim.shard))
             for doing in _played(batch, suite, aim, hands):
-                yield CollectionProgress(collected(batches(out, aim.shard)), doing)
+                yield CollectionProgress(so_far, doing)
     so_far = collected(batches(out, aim.shard))
     yield CollectionProgress(so_far, "begun")
     while aim.reached(so_far) < aim.total and aim.spent(so_far) is None:
@@ -121,17 +122,26 @@ def _played(batch: Batch, suite: Suite, aim: Aim, hands: TeacherWorkers) -> Gene
     """Play what a batch lacks and grade it."""
     grades = list[EpisodeGrade]()
     with hands.scene_renderer(suite) as scene_renderer:
-        rest = suite
+        asked_again = suite
         if aim.mode in ("both", "direct"):
             yield from hands.play(suite, "direct", aim.direct_runs, batch.setting("direct"))
             grades += graded(batch, "direct", aim.direct_runs, scene_renderer)
-            rest = suite if aim.always else _without(suite, grades)
+            asked_again = suite if aim.always else _without(suite, grades)
+        setting: Setting = "text-only" if aim.mode == "text-only" else "agentic"
+        rest = _begun(batch.setting(setting) / SUITE, asked_again)
         if aim.mode != "direct" and rest.tasks:
-            setting: Setting = "text-only" if aim.mode == "text-only" else "agentic"
             write_suite(batch.setting(setting) / SUITE, rest)
             yield from hands.play(rest, setting, 1, batch.setting(setting))
             grades += graded(batch, setting, 1, scene_renderer)
     batch.keep(grades)
+
+
+def _begun(path: Path, suite: Suite) -> Suite:
+    """The tasks that are tried with tools: as before, if that was begun.
+
+    An episode without tools that failed by our fault may have been right since.
+    """
+    return read_suite(path) if path.exists() else suite
 
 
 def graded(

@@ -91,6 +91,9 @@ class ServedModel:
         self._temperature = temperature
         loaded, self._processor = load(model, cpu_bfloat16=cpu_bfloat16)
         self._model = loaded.to("cuda" if torch.cuda.is_available() else "cpu").eval()
+        ends: Any = self._model.generation_config.eos_token_id
+        listed: list[int] = [ends] if isinstance(ends, int) else ends or []
+        self._ends = frozenset([*listed, int(tokenizer_of(self._processor).eos_token_id)])
         self._writer = None if sees(self._processor) else self._writer_of(model, at_once)
         if self._writer is None and at_once > 1:
             raise _one_at_a_time(model, "it sees")
@@ -132,7 +135,7 @@ class ServedModel:
             chooser = Chooser(self._model.generation_config, warmth, kept_to)
             fresh = self._writer.write(asked["input_ids"][0].tolist(), most, chooser, given_up)
         tokenizer = tokenizer_of(self._processor)
-        ended = tokenizer.eos_token_id in fresh
+        ended = bool(fresh) and fresh[-1] in self._ends
         # Tags of calls are no special tokens of Qwen's tokenizer, and stay.
         text = tokenizer.decode(fresh, skip_special_tokens=True)
         return GeneratedReply(read_reply(text), start, len(fresh), cut=not ended)
@@ -150,6 +153,7 @@ class ServedModel:
     def _generated(self, asked: Any, most: int, warmth: float, kept_to: Any) -> list[int]:
         """A reply's tokens of a model that sees."""
         how: dict[str, Any] = {"max_new_tokens": most, "do_sample": warmth > 0}
+        how["eos_token_id"] = sorted(self._ends)
         if warmth > 0:
             how["temperature"] = warmth
         if kept_to:
@@ -166,10 +170,7 @@ class ServedModel:
         if not attend_to_next(self._model) and at_once > 1:
             raise _one_at_a_time(model, "it doesn't attend by PyTorch's kernel to all it has read")
         check_recommended(model, self._model.generation_config)
-        ends: Any = self._model.generation_config.eos_token_id
-        listed: list[int] = [ends] if isinstance(ends, int) else ends or []
-        own: int = tokenizer_of(self._processor).eos_token_id
-        return Writer(self._model, at_once, frozenset([*listed, own]))
+        return Writer(self._model, at_once, self._ends)
 
 
 def _limit(body: Mapping[str, Any]) -> int:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import shutil
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
+from probe.episodes.folder import reserved
 from probe.errors import BadData
 from probe.train.dataset.manifest import Manifest, check_dataset
 from probe.train.tune import libraries
@@ -14,7 +16,15 @@ from probe.train.tune.learnt_tokens import trainer_on_cpu
 from probe.train.tune.loading import collator_for, load
 from probe.train.tune.processors import sees
 from probe.train.tune.run_card import write_card
-from probe.train.tune.started import MODEL, ROWS, begun, last_checkpoint, take_up
+from probe.train.tune.started import (
+    MODEL,
+    ROWS,
+    TRAINING,
+    TrainingStart,
+    begun,
+    last_checkpoint,
+    take_up,
+)
 from probe.train.tune.trainer_settings import settings_for
 from probe.train.tune.training_log import diary_callback
 from probe.train.tune.tuning import Tuning
@@ -31,8 +41,8 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         types: Of which there must be examples, besides those that the manifest names.
 
     Raises:
-        BadData: Something is wrong with the data set, the folder is another training's, or the
-            settings don't fit this machine.
+        BadData: Something is wrong with the data set, the folder is another training's, one is at
+            work there, the settings don't fit this machine, or the loss isn't finite.
         MissingExtra: A library isn't installed.
         NoModel: The model can't be loaded.
         UnknownTemplate: Nobody knows what to take its loss on.
@@ -50,24 +60,31 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         raise BadData(dataset, reason, "Write it with --setting text-only")
     collator = collator_for(processor)
     take_up(out, asked)
-    trainer = _trainer_for(loaded, bfloat16=bool(settings.bf16))(
-        model=loaded,
-        args=settings,
-        train_dataset=_rows(dataset, out, manifest, pictures=sees(processor)),
-        processing_class=processor,
-        data_collator=collator,
-        peft_config=_lora(tuning),
-        callbacks=[diary_callback(out)],
-    )
-    last = last_checkpoint(out)
-    trainer.train(resume_from_checkpoint=str(last) if last else None)
+    with reserved(out / TRAINING) if settings.process_index == 0 else nullcontext():
+        trainer = _trainer_for(loaded, bfloat16=bool(settings.bf16))(
+            model=loaded,
+            args=settings,
+            train_dataset=_rows(dataset, out, manifest, pictures=sees(processor)),
+            processing_class=processor,
+            data_collator=collator,
+            peft_config=_lora(tuning),
+            callbacks=[diary_callback(out)],
+        )
+        last = last_checkpoint(out)
+        trainer.train(resume_from_checkpoint=str(last) if last else None)
+        _finish(trainer, out, asked, manifest)
+    return out / MODEL
+
+
+def _finish(trainer: Any, out: Path, asked: TrainingStart, manifest: Manifest) -> None:
+    """Save the model and its card."""
     weights = _numbers(trainer.model)
-    growing = _saved(trainer, out, tuning)
+    growing = _saved(trainer, out, lora=asked.tuning["lora"] is not None)
     if trainer.is_world_process_zero():
-        write_card(out, asked, manifest, weights, "bfloat16" if settings.bf16 else weights)
+        computed = "bfloat16" if trainer.args.bf16 else weights
+        write_card(out, asked, manifest, weights, computed)
         shutil.rmtree(out / ROWS, ignore_errors=True)
         growing.rename(out / MODEL)  # at the very end: where it is, nothing is left to do
-    return out / MODEL
 
 
 def _trainer_for(loaded: Any, *, bfloat16: bool) -> Any:
@@ -105,10 +122,10 @@ def _numbers(model: Any) -> str:
     return ", ".join(sorted(kind.removeprefix("torch.") for kind in kinds))
 
 
-def _saved(trainer: Any, out: Path, tuning: Tuning) -> Path:
+def _saved(trainer: Any, out: Path, *, lora: bool) -> Path:
     """Save the whole model, LoRA's matrices merged into it, into a hidden folder."""
     growing = out / f".{MODEL}"
-    if tuning.lora is not None:
+    if lora:
         trainer.save_model(str(out / "adapter"))
         merged = trainer.accelerator.unwrap_model(trainer.model).merge_and_unload()
         if trainer.is_world_process_zero():

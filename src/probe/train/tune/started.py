@@ -73,20 +73,20 @@ def take_up(out: Path, asked: TrainingStart) -> None:
 
 
 def last_checkpoint(out: Path) -> Path | None:
-    """The last whole one.
+    """The last whole one before the last step: who goes on from that makes one more.
 
     One that was cut off stays until the same step is saved again: several processes may look.
     """
     found = sorted((out / CHECKPOINTS).glob("checkpoint-*"), key=_step)
-    return next((folder for folder in reversed(found) if _whole(folder)), None)
+    return next((folder for folder in reversed(found) if _leaves_steps(folder)), None)
 
 
-def _whole(checkpoint: Path) -> bool:
+def _leaves_steps(checkpoint: Path) -> bool:
     try:
-        json.loads((checkpoint / _LAST_FILE).read_bytes())
+        state = json.loads((checkpoint / _LAST_FILE).read_bytes())
     except (OSError, ValueError):
         return False
-    return True
+    return state["global_step"] < state["max_steps"]
 
 
 def _step(folder: Path) -> int:

@@ -52,6 +52,7 @@ def settings_for(out: Path, tuning: Tuning) -> Any:
         dataloader_pin_memory=gpu,
         dataloader_num_workers=tuning.loaders,
         logging_steps=1,
+        logging_nan_inf_filter=False,  # it logs 0 instead
         include_num_input_tokens_seen="non_padding",
         save_strategy="steps",
         save_steps=tuning.save_every,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import isfinite
 from pathlib import Path
 from time import time
 from typing import Any
@@ -74,6 +75,8 @@ def diary_callback(out: Path) -> Any:
 
         def on_log(self, args: Any, state: Any, control: Any, **told: Any) -> None:
             logs: dict[str, Any] = told.get("logs") or {}
+            if "loss" in logs:
+                _check_finite(float(logs["loss"]), state.global_step)
             if state.is_world_process_zero and "loss" in logs:
                 entry = LoggedStep(
                     step=state.global_step,
@@ -86,6 +89,12 @@ def diary_callback(out: Path) -> Any:
                 append_line(out / DIARY, entry.model_dump_json().encode() + b"\n")
 
     return Diary()
+
+
+def _check_finite(loss: float, step: int) -> None:
+    if not isfinite(loss):
+        remedy = "Choose a smaller one, and train into another folder"
+        raise BadData("--learning-rate", f"the loss of step {step} is {loss}", remedy)
 
 
 def read_log(out: Path) -> list[LoggedStep]:
