@@ -178,7 +178,7 @@ def test_an_episode_that_left_no_record_is_missing(tmp_path, things):
 
 def test_a_batch_after_a_deleted_one_overwrites_none(tmp_path, things):
     run(World(tmp_path, things), Aim({"count": 5}, FIRST, batch=4))
-    first, second, third = batches(tmp_path)
+    _, second, third = batches(tmp_path)
     kept = {path: path.read_bytes() for path in third.folder.rglob("*") if path.is_file()}
     shutil.rmtree(second.folder)
     run(World(tmp_path, things), Aim({"count": 7}, FIRST, batch=4))
