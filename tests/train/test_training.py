@@ -150,6 +150,8 @@ def test_a_loss_that_isnt_finite_ends_it(tmp_path, dataset, model):
     assert sorted(losses(tmp_path)) == [1] and not (tmp_path / "model").exists()
 
 
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")
 def test_two_cannot_train_in_one_folder(tmp_path, dataset, model):
     take_up(tmp_path, begun(dataset, str(model), TUNING))
     with (
