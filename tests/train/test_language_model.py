@@ -94,6 +94,12 @@ def test_pictures_are_refused(tmp_path, model):
         ServedModel(str(model)).reply(body)
 
 
+def test_tools_in_no_form_that_a_template_knows_are_refused(model):
+    body = {"messages": [{"role": "user", "content": "Hello"}], "tools": 5}
+    with pytest.raises(NotUnderstood, match="template can't write it"):
+        ServedModel(str(model)).reply(body)
+
+
 def test_what_was_read_before_changes_no_reply(model):
     """Turns of two conversations in turn, against a server that reads all of each again."""
     served = ServedModel(str(model))
@@ -142,7 +148,13 @@ def test_a_reply_that_ends_in_another_of_its_models_ends_isnt_cut_off(tmp_path, 
 
 @pytest.mark.parametrize(
     "asked",
-    [{"max_tokens": -1}, {"max_tokens": "many"}, {"temperature": math.inf}, {"temperature": "x"}],
+    [
+        {"max_tokens": -1},
+        {"max_completion_tokens": 0},
+        {"max_tokens": "many"},
+        {"temperature": math.inf},
+        {"temperature": "x"},
+    ],
 )
 def test_limits_that_make_no_sense_are_refused(model, asked):
     body = {"messages": [{"role": "user", "content": "A lies there."}], **asked}

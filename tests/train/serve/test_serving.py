@@ -70,10 +70,25 @@ def test_words_and_words_that_are_cut_off():
 
 
 @pytest.mark.filterwarnings("default")
-@pytest.mark.parametrize("body", [{}, {"messages": [{"content": "x"}]}, ["x"]])
+@pytest.mark.parametrize(
+    "body",
+    [
+        {},
+        {"messages": []},
+        {"messages": [{"content": "x"}]},
+        ["x"],
+        *(HELLO | {"stream": True}, HELLO | {"n": 2}, HELLO | {"tool_choice": "required"}),
+    ],
+)
 def test_what_is_not_understood_is_told(body):
     answer = asked(GeneratedReply(REPLY, 1, 1, cut=False), body)
     assert answer.status_code == 400 and answer.json()["error"]["message"]
+
+
+@pytest.mark.filterwarnings("default")
+def test_what_changes_nothing_may_be_said():
+    usual = {"stream": False, "n": 1, "stop": None, "top_p": 1.0, "tool_choice": "auto"}
+    assert asked(GeneratedReply(REPLY, 1, 1, cut=False), HELLO | usual).status_code == 200
 
 
 @pytest.mark.filterwarnings("default")

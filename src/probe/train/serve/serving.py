@@ -7,7 +7,7 @@ import json
 import socket
 import time
 import uuid
-from collections.abc import AsyncGenerator, Generator
+from collections.abc import AsyncGenerator, Generator, Mapping
 from contextlib import asynccontextmanager, contextmanager, suppress
 from importlib import import_module
 from threading import Event
@@ -18,6 +18,19 @@ from probe.train.serve.speaking import ConversationTooLong, GeneratedReply, Serv
 from probe.train.tune.conversations import NotUnderstood
 
 _LOOPBACK = "127.0.0.1"
+_UNHEEDED: Mapping[str, object] = {
+    "stream": False,
+    "n": 1,
+    "stop": [],
+    "tool_choice": "auto",
+    "response_format": {"type": "text"},
+    "top_p": 1,
+    "frequency_penalty": 0,
+    "presence_penalty": 0,
+    "logit_bias": {},
+    "logprobs": False,
+}
+"""Of a request, what changes nothing here, with the only value that wouldn't elsewhere."""
 
 
 class NotServed(ProbeError):
@@ -169,6 +182,9 @@ def _body(content: bytes, called: str) -> dict[str, Any]:
     asked = cast("dict[str, Any]", body)
     if asked.get("model", called) != called:
         raise NotServed(asked["model"], called)
+    for option, neutral in _UNHEEDED.items():
+        if asked.get(option) not in (None, neutral):
+            raise NotUnderstood(f"{option} {asked[option]!r} isn't heeded here; leave it out")
     return asked
 
 

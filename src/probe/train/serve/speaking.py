@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from threading import Event, Lock
 from typing import Any
 
+from jinja2 import TemplateError
+
 from probe.errors import BadData, ProbeError
 from probe.train.serve.choosing import Chooser, check_recommended
 from probe.train.serve.constraining import CallForms
@@ -108,7 +110,11 @@ class ServedModel:
             NotUnderstood: It isn't in OpenAI's form.
         """
         tools: Sequence[Mapping[str, Any]] | None = body.get("tools") or None
-        return encoded(self._processor, of_request(body["messages"]), tools, asking=True)
+        conversation = of_request(body["messages"])
+        try:
+            return encoded(self._processor, conversation, tools, asking=True)
+        except (TemplateError, TypeError) as error:
+            raise NotUnderstood(f"the model's template can't write it ({error})") from error
 
     def reply(self, body: Mapping[str, Any], given_up: Event | None = None) -> GeneratedReply:
         """Reply to a request.
@@ -125,7 +131,7 @@ class ServedModel:
         """
         asked = self.asked(body).to(self._model.device)
         start = asked["input_ids"].shape[1]
-        most = self._room(start, _limit(body) or self._most_tokens)
+        most = self._room(start, _limit(body, self._most_tokens))
         warmth = _temperature(body, self._temperature)
         tools = body.get("tools") if self._forms else None
         kept_to = self._forms.keep_to(tools) if self._forms and tools else None
@@ -173,10 +179,11 @@ class ServedModel:
         return Writer(self._model, at_once, self._ends)
 
 
-def _limit(body: Mapping[str, Any]) -> int:
-    """Tokens of a reply that a request wants at most; 0 if it doesn't say."""
-    asked = body.get("max_completion_tokens") or body.get("max_tokens") or 0
-    if not isinstance(asked, int) or asked < 0:
+def _limit(body: Mapping[str, Any], usual: int) -> int:
+    """Tokens of a reply that a request wants at most."""
+    limits = [body.get("max_completion_tokens"), body.get("max_tokens")]
+    asked = next((it for it in limits if it is not None), usual)
+    if not isinstance(asked, int) or asked < 1:
         raise NotUnderstood(f"a reply can't have {asked!r} tokens at most")
     return asked
 

@@ -53,8 +53,10 @@ def of_request(messages: Sequence[Mapping[str, Any]]) -> Conversation:
     """The messages of a request in OpenAI's form.
 
     Raises:
-        NotUnderstood: They aren't in that form.
+        NotUnderstood: They aren't in that form, or there are none.
     """
+    if not messages:
+        raise NotUnderstood("it has no messages")
     try:
         return [
             _message(message["role"], _parts(message.get("content")), message.get("tool_calls"))
@@ -107,5 +109,5 @@ def _picture(address: str) -> Image.Image:
         if not found:
             raise ValueError("it isn't part of the request")
         return Image.open(io.BytesIO(base64.b64decode(content))).convert("RGB")
-    except (binascii.Error, OSError, ValueError) as error:
+    except (binascii.Error, OSError, ValueError, Image.DecompressionBombError) as error:
         raise NotUnderstood(f"a picture can't be read ({error})") from error
