@@ -10,10 +10,12 @@ from PIL import Image
 from pages import Page
 from probe.api.gathering import NoRuns, OtherSuite, gather, one_suite, short_names
 from probe.assets.library import open_library
+from probe.cli.held_out import held_out
 from probe.cli.report import report, write_run_report
 from probe.cli.rescore import rescore
 from probe.episodes.folder import RECORDS
 from probe.episodes.grading import NoPoses
+from probe.episodes.noise import NOISES
 from probe.episodes.ordered import note_ordered
 from probe.errors import BadData
 from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes
@@ -228,6 +230,19 @@ def test_results_of_other_tools_stand_beside_in_words(tmp_path, capsys):
     assert words in " ".join(capsys.readouterr().out.split())
     alone = Page(write_run_report(folders[:1]).read_text())
     assert "versions of the tools" not in alone.section("scores")
+
+
+def test_hands_that_err_by_different_amounts_stand_beside_in_words(tmp_path, capsys):
+    ideal = [episode(task) for task in PLAIN]
+    erring = [replace(episode(task, agent="bert"), noise=NOISES["paper"]) for task in PLAIN]
+    runs = [write_run(tmp_path / name, of) for name, of in (("one", ideal), ("other", erring))]
+    page = Page(write_run_report(runs, tmp_path / "both").read_text())
+    words = "errs by different amounts (ideal hand; hand off by 18 mm, pushing by 0 mm)."
+    assert words in page.section("scores") and words in capsys.readouterr().out
+    held_out(tuple(runs), out=tmp_path / "table.md")
+    assert words in (tmp_path / "table.md").read_text()
+    page = Page(write_run_report([runs[0]]).read_text())
+    assert "errs by" not in page.section("scores")
 
 
 def test_a_robots_records_are_scored_and_shown_by_its_own_pictures(tmp_path):

@@ -14,6 +14,7 @@ from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES, rows_of, write_beside
 from probe.audit.audit_file import audit_of
 from probe.episodes.conditions import RendererKind
 from probe.episodes.folder import SUITE
+from probe.episodes.tool_errors import hands_words
 from probe.report.build_log import read_build_log
 from probe.report.page import Report
 from probe.report.page import write_report as _write_report
@@ -35,12 +36,14 @@ class WrittenReport:
         scores: Of everyone who answered.
         audits: The name of each folder, and how far it was audited, in words.
         remark: What has to stand beside the scores, since the suite isn't a whole packaged one.
+        hands: What has to stand there, since hands err by different amounts.
     """
 
     page: Path
     scores: Scores
     audits: tuple[tuple[str, str], ...]
     remark: str = ""
+    hands: str = ""
 
 
 def rescore(folder: str | Path, *, setting: str | None = None, track: Track = silent) -> Scores:
@@ -124,4 +127,5 @@ def write_report(
     files = (ROWS_CSV, ROWS_JSON, SCORES)
     shown = Report(suite, scores, played, tuple(candidates), files, audits, renderer)
     _write_report(page, shown, single=single_file)
-    return WrittenReport(page, scores, audits, identity.remark)
+    hands = hands_words((each.record for each in played), suite.headline)
+    return WrittenReport(page, scores, audits, identity.remark, hands)

@@ -13,6 +13,8 @@ from probe.cli.checksum_notice import tell_unsummed
 from probe.cli.metavars import RunFolders
 from probe.cli.screen import say, track
 from probe.episodes.folder import SUITE
+from probe.episodes.record import EpisodeRecord
+from probe.episodes.tool_errors import hands_words
 from probe.errors import BadData
 from probe.files import write_text
 from probe.scores.marking import roster_of_tasks
@@ -56,13 +58,15 @@ def held_out(
         raise BadData("probe held-out", "was given no folder", "Name some that `probe run` wrote")
     suite = read_suite(runs[0] / SUITE)
     others = uncollected({it.question_type for it in suite.tasks}) if types is None else types
-    rows: list[Row] = []
+    rows, records = list[Row](), list[EpisodeRecord]()
     for folder in runs:
         asked = read_suite(folder / SUITE)
         if asked.tasks != suite.tasks:
             reason = f"is about other tasks than {runs[0]}"
             raise BadData(folder, reason, "Compare runs of one suite")
-        rows += rows_of(folder, asked, graded(folder, track))
+        found = graded(folder, track)
+        rows += rows_of(folder, asked, found)
+        records += [record for _, record, _ in found]
         tell_unsummed(folder)
     rows += floors(suite, others, _learnt(learnt))
     roster = roster_of_tasks(suite.tasks)
@@ -71,6 +75,8 @@ def held_out(
     text = f"{_words(suite, len(runs))}\n\n{table}"
     if pairs:
         text += f"\n{_PAIRS.format(len(pairs))}\n\n{differences_table(pairs)}"
+    if words := hands_words(records, suite.headline):
+        text += f"\n{words}.\n"
     write_text(out, text)
     say(*text.splitlines())
     say(f"This is in {out}.")

@@ -74,6 +74,8 @@ def write_run_report(
         say(f"{words}.")
     if words := sight_words(card.entrant.setting for card in written.scores.cards):
         say(f"{words}.")
+    if written.hands:
+        say(f"{written.hands}.")
     if written.remark:
         say(f"{written.remark}.")
     for name, words in written.audits:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Literal
 
@@ -75,6 +76,23 @@ def label_of(record: EpisodeRecord, headline: HeadlineErrors | None, setting: st
     eye = "" if dials != NO_DIALS or headline.dials == NO_DIALS else "ideal detector"
     perceives = "" if record.perception.label else eye
     return ", ".join(filter(None, (record.label, hand, perceives)))
+
+
+def hands_words(records: Iterable[EpisodeRecord], headline: HeadlineErrors | None) -> str:
+    """What to say where hands err by different amounts; empty if they err alike.
+
+    Args:
+        records: Of all results that stand side by side.
+        headline: Of their suite; with one, each result's setting tells how it differs from that.
+    """
+    hands = {record.noise for record in records if record.manipulations}
+    if headline is not None or len(hands) < 2:
+        return ""
+    several = "; ".join(_hand(it) for it in sorted(hands, key=lambda it: (it.grasp, it.push)))
+    return (
+        f"In these results the hand errs by different amounts ({several}). A difference may come "
+        "from that"
+    )
 
 
 def _hand(noise: Noise) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from probe.episodes.conditions import RendererKind
+from probe.episodes.tool_errors import hands_words
 from probe.errors import BadData, ProbeError
 from probe.files import write_text
 from probe.generation.necessary import is_answerable_at_sight
@@ -147,6 +148,7 @@ def _values(report: Report) -> dict[str, object]:
         "identity": identity_of(report.suite),
         "scores": report.scores,
         "tools": tools_words(card.tools for card in cards),
+        "hands": hands_words((each.record for each in played), report.suite.headline),
         "sight": sight_words(card.entrant.setting for card in cards),
         "cards": cards,
         "types": type_table(cards),
