@@ -31,8 +31,8 @@ from probe.train.differences import markdown as differences_table
 from probe.train.held_out import markdown, standings
 
 _PAIRS = (
-    "Compared task by task over the trained types: 95 % intervals (t), and p of flipping signs "
-    "within types, as it is and by Holm for {} pairs."
+    "Compared task by task over the trained types: 95 % intervals of each pair alone (t), and p of "
+    "flipping signs within types, as it is and by Holm for {} pairs."
 )
 
 
