@@ -175,18 +175,25 @@ def test_it_goes_through_the_first_list_thing_by_thing_to_count(play):
     ]
     assert [it[3] for it in each if it and it[2] == "red die"] == ["1"]
     assert {it[3] for it in each if it and it[2] != "red die"} == {None}
-    assert rest.startswith("I count each red die: ") and later
+    assert rest.startswith("I could search this: ") and later
     assert not any("From top to bottom" in words for _, words in later)
 
 
-def test_after_each_list_it_counts_those_that_it_has(play):
-    told = lists_and_words(played(play, "count", PhraseBook(rng())))
-    assert {len(ids(graph, "red die")) for graph, _ in told} == {0, 1}
+def test_after_each_later_list_it_says_what_it_has_counted_and_counts_on(play):
+    (before, _), *told = lists_and_words(played(play, "count", PhraseBook(rng())))
     for graph, words in told:
-        counted = [f"({n}) red die, {id}" for n, id in enumerate(ids(graph, "red die"), 1)]
-        told_each = f"I count each red die: {'; '.join(counted)}. "
-        words = re.sub(r"^(From|With a new object_id or name, from) top [^.]*\. ", "", words)
-        assert words.startswith(told_each if counted else "I see no red die to count. ")
+        had, has = ids(before, "red die"), ids(graph, "red die")
+        kept = "; ".join(f"({n}) red die, {id}" for n, id in enumerate(had, 1))
+        so_far = "I have counted " + (
+            f"each red die so far: {kept}." if had else "no red die so far."
+        )
+        assert words.startswith(so_far)
+        fresh = [f"{id} red die, so ({len(had) + 1}) red die, {id}" for id in has if id not in had]
+        new = words.removeprefix(so_far).partition(" I could search this")[0]
+        assert new.startswith(" New, from top to bottom: object_") == bool(new)
+        assert all(it in new for it in fresh) and new.count("so (") == len(fresh)
+        before = graph
+    assert len(ids(before, "red die")) == 1
 
 
 def test_those_that_were_counted_before_stay_in_front(play):
@@ -198,8 +205,9 @@ def test_those_that_were_counted_before_stay_in_front(play):
     (first, words), *_, (last, final) = lists_and_words(record)
     (known,) = ids(first, "red die")
     new, again = ids(last, "red die")
-    assert again == known and f"each red die: (1) red die, {known}." in words
-    assert f"each red die: (1) red die, {known}; (2) red die, {new}." in final
+    assert again == known and f"so (1) red die, {known}" in words
+    assert final.startswith(f"I have counted each red die so far: (1) red die, {known}. New, ")
+    assert f"{new} red die, so (2) red die, {new}" in final
 
 
 def test_what_was_counted_and_is_hidden_again_counts_at_the_end(play):
@@ -222,10 +230,8 @@ def test_what_was_counted_and_is_hidden_again_counts_at_the_end(play):
     both = next(ids(graph, "red die") for graph, _ in told if len(ids(graph, "red die")) == 2)
     last, final = told[-1]
     (left,) = ids(last, "red die")
-    assert (
-        final.startswith(f"I count each red die: (1) red die, {left}. ")
-        and "That makes" not in final
-    )
+    so_far = f"I have counted each red die so far: (1) red die, {left}. "
+    assert final.startswith(so_far) and "That makes" not in final
     assert all(id in final for id in both) and record.answer.choice == "B"
 
 
@@ -286,10 +292,12 @@ def test_it_says_what_it_has_to_search_still_and_takes_the_first_of_it(play, que
     record = played(play, question_type, PhraseBook(rng()))
     told = lists_and_words(record)
     for (graph, words), step in zip(told, record.steps[1::3], strict=False):
-        left = re.search(r"I could search this: (.*?)\. ", words)
+        left = re.search(r"I could search this: (?:(.*?); )?nothing more\. ", words)
         covers = [it for it in graph.named if it.name in ("blue bowl", "brown box", "green book")]
-        assert bool(left) == (bool(covers) and step.call.name == "find_object")
-        if left:
+        in_vain = question_type == "count" or step.call.values.get("choice") == "E"
+        assert bool(left) == (step.call.name == "find_object" or in_vain)
+        assert not left or bool(left[1]) == (step.call.name == "find_object")
+        if left and left[1]:
             each = [part.rsplit(", ", 1) for part in left[1].split("; ")]
             assert {(it.name, it.object_id) for it in covers} >= {(name, id) for name, id in each}
             first = next(it for it in covers if it.object_id == each[0][1])

@@ -26,7 +26,8 @@ BLOCKS = (
 FIRST = (
     "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, object_id, its "
     "[width, height], colours if its name has none, what lies on or covers it, what it touches if "
-    'it has no name. In later lists "new" stands before names that this one lacks.'
+    'it has no name. In later lists "new" stands before names that this one lacks, "another" before '
+    "new object_ids of names that it has."
 )
 LATER = "# Changed since the last list:"
 
@@ -62,15 +63,20 @@ def entry(u: int, v: int = 50, width: int = 20, under: tuple[str, ...] = ()) -> 
     return ListEntry("red mug", (u, v), size=(width, 20), under=under)
 
 
-def test_a_name_that_the_first_list_lacked_stays_new():
+def test_what_is_told_for_the_first_time_is_marked_by_whether_the_first_list_has_its_name():
     texts = ShortResults()
     texts.shortened("perceive_scene", whole_list([("red mug", 40), ("blue book", 80)]))
-    texts.shortened("perceive_scene", whole_list([("red coin", 40), ("blue book", 80)]))
-    last = whole_list([("red coin", 60), ("blue book", 90), ("red mug", 200)])
-    assert texts.shortened("perceive_scene", last).split("\n")[1:] == [
-        "- object_1 at [60, 50], new: red coin, object_1, [11, 11]",
+    second = whole_list([("red coin", 40), ("blue book", 80), ("blue book", 200)])
+    assert texts.shortened("perceive_scene", second).split("\n")[1:] == [
+        "- object_1 at [40, 50], new: red coin, object_1, [11, 11]",
+        "- object_3 at [200, 50], another: blue book, object_3, [11, 11]",
+    ]
+    # What is only told again isn't marked.
+    third = whole_list([("red coin", 60), ("blue book", 90), ("red coin", 300)])
+    assert texts.shortened("perceive_scene", third).split("\n")[1:] == [
+        "- object_1 at [60, 50]: red coin, object_1, [11, 11]",
         "- object_2 at [90, 50]: blue book, object_2, [11, 11]",
-        "- object_3 at [200, 50]: red mug, object_3, [11, 11]",
+        "- object_3 at [300, 50], new: red coin, object_3, [11, 11]",
     ]
 
 

@@ -130,11 +130,13 @@ class Search:
     def remark_to_search(self) -> None:
         """Say which listed things may well hide something, the most promising first.
 
-        All of them: then most of the next such list can be copied from this one.
+        All of them: then the next such list can be copied from what stands behind the first of this
+        one, also if that is "nothing more". Nothing is said where lists have no object_ids.
         """
         promising = [seen for seen in self._candidates() if self._promise(seen)[0] > 0]
         promising.sort(key=self._promise, reverse=True)
-        if each := with_ids(promising):
+        if any(seen.object_id for seen in self.graph.objects):
+            each = "; ".join(filter(None, (with_ids(promising), "nothing more")))
             self.remark(self.say("to search", {"each": each}))
 
     @property

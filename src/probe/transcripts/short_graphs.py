@@ -12,11 +12,13 @@ from probe.agents.reading import Graph, Seen, read_graph
 from probe.perception.colour_words import colour_words_in, first_colours
 
 # Small models read forwards: they find what follows a word, and hardly what stood before it. So an
-# object_id stands on both sides of the point and the name, and "new" in front of what is new.
+# object_id stands on both sides of the point and the name, and "new" or "another" in front of what
+# is told under an object_id for the first time.
 _FIRST = (
     "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, object_id, its "
     "[width, height], colours if its name has none, what lies on or covers it, what it touches if "
-    'it has no name. In later lists "new" stands before names that this one lacks.'
+    'it has no name. In later lists "new" stands before names that this one lacks, "another" before '
+    "new object_ids of names that it has."
 )
 _LATER = "# Changed since the last list:"
 _SAME = "# Nothing has changed since the last list."
@@ -33,7 +35,9 @@ class ListEntry:
     Attributes:
         what: It is.
         point: Pixel (u, v) on it.
-        new: Whether it has a name that nothing in the first list has.
+        mark: What stands before its name where its object_id and name are told together for the
+            first time: "new" if nothing in the first list has the name, else "another"; empty for
+            what has no name.
         size: Width and height of its box, pixels; none where the box itself is told.
         colours: Those that its description names first, if its name has none.
         under: The object_ids of what lies on it or covers it.
@@ -42,16 +46,16 @@ class ListEntry:
 
     what: str
     point: tuple[int, int]
-    new: bool = False
+    mark: str = ""
     size: tuple[int, int] | None = None
     colours: str = ""
     under: tuple[str, ...] = ()
     touching: tuple[str, ...] = ()
 
-    def line(self, object_id: str) -> str:
+    def line(self, object_id: str, *, marked: bool = False) -> str:
         """All of it."""
-        new = ", new" if self.new else ""
-        told = [f"- {object_id} at {list(self.point)}{new}: {self.what}", object_id]
+        mark = f", {self.mark}" if marked and self.mark else ""
+        told = [f"- {object_id} at {list(self.point)}{mark}: {self.what}", object_id]
         told += [str(list(self.size))] if self.size else []
         told += [self.colours] if self.colours else []
         told += [f"under {' and '.join(self.under)}"] if self.under else []
@@ -124,7 +128,11 @@ def short_list(known: Mapping[str, ListEntry] | None, now: Mapping[str, ListEntr
         lines = [entry.line(id) for id, entry in now.items()]
         return "\n".join([_FIRST, *lines]) if lines else _EMPTY
     before = _left_of(known, now)
-    told = [it.line(id) for id, it in now.items() if not it.is_told_by(before.get(id))]
+    told = [
+        it.line(id, marked=id not in before or before[id].what != it.what)
+        for id, it in now.items()
+        if not it.is_told_by(before.get(id))
+    ]
     if over := [id for id in known if id not in now]:
         told.append(f"out of date: {', '.join(over)}")
     return "\n".join([_LATER, *told]) if told else _SAME
@@ -139,7 +147,7 @@ def _entry(
     return ListEntry(
         what=seen.name or seen.description,
         point=seen.point,
-        new=seen.name is not None and seen.name not in known,
+        mark="" if seen.name is None else "another" if seen.name in known else "new",
         size=seen.size,
         colours=_colours(seen),
         under=under,

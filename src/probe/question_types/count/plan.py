@@ -18,8 +18,6 @@ from probe.tasks.english import joined
 
 _UNNAMED = "without a name"
 """What shows too little."""
-_Listed = frozenset[tuple[str, str | None]]
-"""object_ids with names."""
 
 
 @dataclass(frozen=True)
@@ -27,12 +25,14 @@ class _Tally:
     """Those that show at one time, and how many had left the table by then.
 
     Attributes:
-        shown: Those that were told of before come first.
+        kept: Those that showed before.
         gone: How many aren't on the table any more.
+        fresh: Those that have come to light.
     """
 
-    shown: Sequence[Seen] = ()
+    kept: Sequence[Seen] = ()
     gone: int = 0
+    fresh: Sequence[Seen] = ()
 
     def after(self, shown: Sequence[Seen], *, removed: bool) -> _Tally:
         """The next one.
@@ -43,8 +43,15 @@ class _Tally:
         """
         lost = max(0, len(self.shown) - len(shown)) if removed else 0
         order = {seen.object_id: number for number, seen in enumerate(self.shown)}
-        kept = sorted(shown, key=lambda seen: order.get(seen.object_id, len(order)))
-        return _Tally(kept, self.gone + lost)
+        kept = [seen for seen in shown if seen.object_id in order]
+        kept.sort(key=lambda seen: order[seen.object_id])
+        fresh = [seen for seen in shown if seen.object_id not in order]
+        return _Tally(kept, self.gone + lost, fresh)
+
+    @property
+    def shown(self) -> list[Seen]:
+        """All that show."""
+        return [*self.kept, *self.fresh]
 
     @property
     def number(self) -> int:
@@ -57,17 +64,29 @@ class _Tally:
         shown = [seen.object_id or seen.place for seen in self.shown]
         return [*shown, f"{self.gone} that went along with what I lifted"] if self.gone else shown
 
+    @property
+    def numbers(self) -> dict[int, str]:
+        """What to call each that shows, by its place in the list: number, name and object_id.
+
+        What has come to light is numbered after all others.
+        """
+        first = enumerate(self.kept, start=1)
+        then = enumerate(self.fresh, start=len(self.kept) + self.gone + 1)
+        return {seen.number: _numbered(n, seen) for n, seen in (*first, *then)}
+
     def told(self, name: str, say: Say) -> str:
-        """Each of them by its number and name.
+        """Each that was counted before by its number and name.
 
         Its object_id follows the name as it does in lists. What follows a number can be copied from
-        what was said last.
+        what was said last, and whoever goes through what is new counts on from the last number.
         """
-        if not self.number:
-            return say("count nothing", {"thing": name})
-        each = [_numbered(n, seen) for n, seen in enumerate(self.shown, start=1)]
+        numbers = self.numbers
+        each = [numbers[seen.number] for seen in self.kept]
         if self.gone:
-            each.append(f"({self.number}) {self.gone} that went along with what I lifted")
+            number = len(self.kept) + self.gone
+            each.append(f"({number}) {self.gone} that went along with what I lifted")
+        if not each:
+            return say("count nothing", {"thing": name})
         return say("count each", {"thing": name, "each": "; ".join(each)})
 
 
@@ -80,16 +99,16 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
 
     search = Search.of(asked, counts)
     yield from search.begin()
-    now = most = _Tally(search.graph.called(name))
+    now = most = _Tally(fresh=search.graph.called(name))
     search.remark(_gone_through(search.graph, now, asked.say))
-    search.remark(now.told(name, asked.say))
     search.remark_to_search()
-    listed = _listed(search.graph)
-    while not search.complete and (yield from search.clear_one()):
+    while not search.complete:
+        before = search.graph
+        if not (yield from search.clear_one()):
+            break
         now = now.after(search.graph.called(name), removed=search.removed_last)
-        search.remark(_gone_through(search.graph, now, asked.say, listed))
-        listed |= _listed(search.graph)
         search.remark(now.told(name, asked.say))
+        search.remark(_gone_through(search.graph, now, asked.say, before))
         search.remark_to_search()
         # Of equal ones the last: things that were moved have other object_ids since.
         most = now if now.number >= most.number else most
@@ -103,7 +122,7 @@ def _numbered(number: int, seen: Seen) -> str:
     return f"({number}) {seen.name}, {seen.object_id or seen.place}"
 
 
-def _gone_through(graph: Graph, tally: _Tally, say: Say, listed: _Listed = frozenset()) -> str:
+def _gone_through(graph: Graph, tally: _Tally, say: Say, before: Graph | None = None) -> str:
     """All of a list in its order, and which of them count: nothing if it tells no object_ids.
 
     Then one thing after another is judged, and nobody has to know when to stop counting.
@@ -112,20 +131,21 @@ def _gone_through(graph: Graph, tally: _Tally, say: Say, listed: _Listed = froze
         graph: What shows.
         tally: Those that count.
         say: Gives the words.
-        listed: What earlier lists had; what has the same object_id and name isn't said again.
+        before: What showed before, if anything did: then only things are gone through that this
+            list is the first to tell with their object_id and name.
     """
-    counted = {seen.number: f", so {_numbered(n, seen)}" for n, seen in enumerate(tally.shown, 1)}
-    told = [
-        f"{seen.object_id} {seen.name or _UNNAMED}{counted.get(seen.number, '')}"
-        for seen in graph.objects
-        if seen.object_id and (seen.object_id, seen.name) not in listed
+    numbers = tally.numbers
+    things = [seen for seen in graph.objects if seen.object_id]
+    if before is not None:
+        known = {(seen.object_id, seen.name) for seen in before.objects}
+        things = [it for it in things if it.name and (it.object_id, it.name) not in known]
+    each = [
+        f"{seen.object_id} {seen.name or _UNNAMED}"
+        + (f", so {numbers[seen.number]}" if seen.number in numbers else "")
+        for seen in things
     ]
-    occasion = "gone through later" if listed else "gone through"
-    return say(occasion, {"each": "; ".join(told)}) if told else ""
-
-
-def _listed(graph: Graph) -> _Listed:
-    return frozenset((seen.object_id, seen.name) for seen in graph.objects if seen.object_id)
+    occasion = "gone through" if before is None else "gone through later"
+    return say(occasion, {"each": "; ".join(each)}) if each else ""
 
 
 def _counted(

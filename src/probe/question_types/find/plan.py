@@ -21,10 +21,10 @@ def _begin(asked: ScriptedQuestion) -> Plan[None]:
     search = Search.of(asked, offered)
     yield from search.begin(options_told(question, say))
     known = {seen.name for seen in search.graph.named}
-    while not (shown := _shown_options(question, search.graph)) and not search.complete:
+    while not (shown := _shown_options(question, search.graph)):
         search.remark(say("find not yet", {}))
         search.remark_to_search()
-        if not (yield from search.clear_one()):
+        if search.complete or not (yield from search.clear_one()):
             break
         search.remark_moved()
         remark_new(search, known, question)

@@ -1,0 +1,50 @@
+"""What the student's page and the README say of it is what its packed records give."""
+
+from __future__ import annotations
+
+import tarfile
+from pathlib import Path
+
+import pytest
+
+from probe.cli.held_out import held_out
+from probe.cli.ladder import ladder
+
+ROOT = Path(__file__).parents[1]
+RUNS = ("student", "base", "scripted")
+
+
+@pytest.fixture(scope="module")
+def tables(tmp_path_factory):
+    """What `probe held-out` and `probe ladder` print of the records."""
+    out = tmp_path_factory.mktemp("student")
+    with tarfile.open(ROOT / "runs/data/student-v1.tar.xz") as archive:
+        archive.extractall(out, filter="data")
+    runs = [out / name for name in RUNS]
+    held_out(tuple(runs), learnt=out / "question_only.json", out=out / "table.md")
+    ladder(tuple(runs[:2]), out=out / "ladder.md")
+    return (out / "table.md").read_text(), (out / "ladder.md").read_text()
+
+
+@pytest.mark.slow
+def test_the_page_has_these_tables(tables):
+    page = (ROOT / "docs/results/student.md").read_text("utf-8").splitlines()
+    rows = [line for text in tables for line in text.splitlines() if line.startswith("| ")]
+    assert len(rows) > 12
+    assert not [row for row in rows if row not in page]
+
+
+@pytest.mark.slow
+def test_the_readme_has_the_macro_averages(tables):
+    readme = " ".join((ROOT / "README.md").read_text("utf-8").split())
+    macros = {
+        row.split("|")[1].split(",")[0].strip(): row.split("|")[4].strip()
+        for row in tables[0].splitlines()
+        if row.startswith("| ")
+    }
+    value, _, interval = macros["student"].partition(" ")
+    low, high = interval.strip("()").split("-")
+    assert f"right in {value} % of the tasks" in readme
+    assert f"95 % interval {low} to {high}" in readme
+    constant = next(name for name in macros if name.startswith("always-"))
+    assert f"a constant answer is right in {macros[constant].split()[0]} %" in readme
