@@ -210,21 +210,36 @@ def test_those_that_were_counted_before_stay_in_front(play):
     assert f"{new} red die, so (2) red die, {new}" in final
 
 
+OTHER_DIE = Block(7, (600, 700, 659, 759))
+
+
+class Covering(Obedient):
+    """Its second grasp fails and covers the other die."""
+
+    def grasp_and_remove(self, station, frame, mask, drop_at):
+        if len(self.calls) == 1:
+            self.calls.append(("grasp",))
+            station.blocks.remove(OTHER_DIE)
+            return Done("blocked", station.observe(rgb=False))
+        return super().grasp_and_remove(station, frame, mask, drop_at)
+
+
+def test_if_nothing_that_was_counted_shows_any_more_it_says_so(play):
+    subject, form, options, _, text = CASES["count"]
+    agent = Scripted("count", subject, rng(), form=form, say=PhraseBook(rng()))
+    blocks, specs = [OTHER_DIE, COVER, BOOK], SPECS | {7: SPECS[2]}
+    told = lists_and_words(play(agent, options, specs, blocks, Covering(), text))
+    gone = [words for graph, words in told if not ids(graph, "red die")]
+    assert gone and ids(told[0][0], "red die")
+    lost = "No red die that I have counted has its object_id any more. "
+    assert all(words.startswith(lost) for words in gone)
+
+
 def test_what_was_counted_and_is_hidden_again_counts_at_the_end(play):
     """A grasp of the book that fails covers one of two dice."""
     subject, form, options, _, text = CASES["count"]
-    other = Block(7, (600, 700, 659, 759))
-
-    class Covering(Obedient):
-        def grasp_and_remove(self, station, frame, mask, drop_at):
-            if len(self.calls) == 1:
-                self.calls.append(("grasp",))
-                station.blocks.remove(other)
-                return Done("blocked", station.observe(rgb=False))
-            return super().grasp_and_remove(station, frame, mask, drop_at)
-
     agent = Scripted("count", subject, rng(), form=form, say=PhraseBook(rng()))
-    blocks, specs = [other, COVER, BOOK, DIE], SPECS | {7: SPECS[2]}
+    blocks, specs = [OTHER_DIE, COVER, BOOK, DIE], SPECS | {7: SPECS[2]}
     record = play(agent, options, specs, blocks, Covering(), text)
     told = lists_and_words(record)
     both = next(ids(graph, "red die") for graph, _ in told if len(ids(graph, "red die")) == 2)

@@ -26,8 +26,8 @@ BLOCKS = (
 FIRST = (
     "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, object_id, its "
     "[width, height], colours if its name has none, what lies on or covers it, what it touches if "
-    'it has no name. In later lists "new" stands before names that this one lacks, "another" before '
-    "new object_ids of names that it has."
+    'it has no name. In later lists "new" stands before names that this one lacks, "another" '
+    "before new object_ids of names that it has."
 )
 LATER = "# Changed since the last list:"
 

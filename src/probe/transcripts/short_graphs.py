@@ -17,8 +17,8 @@ from probe.perception.colour_words import colour_words_in, first_colours
 _FIRST = (
     "# All that shows, from top to bottom: object_id, [u, v] on it, what it is, object_id, its "
     "[width, height], colours if its name has none, what lies on or covers it, what it touches if "
-    'it has no name. In later lists "new" stands before names that this one lacks, "another" before '
-    "new object_ids of names that it has."
+    'it has no name. In later lists "new" stands before names that this one lacks, "another" '
+    "before new object_ids of names that it has."
 )
 _LATER = "# Changed since the last list:"
 _SAME = "# Nothing has changed since the last list."

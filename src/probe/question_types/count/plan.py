@@ -28,11 +28,13 @@ class _Tally:
         kept: Those that showed before.
         gone: How many aren't on the table any more.
         fresh: Those that have come to light.
+        lost_sight: Whether some were counted before and none of these has its object_id any more.
     """
 
     kept: Sequence[Seen] = ()
     gone: int = 0
     fresh: Sequence[Seen] = ()
+    lost_sight: bool = False
 
     def after(self, shown: Sequence[Seen], *, removed: bool) -> _Tally:
         """The next one.
@@ -46,7 +48,8 @@ class _Tally:
         kept = [seen for seen in shown if seen.object_id in order]
         kept.sort(key=lambda seen: order[seen.object_id])
         fresh = [seen for seen in shown if seen.object_id not in order]
-        return _Tally(kept, self.gone + lost, fresh)
+        lost_sight = bool(self.number or self.lost_sight) and not kept
+        return _Tally(kept, self.gone + lost, fresh, lost_sight)
 
     @property
     def shown(self) -> list[Seen]:
@@ -86,7 +89,7 @@ class _Tally:
             number = len(self.kept) + self.gone
             each.append(f"({number}) {self.gone} that went along with what I lifted")
         if not each:
-            return say("count nothing", {"thing": name})
+            return say("count renamed" if self.lost_sight else "count nothing", {"thing": name})
         return say("count each", {"thing": name, "each": "; ".join(each)})
 
 
