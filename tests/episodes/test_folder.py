@@ -6,15 +6,17 @@ import pytest
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import (
     RECORDS,
+    SUITE,
     add_run,
     claim_setting,
     in_order,
+    occupied,
     setting_of_folder,
     standing,
     start_folder,
 )
 from probe.errors import BadData, OutputFailed
-from probe.tasks.suite_file import demo_suite
+from probe.tasks.suite_file import demo_suite, write_suite
 
 
 def test_a_folder_belongs_to_one_suite(tmp_path):
@@ -23,6 +25,19 @@ def test_a_folder_belongs_to_one_suite(tmp_path):
     start_folder(tmp_path, suite)
     with pytest.raises(BadData, match="another suite: 6 tasks of demo, not 1. Choose another"):
         start_folder(tmp_path, replace(suite, tasks=suite.tasks[:1]))
+
+
+def test_who_is_at_work_keeps_others_out_whatever_files_are_replaced(tmp_path):
+    suite = demo_suite()
+    with occupied(tmp_path, suite):
+        write_suite(tmp_path / SUITE, suite)
+        with (
+            pytest.raises(BadData, match="another run is at work there"),
+            occupied(tmp_path, suite),
+        ):
+            pass
+    with occupied(tmp_path, suite):
+        pass
 
 
 def test_records_that_cannot_be_read_are_found_at_the_start(tmp_path):

@@ -8,11 +8,13 @@ from probe.episodes.folder import RECORDS, SETTING, SUITE, setting_of_folder
 from probe.episodes.grading import question_of
 from probe.episodes.noise import NOISES
 from probe.episodes.ordered import note_ordered, read_ordered
+from probe.episodes.participation import Participation
 from probe.episodes.record import EpisodeRecord, TableState
 from probe.episodes.remarks import Remark, add_remark, read_remarks
 from probe.errors import BadData
 from probe.runs.merge import merge_folders
 from probe.tasks.suite_file import demo_suite, read_suite, write_suite
+from run_folders import episode, on_robot, write_run
 
 DEMO = demo_suite()
 
@@ -66,6 +68,26 @@ def test_what_does_not_go_together_is_refused(folders, tmp_path, other, words):
     with pytest.raises(BadData, match=words):
         merge_folders(folders([record(0)], [other]), tmp_path / "out")
     assert not (tmp_path / "out").exists()
+
+
+def test_places_that_are_counted_in_two_ways_are_refused(folders, tmp_path):
+    pixels, thousandths = (Participation("agentic", points) for points in ("pixels", "0-1000"))
+    parts = folders([record(0, participation=pixels)], [record(1, participation=thousandths)])
+    with pytest.raises(BadData, match="run with other --points"):
+        merge_folders(parts, tmp_path / "out")
+    # Another agent counts as it likes.
+    another = record(1, agent="b", participation=thousandths)
+    parts = folders([record(0, participation=pixels)], [another])
+    assert merge_folders(parts, tmp_path / "out") == 2
+
+
+def test_a_robots_pictures_are_not_left_behind(tmp_path):
+    tasks = [task for task in DEMO.tasks if task.question_type == "count"]
+    parts = [tmp_path / name for name in ("one", "other")]
+    for part, task in zip(parts, tasks, strict=True):
+        write_run(part, [on_robot(episode(task), part)], DEMO, pictures=False)
+    with pytest.raises(BadData, match="has pictures of a robot's table"):
+        merge_folders(parts, tmp_path / "out")
 
 
 def test_the_number_of_ordered_runs_is_kept(folders, tmp_path):

@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from probe.errors import ProbeError
 from probe.station.fusing import FRAMES, fused
 
 TABLE = np.full((200, 120), 1.2, np.float32)
@@ -45,6 +46,13 @@ def test_what_flies_through_one_picture_leaves_no_trace():
     assert told.noise == 0
 
 
+def test_readings_that_one_picture_lacks_come_from_the_others():
+    depths = readings(0.0)
+    depths[0][70:110, 40:70] = 0
+    told = fused(depths)
+    assert told.measured is None and np.abs(told.depth - TABLE)[62:118, 32:78].max() == 0
+
+
 def test_one_picture_keeps_its_readings():
     (only,) = readings(0.001, count=1)
     told = fused([only])
@@ -52,5 +60,5 @@ def test_one_picture_keeps_its_readings():
 
 
 def test_a_covered_camera_is_no_table():
-    with pytest.raises(ValueError, match="covered"):
+    with pytest.raises(ProbeError, match="covered"):
         fused([np.zeros((4, 4)), np.full((4, 4), np.nan)])

@@ -55,6 +55,9 @@ def test_what_fits_no_tool_is_left_alone():
         Call("answer_question", "no JSON"),
         Call.of("answer_question", {"choice": "A", "point": ["x", 2]}),
         Call.of("answer_question", {"choice": "A", "point": [True, 2]}),
+        Call("answer_question", '{"choice": "A", "point": [1e999, 5]}'),
+        Call("answer_question", '{"choice": "A", "point": [NaN, 5]}'),
+        Call("answer_question", f'{{"choice": "A", "point": [{10**400}, 5]}}'),
         Call.of("push", {"object_id": "object_1", "distance_cm": 5}),
         Call("find_object", "[1, 2]"),
     ):

@@ -9,7 +9,7 @@ from pathlib import Path
 from probe.audit.audit_file import ReplayVerdict, earlier, hashes_of_lines, is_foreign, keep
 from probe.audit.replaying import Claim, Replayer, unable
 from probe.engines.plan import Engine, LostUnit, WorkPlan
-from probe.episodes.folder import SUITE, reserved
+from probe.episodes.folder import reserved
 from probe.episodes.ordered import Ordered, read_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.runs.checks.folder import read_checked
@@ -110,7 +110,7 @@ def replay_claims(
         WorkerUnfit: A worker couldn't be set up.
         WorkerDied: Workers die before they begin.
     """
-    with reserved(audit.out / SUITE):
+    with reserved(audit.out):
         plan = WorkPlan("audit", place, claims, lambda claim: claim.line)
         results = engine.carry_out(plan)
         try:

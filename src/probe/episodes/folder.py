@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import os
 from collections.abc import Generator, Iterable
 from contextlib import contextmanager
 from dataclasses import replace
@@ -12,7 +13,7 @@ from probe.episodes.files import append_line, append_record, read_records
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.files import alone, write_text
-from probe.reading import is_there, opened, words
+from probe.reading import is_there, words
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.toolshed.version import TOOLS_VERSION, release_words
@@ -48,7 +49,7 @@ def occupied(out: Path, suite: Suite) -> Generator[None]:
         OutputFailed: It can't be written.
     """
     _found(out, suite)
-    with reserved(out / SUITE):
+    with reserved(out):
         yield
 
 
@@ -146,22 +147,26 @@ def standing(records: Iterable[EpisodeRecord]) -> list[EpisodeRecord]:
 
 
 @contextmanager
-def reserved(path: Path) -> Generator[None]:
+def reserved(out: Path) -> Generator[None]:
     """Keep other runs out of a started folder; the lock leaves no file and dies with us.
 
-    Args:
-        path: A file of the folder that each of them locks.
+    The folder itself is locked: a file in it may be replaced by another one.
 
     Raises:
-        BadData: Another run is at work there.
+        BadData: Another run is at work there, or there is no such folder.
     """
-    with opened(path) as file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError as error:
-            remedy = "Wait for it, or choose another folder"
-            raise BadData(path.parent, "another run is at work there", remedy) from error
+    try:
+        folder = os.open(out, os.O_RDONLY | os.O_DIRECTORY)
+    except OSError as error:
+        raise BadData(out, error.strerror or "can't be opened", "Name a folder") from error
+    try:
+        fcntl.flock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB)
         yield
+    except BlockingIOError as error:
+        remedy = "Wait for it, or choose another folder"
+        raise BadData(out, "another run is at work there", remedy) from error
+    finally:
+        os.close(folder)
 
 
 def add_run(out: Path, record: EpisodeRecord) -> None:

@@ -15,6 +15,7 @@ from probe.episodes.folder import (
     standing,
 )
 from probe.episodes.ordered import joined, write_ordered
+from probe.episodes.participation import Points
 from probe.episodes.record import EpisodeRecord
 from probe.episodes.remarks import read_remarks, write_remarks
 from probe.errors import BadData
@@ -31,8 +32,8 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
 
     Raises:
         BadData: They are about different suites, were run under different conditions, were to have
-            different numbers of runs, their tools have different versions, only some are
-            people's, an episode is in two of them, one can't be read or can't be of a run of the
+            different numbers of runs, a model counted places in two ways, their tools have different
+            versions, a robot's pictures belong to one, only some are people's, an episode is in two of them, one can't be read or can't be of a run of the
             suite, or the new folder isn't new.
         OutputFailed: It can't be written.
     """
@@ -40,6 +41,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
         raise BadData(out, "holds a run", "Choose a new folder")
     suite = read_suite(parts[0] / SUITE)
     found: dict[tuple[str, str, str, int], Path] = {}
+    points: dict[tuple[str, str], Points] = {}
     first: EpisodeRecord | None = None
     kept = list[EpisodeRecord]()
     for part in parts:
@@ -47,7 +49,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
         records = standing(in_order(read_checked(part, suite), suite))
         for record in records:
             first = first or record
-            _check(part, record, first, found)
+            _check(part, record, first, found, points)
         kept += records
     setting, ordered = _setting(parts), joined(parts)
     remarks = [remark for part in parts for remark in read_remarks(part)]
@@ -89,12 +91,20 @@ def _check(
     record: EpisodeRecord,
     first: EpisodeRecord,
     found: dict[tuple[str, str, str, int], Path],
+    points: dict[tuple[str, str], Points],
 ) -> None:
     """Refuse a record that doesn't go with those before it; note it otherwise."""
     if (record.noise, record.conditions) != (first.noise, first.conditions):
         raise BadData(part, "was run under other conditions", "Merge runs under the same ones")
     if record.perception != first.perception:
         raise BadData(part, "was run with another perception", "Merge runs with the same one")
+    seat = record.participation
+    whose = record.agent, record.setting
+    if seat and points.setdefault(whose, seat.points) != seat.points:
+        raise BadData(part, "was run with other --points", "Merge runs with the same ones")
+    if record.frames:
+        reason = "has pictures of a robot's table, which merging would leave behind"
+        raise BadData(part, reason, "Name both folders to `probe report` instead")
     if record.tools != first.tools:
         reason = f"was run with version {record.tools} of the tools, others with {first.tools}"
         raise BadData(part, reason, "Merge runs of one version; `probe report` takes several")

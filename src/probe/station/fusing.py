@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
+from probe.errors import ProbeError
 from probe.types import Array
 
 FRAMES = 9
@@ -47,13 +48,13 @@ def fused(depths: Sequence[Array]) -> FusedDepth:
             pixel counts as measured if at least half of the pictures have a reading of it.
 
     Raises:
-        ValueError: There is no picture, or no reading in any.
+        ProbeError: There is no reading in any.
     """
     stack = np.array(depths, dtype=np.float32)
     stack[~(stack > 0)] = np.nan
     present = np.isfinite(stack)
     if not present.any():
-        raise ValueError("The camera gave no depth at all; is it covered?")
+        raise ProbeError("The camera gave no depth at all. Is it covered?")
     measured = 2 * present.sum(axis=0) >= len(stack)
     whole = bool(measured.all())
     depth = _together(stack, measured)
@@ -64,7 +65,8 @@ def _together(stack: Array, measured: Array) -> Array:
     """One picture of several, without holes."""
     if len(stack) == 1:
         return _filled(stack[0], measured)
-    middle = np.median(stack, axis=0) if measured.all() else _median_of_present(stack)
+    everywhere = np.isfinite(stack).all()
+    middle = np.median(stack, axis=0) if everywhere else _median_of_present(stack)
     smooth: Array = ndimage.median_filter(_filled(middle, measured), 3)
     return smooth.astype(np.float32)
 

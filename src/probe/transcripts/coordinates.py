@@ -40,6 +40,9 @@ _WHOLE = 1000.0
 _LAST_PX = _SIDE_PX - 0.001
 """The far edge of a picture, counted in thousandths, still means its last pixel."""
 
+_MOST_PX = 1e6
+"""Larger numbers, endless ones among them, are no place, and are left to the tools to refuse."""
+
 _NUMBER = r"-?\d{1,6}(?:\.\d{1,6})?"
 _PLACE = re.compile(rf"([(\[]\s*)({_NUMBER}(?:\s*,\s*{_NUMBER}){{1,3}})(?=\s*[)\]])")
 _NUMBERS = re.compile(_NUMBER)
@@ -102,7 +105,12 @@ def _is_place(value: object) -> TypeGuard[list[float]]:
     if not isinstance(value, list):
         return False
     numbers = cast("list[object]", value)
-    return len(numbers) == 2 and all(type(number) in (int, float) for number in numbers)
+    return len(numbers) == 2 and all(
+        isinstance(number, int | float)
+        and not isinstance(number, bool)
+        and -_MOST_PX <= number <= _MOST_PX
+        for number in numbers
+    )
 
 
 def _scaled(text: str, factor: float, digits: int) -> str:

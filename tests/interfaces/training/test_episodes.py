@@ -18,6 +18,7 @@ from probe.agents.reading import read_graph
 from probe.bench.process_pool import EpisodeProcessLost
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
+from probe.errors import BadData
 from probe.interfaces.training.environment import ProbeEnv
 from probe.interfaces.training.tables import TooFewTables
 from probe.interfaces.training.thousandths import ProbeEnvThousandths
@@ -98,6 +99,10 @@ def test_many_side_by_side_lose_nothing(tmp_path):
     with painted_tables(tmp_path, out=out) as tables:
         played(ProbeEnv(tables), 0)
     assert read_records(out / RECORDS)[-1].run == 2
+    before = (out / RECORDS).read_bytes()
+    with pytest.raises(BadData, match="was run with other --points"):
+        painted_tables(tmp_path, points="0-1000", out=out)
+    assert (out / RECORDS).read_bytes() == before
 
 
 def test_a_killed_process_is_replaced_and_its_episode_goes_on(tmp_path):

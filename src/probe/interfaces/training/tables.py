@@ -19,6 +19,7 @@ from probe.interfaces.training.permission import check_for_training
 from probe.interfaces.training.seat import Seat
 from probe.runs.episode_worker import EpisodeWorkerSetup
 from probe.runs.plan import Job, RunOrder
+from probe.runs.run import check_settings
 from probe.tasks.suite import Suite
 from probe.tasks.task import Task
 from probe.transcripts.messages import opening
@@ -178,7 +179,9 @@ class TrainingTables:
         start_folder(out, suite)
         self._held.enter_context(occupied(out, suite))
         if (out / RECORDS).exists():
-            for record in read_records(out / RECORDS):
+            earlier = read_records(out / RECORDS)
+            check_settings(out / RECORDS, earlier, self.order)
+            for record in earlier:
                 self._runs[record.task] = max(self._runs[record.task], record.run + 1)
 
 
