@@ -111,7 +111,11 @@ def test_a_stop_halts_the_motion_under_way_and_all_that_follows_until_its_releas
                 act()
         assert len(bridge.driver.moves) == moves and np.allclose(robot.joints(), rest)
         stop.release()
-        assert watched.follow(np.array([PARKED]))
+        # For whoever saw the stop the episode is over; the next one may move.
+        with pytest.raises(StoppedByPerson, match="in this episode, and released it"):
+            watched.follow(np.array([PARKED]))
+        assert len(bridge.driver.moves) == moves
+        assert Stoppable(robot, stop).follow(np.array([PARKED]))
 
 
 def test_the_first_motions_are_slow() -> None:

@@ -32,9 +32,10 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
 
     Raises:
         BadData: They are about different suites, were run under different conditions, were to have
-            different numbers of runs, a model counted places in two ways, their tools have different
-            versions, a robot's pictures belong to one, only some are people's, an episode is in two of them, one can't be read or can't be of a run of the
-            suite, or the new folder isn't new.
+            different numbers of runs, a model counted places in two ways, their tools have
+            different versions, a robot's pictures belong to one, only some are people's, an episode
+            is in two of them, one can't be read or can't be of a run of the suite, or the new
+            folder isn't new.
         OutputFailed: It can't be written.
     """
     if (out / SUITE).exists() or (out / RECORDS).exists():

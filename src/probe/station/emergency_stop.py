@@ -21,6 +21,12 @@ class EmergencyStop:
         self._release = release
         self._lock = threading.Lock()
         self._by: str | None = None
+        self._presses = 0
+
+    @property
+    def presses(self) -> int:
+        """How often it has been pressed so far, releases or not."""
+        return self._presses
 
     @property
     def by(self) -> str | None:
@@ -40,6 +46,7 @@ class EmergencyStop:
         with self._lock:
             # First of all, so that nothing new begins.
             self._by = self._by or by
+            self._presses += 1
         for halt in self._halts:
             halt()
 

@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Generator
 from contextlib import contextmanager
 
-from probe.errors import ProbeError
+from probe.errors import ProbeError, StoppedByPerson
 from probe.station.emergency_stop import EmergencyStop
 from probe.station.station import Arm, Hand, Station
 from probe.types import Array, Frame
 
 
 class Stoppable:
-    """A Station that does nothing while its stop is pressed; every method raises StoppedByPerson.
+    """A Station of one episode; once its stop has been pressed every method raises StoppedByPerson.
 
-    A stop ends the episode as a fault, whatever the agent was about to do, an answer included:
-    nobody knows how the table would have looked without it.
+    A stop ends the episode as a fault, whatever the agent was about to do, an answer included, and
+    whether or not it has been released since: nobody knows how the table would have looked without
+    it.
 
     Args:
         station: The one that acts.
@@ -27,6 +28,7 @@ class Stoppable:
         self.hand: Hand = station.hand
         self._station = station
         self._stop = stop
+        self._presses = stop.presses
 
     def observe(self, *, rgb: bool) -> Frame:
         """As Station."""
@@ -61,10 +63,15 @@ class Stoppable:
     @contextmanager
     def _watched(self) -> Generator[None]:
         """Whatever a stop makes of a call, its error or its result, the stop is what is told."""
-        self._stop.check()
+        self._check()
         try:
             yield
         except ProbeError:
-            self._stop.check()
+            self._check()
             raise
+        self._check()
+
+    def _check(self) -> None:
         self._stop.check()
+        if self._stop.presses != self._presses:
+            raise StoppedByPerson("A person stopped the robot in this episode, and released it.")
