@@ -7,7 +7,7 @@ import json
 import threading
 import time
 import urllib.request
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from http.client import HTTPResponse
 from pathlib import Path
@@ -55,16 +55,18 @@ class Page:
 
 
 @contextmanager
-def watched(folder: Path, raw: Any = FILE) -> Generator[tuple[Station, Page, Any, list[str]]]:
-    """A station behind a page, its bridge, and what was noted of answers."""
+    """What gives an episode its station behind a page, the bridge, and notes of answers."""
+    folder: Path, raw: Any = FILE
+) -> Generator[tuple[Callable[[], Station], Page, Any, list[str]]]:
+    """What gives an episode's station behind a page, its bridge, and what was noted of answers."""
     notes: list[str] = []
     with station(raw) as (robot, bridge):
         desk = ApprovalDesk(folder, lambda *_: None, lambda it, yes: notes.append(
             f"{it.number} {yes}"))  # fmt: skip
         stop = EmergencyStop([desk.refuse, robot.stop], robot.release)
-        acting = Stoppable(Approved(robot, desk.ask, robot.glance), stop)
+        approved = Approved(robot, desk.ask, robot.glance)
         with panel_page(RobotPanel(stop, desk, robot.glance), 0) as address:
-            yield acting, Page(address), bridge, notes
+            yield lambda: Stoppable(approved, stop), Page(address), bridge, notes
 
 
 class Moving(threading.Thread):
@@ -91,14 +93,17 @@ class Moving(threading.Thread):
 
 def shown(page: Page) -> int:
     """The number of the motion that waits, once it may be answered."""
+    until = time.monotonic() + 30
     while page.state()["waiting"] is None:
+        assert time.monotonic() < until, "no motion waits"
         time.sleep(0.02)
     time.sleep(QUICKEST)
     return page.state()["waiting"]["number"]
 
 
 def test_a_motion_waits_for_its_yes_with_its_picture(tmp_path: Path) -> None:
-    with watched(tmp_path) as (acting, page, bridge, notes):
+    with watched(tmp_path) as (episode, page, bridge, notes):
+        acting = episode()
         moving = Moving(acting, np.array([AWAY]))
         number = shown(page)
         assert not bridge.driver.moves
@@ -114,7 +119,8 @@ def test_a_motion_waits_for_its_yes_with_its_picture(tmp_path: Path) -> None:
 
 
 def test_a_no_ends_it_and_a_yes_before_anybody_could_look_counts_for_nothing(tmp_path) -> None:
-    with watched(tmp_path) as (acting, page, bridge, notes):
+    with watched(tmp_path) as (episode, page, bridge, notes):
+        acting = episode()
         moving = Moving(acting, np.array([AWAY]))
         while page.state()["waiting"] is None:
             time.sleep(0.01)
@@ -127,7 +133,8 @@ def test_a_no_ends_it_and_a_yes_before_anybody_could_look_counts_for_nothing(tmp
 
 
 def test_the_button_stops_a_motion_and_nothing_moves_until_the_release(tmp_path: Path) -> None:
-    with watched(tmp_path, {**FILE, **_speeds(0.3)}) as (acting, page, bridge, _):
+    with watched(tmp_path, {**FILE, **_speeds(0.3)}) as (episode, page, bridge, _):
+        acting = episode()
         moving = Moving(acting, FAR)
         page.post("answer", {"number": shown(page), "yes": True})
         moving.begun(bridge)
@@ -143,14 +150,17 @@ def test_the_button_stops_a_motion_and_nothing_moves_until_the_release(tmp_path:
             acting.grip(0.0)
         assert page.post("release", {})["stopped"] is None
         assert bridge.driver.joints().joints == rest
-        back = Moving(acting, np.array([PARKED]))
+        with pytest.raises(StoppedByPerson, match="in this episode, and released it"):
+            acting.grip(0.0)
+        back = Moving(episode(), np.array([PARKED]))
         page.post("answer", {"number": shown(page), "yes": True})
         back.join()
         assert back.came is True
 
 
 def test_a_stop_while_a_motion_waits_says_no_to_it(tmp_path: Path) -> None:
-    with watched(tmp_path) as (acting, page, bridge, notes):
+    with watched(tmp_path) as (episode, page, bridge, notes):
+        acting = episode()
         moving = Moving(acting, FAR)
         shown(page)
         page.post("stop", {})
