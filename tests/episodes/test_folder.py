@@ -6,7 +6,6 @@ import pytest
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import (
     RECORDS,
-    SUITE,
     add_run,
     claim_setting,
     in_order,
@@ -16,7 +15,7 @@ from probe.episodes.folder import (
     start_folder,
 )
 from probe.errors import BadData, OutputFailed
-from probe.tasks.suite_file import demo_suite, write_suite
+from probe.tasks.suite_file import demo_suite
 
 
 def test_a_folder_belongs_to_one_suite(tmp_path):
@@ -27,15 +26,10 @@ def test_a_folder_belongs_to_one_suite(tmp_path):
         start_folder(tmp_path, replace(suite, tasks=suite.tasks[:1]))
 
 
-def test_who_is_at_work_keeps_others_out_whatever_files_are_replaced(tmp_path):
-    suite = demo_suite()
-    with occupied(tmp_path, suite):
-        write_suite(tmp_path / SUITE, suite)
-        with (
-            pytest.raises(BadData, match="another run is at work there"),
-            occupied(tmp_path, suite),
-        ):
-            pass
+def test_who_is_at_work_keeps_others_out(tmp_path):
+    suite, words = demo_suite(), "another run is at work there"
+    with occupied(tmp_path, suite), pytest.raises(BadData, match=words), occupied(tmp_path, suite):
+        pass
     with occupied(tmp_path, suite):
         pass
 

@@ -18,7 +18,7 @@ from probe.train.tune import libraries
 from probe.train.tune.fine_tuning import train
 from probe.train.tune.loading import NoModel, UnknownTemplate, load
 from probe.train.tune.run_card import Run
-from probe.train.tune.started import begun, take_up
+from probe.train.tune.started import TRAINING, begun, take_up
 from probe.train.tune.training_log import read_log
 from probe.train.tune.tuning import Tuning
 from small_models import small_dataset, small_model
@@ -155,7 +155,7 @@ def test_a_loss_that_isnt_finite_ends_it(tmp_path, dataset, model):
 def test_two_cannot_train_in_one_folder(tmp_path, dataset, model):
     take_up(tmp_path, begun(dataset, str(model), TUNING))
     with (
-        reserved(tmp_path),
+        reserved(tmp_path, TRAINING),
         pytest.raises(BadData, match="another run is at work there"),
     ):
         train(dataset, str(model), tmp_path, TUNING, ())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import fcntl
-import os
 from collections.abc import Generator, Iterable
 from contextlib import contextmanager
 from dataclasses import replace
@@ -13,7 +12,7 @@ from probe.episodes.files import append_line, append_record, read_records
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.files import alone, write_text
-from probe.reading import is_there, words
+from probe.reading import is_there, opened, words
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.toolshed.version import TOOLS_VERSION, release_words
@@ -147,26 +146,23 @@ def standing(records: Iterable[EpisodeRecord]) -> list[EpisodeRecord]:
 
 
 @contextmanager
-def reserved(out: Path) -> Generator[None]:
+def reserved(out: Path, name: str = SUITE) -> Generator[None]:
     """Keep other runs out of a started folder; the lock leaves no file and dies with us.
 
-    The folder itself is locked: a file in it may be replaced by another one.
+    Args:
+        out: The folder.
+        name: A file of it that each of them locks. Once it is there, nobody may replace it.
 
     Raises:
-        BadData: Another run is at work there, or there is no such folder.
+        BadData: Another run is at work there.
     """
-    try:
-        folder = os.open(out, os.O_RDONLY | os.O_DIRECTORY)
-    except OSError as error:
-        raise BadData(out, error.strerror or "can't be opened", "Name a folder") from error
-    try:
-        fcntl.flock(folder, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    with opened(out / name) as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            remedy = "Wait for it, or choose another folder"
+            raise BadData(out, "another run is at work there", remedy) from error
         yield
-    except BlockingIOError as error:
-        remedy = "Wait for it, or choose another folder"
-        raise BadData(out, "another run is at work there", remedy) from error
-    finally:
-        os.close(folder)
 
 
 def add_run(out: Path, record: EpisodeRecord) -> None:

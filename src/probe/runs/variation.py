@@ -78,8 +78,12 @@ def keep_varied(
     """Write down tasks that were varied, and what is amiss with them.
 
     Raises:
+        BadData: The folder was begun meanwhile.
         OutputFailed: They can't be written.
     """
+    if (out / SUITE).exists():
+        remedy = "Wait for it, or choose another folder"
+        raise BadData(out, "another run has begun it meanwhile", remedy)
     suite = replace(base, tasks=tuple(each.task for each in made))
     notes = {each.task.id: each.note for each in made if each.note}
     known = Variation(base=digest_of_tasks(base.tasks), conditions=conditions.label, notes=notes)

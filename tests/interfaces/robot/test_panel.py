@@ -55,10 +55,10 @@ class Page:
 
 
 @contextmanager
-    """What gives an episode its station behind a page, the bridge, and notes of answers."""
+def watched(
     folder: Path, raw: Any = FILE
 ) -> Generator[tuple[Callable[[], Station], Page, Any, list[str]]]:
-    """What gives an episode's station behind a page, its bridge, and what was noted of answers."""
+    """What gives an episode its station behind a page, the bridge, and notes of answers."""
     notes: list[str] = []
     with station(raw) as (robot, bridge):
         desk = ApprovalDesk(folder, lambda *_: None, lambda it, yes: notes.append(

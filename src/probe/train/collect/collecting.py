@@ -128,20 +128,23 @@ def _played(batch: Batch, suite: Suite, aim: Aim, hands: TeacherWorkers) -> Gene
             grades += graded(batch, "direct", aim.direct_runs, scene_renderer)
             asked_again = suite if aim.always else _without(suite, grades)
         setting: Setting = "text-only" if aim.mode == "text-only" else "agentic"
-        rest = _begun(batch.setting(setting) / SUITE, asked_again)
-        if aim.mode != "direct" and rest.tasks:
-            write_suite(batch.setting(setting) / SUITE, rest)
+        rest = None if aim.mode == "direct" else _begun(batch.setting(setting), asked_again)
+        if rest and rest.tasks:
             yield from hands.play(rest, setting, 1, batch.setting(setting))
             grades += graded(batch, setting, 1, scene_renderer)
     batch.keep(grades)
 
 
-def _begun(path: Path, suite: Suite) -> Suite:
-    """The tasks that are tried with tools: as before, if that was begun.
+def _begun(folder: Path, suite: Suite) -> Suite:
+    """The tasks that are tried with tools, written down; as before, if that was begun.
 
     An episode without tools that failed by our fault may have been right since.
     """
-    return read_suite(path) if path.exists() else suite
+    if (folder / SUITE).exists():
+        return read_suite(folder / SUITE)
+    if suite.tasks:
+        write_suite(folder / SUITE, suite)
+    return suite
 
 
 def graded(

@@ -19,6 +19,7 @@ from probe.train.tune.run_card import write_card
 from probe.train.tune.started import (
     MODEL,
     ROWS,
+    TRAINING,
     TrainingStart,
     begun,
     last_checkpoint,
@@ -59,7 +60,7 @@ def train(dataset: Path, model: str, out: Path, tuning: Tuning, types: tuple[str
         raise BadData(dataset, reason, "Write it with --setting text-only")
     collator = collator_for(processor)
     take_up(out, asked)
-    with reserved(out) if settings.process_index == 0 else nullcontext():
+    with reserved(out, TRAINING) if settings.process_index == 0 else nullcontext():
         trainer = _trainer_for(loaded, bfloat16=bool(settings.bf16))(
             model=loaded,
             args=settings,
