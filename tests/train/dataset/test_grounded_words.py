@@ -16,7 +16,8 @@ from probe.train.dataset.augment.rephrasing import rephrased
 from probe.transcripts.result_texts import ResultTexts
 
 LINE = re.compile(
-    r"^- (object_\d+) at (\[\d+, \d+\])(, new)?: (.*), \1, \[\d+, \d+\](.*)$", re.MULTILINE
+    r"^- (object_\d+) at (\[\d+, \d+\])(?:(, new)|, another)?: (.*), \1, \[\d+, \d+\](.*)$",
+    re.MULTILINE,
 )
 
 Known = dict[str, tuple[str, str, str, str]]
@@ -47,42 +48,43 @@ def known_and_said(record: EpisodeRecord) -> Iterator[tuple[Known, str]]:
         if step.call.name == "perceive_scene":
             for id in re.findall(r"object_\d+", text.partition("out of date: ")[2]):
                 del known[id]
-            known |= {
-                id: (point, what, more, new) for id, point, new, what, more in LINE.findall(text)
-            }
+            for id, point, new, what, more in LINE.findall(text):
+                # What is told again isn't marked again.
+                before = known.get(id, ("", "", "", ""))
+                known[id] = (point, what, more, new or (before[3] if before[1] == what else ""))
 
 
 def called(known: Known, name: str) -> set[str]:
     return {id for id, (_, what, *_) in known.items() if what == name}
 
 
-def test_it_counts_all_that_have_the_name_and_numbers_them(said):
-    notes = [
-        (known, found)
-        for _, known, words in said
-        if (found := re.search(r"I count each (.*?): (.*?)\. ", words))
-    ]
-    assert len(notes) > 100
-    for known, (name, each) in ((known, found.groups()) for known, found in notes):
-        counted = re.findall(r"(?:^|; )\((\d+)\) ([^;]*), (object_\d+)", each)
-        assert len(counted) == each.count("object_")
-        assert {it[2] for it in counted} == called(known, name)
-        assert {it[1] for it in counted} <= {name}
-        assert [int(it[0]) for it in counted] == list(range(1, len(counted) + 1))
+SO_FAR = re.compile(
+    r"I have counted (?:each (?P<name>.*?) so far: (?P<each>.*?)|no (?P<none>.*?) so far)\. "
+    r"(?:New, from top to bottom: (?P<new>.*?)\. )?I could search"
+)
+
+
+def test_it_counts_on_until_it_has_all_that_have_the_name(said):
+    notes = [(known, found) for _, known, words in said if (found := SO_FAR.match(words))]
+    assert len(notes) > 100 and {bool(found["none"]) for _, found in notes} == {True, False}
+    for known, found in notes:
+        name = found["name"] or found["none"]
+        counted = f"{found['each'] or ''}; {found['new'] or ''}"
+        each = re.findall(r"\((\d+)\) ([^;]*), (object_\d+)", counted)
+        assert {it[2] for it in each} == called(known, name)
+        assert {it[1] for it in each} <= {name}
+        numbers = [int(it) for it in re.findall(r"\((\d+)\) ", counted)]
+        assert numbers == sorted({*numbers})
 
 
 def test_to_count_it_goes_through_the_first_list_in_its_order(said):
     lists = [
-        (known, found[1], found[2])
+        (known, found[1])
         for _, known, words in said
-        if (
-            found := re.match(
-                r"From top to bottom: (.*?)\. I (?:see no|count each) (.*?)(?::| to)", words
-            )
-        )
+        if (found := re.match(r"From top to bottom: (.*?)\. I could search this: ", words))
     ]
     assert len(lists) > 100
-    for known, each, name in lists:
+    for known, each in lists:
         told = [
             re.fullmatch(r"(object_\d+) (.*?)(?:, so \((\d+)\) \2, \1)?", it)
             for it in each.split("; ")
@@ -90,18 +92,10 @@ def test_to_count_it_goes_through_the_first_list_in_its_order(said):
         assert [it and it[1] for it in told] == [*known]
         named = [it.groups() for it in told if it and it[2] != "without a name"]
         assert all(known[id][1] == what for id, what, _ in named)
-        numbers = [number for _, what, number in named if number or what == name]
-        assert numbers == [str(n + 1) for n in range(len(numbers))]
-        assert len(numbers) == len(called(known, name))
-
-
-def test_nothing_of_that_name_shows_where_it_says_so(said):
-    names = [
-        (known, found[1])
-        for _, known, words in said
-        if (found := re.search(r"I see no (.*?) to count\.", words))
-    ]
-    assert names and not [name for known, name in names if called(known, name)]
+        counted = [(what, number) for _, what, number in named if number]
+        assert [number for _, number in counted] == [str(n + 1) for n in range(len(counted))]
+        for name, _ in counted:
+            assert len(counted) == len(called(known, name))
 
 
 def test_marks_are_where_the_question_and_the_list_say(said):
@@ -152,10 +146,12 @@ def test_of_what_is_new_it_says_which_option_it_is(said):
 
 def test_all_that_it_could_search_is_told_by_name_and_object_id(said):
     lists = [
-        (known, [part.rsplit(", ", 1) for part in found[1].split("; ")])
+        (known, [part.rsplit(", ", 1) for part in found[1].split("; ") if part])
         for _, known, words in said
-        if (found := re.search(r"I could search this: (.*?)\. ", words))
+        if (found := re.search(r"I could search this: (?:(.*?); )?nothing more\. ", words))
+        and found[1]
     ]
+    assert sum("I could search this: nothing more. " in words for *_, words in said) > 100
     assert max(len(each) for _, each in lists) > 6
     assert all(known[id][1] == name for known, each in lists for name, id in each)
 

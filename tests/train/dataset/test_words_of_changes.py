@@ -15,10 +15,12 @@ from probe.train.dataset.augment.listed_ids import SayWithoutFinding, without_fi
 from probe.train.dataset.augment.rephrasing import rephrased
 from probe.transcripts.result_texts import ResultTexts
 
-LINE = re.compile(r"^- (object_\d+) at \[\d+, \d+\](?:, new)?: (.*), \1, \[.*$", re.MULTILINE)
+LINE = re.compile(
+    r"^- (object_\d+) at \[\d+, \d+\](, new|, another)?: (.*), \1, \[.*$", re.MULTILINE
+)
 UNNAMED = "without a name"
 MOVED = re.compile(r"These have other object_ids now: (.*?)\. ")
-LATER = re.compile(r"With a new object_id or name, from top to bottom: (.*?)\. I (?:see|count) ")
+LATER = re.compile(r"New, from top to bottom: (.*?)\. I could search this: ")
 
 
 @dataclass
@@ -28,13 +30,13 @@ class Change:
     Attributes:
         before: Names that were known, by object_id.
         lines: object_ids and names in the later list, in its order.
-        ever: All pairs of object_id and name that were told before.
+        marked: Those of them that it marks.
         words: Of the teacher.
     """
 
     before: dict[str, str]
     lines: list[tuple[str, str]]
-    ever: set[tuple[str, str]]
+    marked: list[tuple[str, str]]
     words: str
 
 
@@ -49,17 +51,20 @@ def changes(tmp_path_factory) -> list[tuple[str, Change]]:
 
 
 def changes_in(record: EpisodeRecord) -> Iterator[Change]:
-    texts, known, ever = ResultTexts("0-1000", "short"), dict[str, str](), set[tuple[str, str]]()
+    texts, known = ResultTexts("0-1000", "short"), dict[str, str]()
     for step, after in zip(record.steps, record.steps[1:], strict=False):
         text = texts.told(step.call.name, step.text)
         if step.call.name != "perceive_scene":
             continue
-        lines = [(id, UNNAMED if is_part(what) else what) for id, what in LINE.findall(text)]
+        found = [
+            (id, UNNAMED if is_part(what) else what, mark) for id, mark, what in LINE.findall(text)
+        ]
+        lines = [(id, what) for id, what, _ in found]
         if known:
-            yield Change(dict(known), lines, set(ever), after.call.words)
+            marked = [(id, what) for id, what, mark in found if mark]
+            yield Change(dict(known), lines, marked, after.call.words)
         gone = re.findall(r"object_\d+", text.partition("out of date: ")[2])
         known = {id: what for id, what in known.items() if id not in gone} | dict(lines)
-        ever |= {*lines}
 
 
 def is_part(what: str) -> bool:
@@ -91,16 +96,12 @@ def test_to_count_it_goes_through_what_a_later_list_calls_otherwise(changes):
         if kind != "count":
             assert not found
             continue
-        now = [it for it in change.lines if it not in change.ever]
+        named = [it for it in change.lines if it[1] != UNNAMED]
+        assert change.marked == [it for it in named if change.before.get(it[0]) != it[1]]
         each = [
             re.fullmatch(r"(object_\d+) (.*?)(?:, so \((\d+)\) \2, \1)?", it)
             for it in (found[1].split("; ") if found else [])
         ]
-        assert [it and it.groups()[:2] for it in each] == now
-        counted = change.words.split("I count each")[-1]
-        for it in each:
-            assert it and (
-                not it[3] or f"({it[3]}) {it[2]}, {it[1]}" in re.split("[;:.] ", counted)
-            )
+        assert [it and it.groups()[:2] for it in each] == change.marked
         told += bool(each)
     assert told > 100
