@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tarfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from probe.agents.reading import read_graph
@@ -61,4 +62,15 @@ def said_in(record: EpisodeRecord) -> str:
     return "\n".join(
         [record.question.text, *(text for _, text in record.question.options)]
         + [f"{step.call.words}\n{step.call.arguments}\n{step.text}" for step in record.steps]
+    )
+
+
+def right_darker(
+    episodes: Sequence[tuple[Task, EpisodeRecord]],
+) -> tuple[Task, EpisodeRecord]:
+    """The first right episode of Compare that asks for the darker one, and its task."""
+    return next(
+        (task, record)
+        for task, record in episodes
+        if task.form == "darker" and record.answer and record.answer.choice == task.answer
     )

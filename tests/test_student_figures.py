@@ -10,6 +10,7 @@ import pytest
 from probe.cli.held_out import held_out
 from probe.cli.ladder import ladder
 
+pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[1]
 RUNS = ("student", "base", "scripted", "middle-number")
 
@@ -26,7 +27,6 @@ def tables(tmp_path_factory):
     return (out / "table.md").read_text(), (out / "ladder.md").read_text()
 
 
-@pytest.mark.slow
 def test_the_page_has_these_tables(tables):
     page = (ROOT / "docs/results/student.md").read_text("utf-8").splitlines()
     rows = [line for text in tables for line in text.splitlines() if line.startswith("| ")]
@@ -34,7 +34,6 @@ def test_the_page_has_these_tables(tables):
     assert not [row for row in rows if row not in page]
 
 
-@pytest.mark.slow
 def test_the_readme_has_the_macro_averages(tables):
     readme = " ".join((ROOT / "README.md").read_text("utf-8").split())
     macros = {

@@ -177,9 +177,7 @@ def test_what_both_places_dont_share_is_named(tmp_path: Path) -> None:
     assert "1 task, since hasty has no result on the robot" in page and "slow" in page
 
 
-def test_conditions_apart_from_the_headline_are_not_the_agents(
-    tmp_path: Path,
-) -> None:
+def test_conditions_apart_from_the_headline_are_not_the_agents(tmp_path: Path) -> None:
     sim, real = (
         folder(tmp_path / name, results, TASKS, real=name == "real", headline=HEADLINE)
         for name, results in (("sim", SIM), ("real", REAL))

@@ -63,14 +63,26 @@ def bootstrap(
     """
     total = np.zeros(draws)
     for question_type, values in strata.items():
-        n = len(values)
-        counts = generator(seed, "bootstrap", question_type).multinomial(
-            n, np.full(n, 1 / n), size=draws
-        )
-        total += math.sqrt(n / max(n - 1, 1)) * (counts @ values / n - values.mean())
+        total += deviations(values, generator(seed, "bootstrap", question_type), draws)
     tail = (1 - level) / 2
     low, high = np.quantile(total / len(strata), [tail, 1 - tail])
     return _around(strata, max(0.0, -float(low)), max(0.0, float(high)), limits, level)
+
+
+def deviations(values: Array, rng: np.random.Generator, draws: int = DRAWS) -> Array:
+    """What means of tasks drawn again deviate by, widened as bootstrap() says.
+
+    Args:
+        values: Of each task, shape (n,), or of several things at each, shape (n, k).
+        rng: For the draws; the same gives the same draws for all.
+        draws: How many.
+
+    Returns:
+        Shape (draws,) or (draws, k).
+    """
+    n = len(values)
+    counts = rng.multinomial(n, np.full(n, 1 / n), size=draws)
+    return math.sqrt(n / max(n - 1, 1)) * (counts @ values / n - values.mean(axis=0))
 
 
 def student(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -19,7 +18,7 @@ from probe.scores.correlation import (
     spread_over,
 )
 from probe.scores.estimates import macro
-from probe.scores.intervals import DRAWS, Interval, student
+from probe.scores.intervals import DRAWS, Interval, deviations, student
 from probe.scores.missing import present, settled
 from probe.scores.pairs import Pair, family
 from probe.scores.row import Entrant, Row
@@ -208,12 +207,9 @@ def _redrawn(strata: Sequence[Strata], seed: int) -> Array | None:
         return None
     total = np.zeros((DRAWS, len(strata)))
     for question_type in strata[0]:
-        values = np.array([of[question_type] for of in strata])
-        n = values.shape[1]
+        values = np.array([of[question_type] for of in strata]).T
         rng = generator(seed, "sim-real", question_type)
-        drawn = rng.multinomial(n, np.full(n, 1 / n), size=DRAWS) @ values.T / n
-        mean = values.mean(axis=1)
-        total += mean + math.sqrt(n / (n - 1)) * (drawn - mean)
+        total += values.mean(axis=0) + deviations(values, rng)
     return total / len(strata[0])
 
 

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from packed_teacher import names_in
+from packed_teacher import names_in, right_darker
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.comparing import compared_again
@@ -17,11 +17,7 @@ from probe.train.dataset.augment.retelling import SlotListener, changed
 @pytest.fixture(scope="module")
 def darker(episodes):
     """A right episode that asks for the darker one, and what the two are called."""
-    task, record = next(
-        (task, it)
-        for task, it in episodes
-        if task.form == "darker" and it.answer and it.answer.choice == task.answer
-    )
+    task, record = right_darker(episodes)
     listener = SlotListener(speaker(task, record.run), "colour_one")
     rephrased(task, record, listener)
     return task, record, (listener.heard["one"], listener.heard["two"])

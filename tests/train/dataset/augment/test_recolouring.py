@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from packed_teacher import names_in
+from packed_teacher import names_in, right_darker
 from probe.perception.colour_words import KNOWN
 from probe.train.collect.teacher import speaker
 from probe.train.dataset.augment.certain import NotCertain
@@ -60,11 +60,7 @@ ALIKE = ({"red", "blue"}, {"green", "gray"}, {"tan", "pink"}, {"silver", "pink"}
 @pytest.fixture(scope="module")
 def darker(episodes):
     """Right letter, given letter and both colours that the teacher names, in many colours."""
-    task, record = next(
-        (task, it)
-        for task, it in episodes
-        if task.form == "darker" and it.answer and it.answer.choice == task.answer
-    )
+    task, record = right_darker(episodes)
     found = []
     for seed in range(40):
         now, after = told(task, record, seed)
