@@ -66,7 +66,13 @@ def _on_the_first_node() -> bool:
 
 @dataclass(frozen=True)
 class AssetReader:
-    """A workplace that says where its machine has assets, and what is in them."""
+    """A workplace that says where its machine has assets, and what is in them.
+
+    Attributes:
+        until: No job ends before this file is there; None for none.
+    """
+
+    until: Path | None = None
 
     @contextmanager
     def __call__(self) -> Generator[Callable[[str], bytes]]:
@@ -75,6 +81,9 @@ class AssetReader:
     def read(self, job: str) -> bytes:
         """Every file's text, after a while, so that each node gets some of the jobs."""
         time.sleep(0.5)
+        end = time.monotonic() + 120
+        while self.until is not None and not self.until.exists() and time.monotonic() < end:
+            time.sleep(0.05)
         folder = Path(os.environ["PROBE_ASSETS"])
         files = sorted(path for path in folder.rglob("*") if path.is_file())
         found = {path.relative_to(folder).as_posix(): path.read_text() for path in files}

@@ -70,26 +70,33 @@ def test_lines_are_heard_where_there_is_no_terminal(monkeypatch: pytest.MonkeyPa
 def test_y_lets_a_motion_happen_and_any_other_key_stops_it(
     terminal: Terminal, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with (
-        station({**FILE, **_speeds(0.3)}) as (robot, bridge),
-        guarded(robot, SafetyChoice(page_port=0), tmp_path) as acting,
-    ):
-        pressing(terminal, tmp_path, 1, "y")
-        assert acting.follow(np.array([PARKED + (0.05, 0, 0, 0, 0, 0)]))
-        pressing(terminal, tmp_path, 2, "y", " ")
-        with pytest.raises(StoppedByPerson, match="by a key"):
-            acting.follow(np.array([PARKED + (1.0, 0, 0, 0, 0, 0)]))
-        assert bridge.driver.stops and robot.joints()[0] < PARKED[0] + 0.9
-        with pytest.raises(StoppedByPerson):
-            acting.joints()
-        terminal.press("r")
-        time.sleep(0.2)
-        acting.joints()
-        pressing(terminal, tmp_path, 3, "n")
-        with pytest.raises(StoppedByPerson, match="refused motion 3"):
-            acting.grip(0.0)
-    assert "STOPPED" in capsys.readouterr().out
-    assert len(list((tmp_path / "motions").glob("*.jpg"))) == 3
+    with station({**FILE, **_speeds(0.3)}) as (robot, bridge):
+        with guarded(robot, SafetyChoice(page_port=0), tmp_path) as acting:
+            pressing(terminal, tmp_path, 1, "y")
+            assert acting.follow(np.array([PARKED + (0.05, 0, 0, 0, 0, 0)]))
+            pressing(terminal, tmp_path, 2, "y", " ")
+            with pytest.raises(StoppedByPerson, match="by a key"):
+                acting.follow(np.array([PARKED + (1.0, 0, 0, 0, 0, 0)]))
+            assert bridge.driver.stops and robot.joints()[0] < PARKED[0] + 0.9
+            with pytest.raises(StoppedByPerson, match="by a key"):
+                acting.joints()
+            said = capsys.readouterr().out
+            assert "STOPPED" in said
+            terminal.press("r")
+            until = time.monotonic() + 30
+            while "may move again" not in said:
+                assert time.monotonic() < until, "r released nothing"
+                time.sleep(0.05)
+                said += capsys.readouterr().out
+            with pytest.raises(StoppedByPerson, match="in this episode, and released it"):
+                acting.joints()
+        pressing(terminal, tmp_path / "next", 1, "n")
+        with (
+            pytest.raises(StoppedByPerson, match="refused motion 1"),
+            guarded(robot, SafetyChoice(page_port=0), tmp_path / "next"),
+        ):
+            pass
+    assert len(list((tmp_path / "motions").glob("*.jpg"))) == 2
 
 
 def test_an_arm_that_is_on_its_way_is_brought_home_first(

@@ -162,10 +162,17 @@ def store(nodes: Nodes) -> str:
     return "s3://probe/run"
 
 
-def read_assets(tmp_path: Path, store: str | None, units: int = 4):
+def read_assets(tmp_path: Path, store: str | None, units: int = 4, heard: Path | None = None):
+    """What workers found; with `heard`, no unit ends before a node has said something."""
     told: list[str] = []
-    plan = WorkPlan("look", AssetReader(), [str(number) for number in range(units)], str)
-    engine = RayEngine(tmp_path, store, tell=told.append)
+
+    def tell(words: str) -> None:
+        told.append(words)
+        if heard is not None and len(told) > 1:
+            heard.touch()
+
+    plan = WorkPlan("look", AssetReader(heard), [str(number) for number in range(units)], str)
+    engine = RayEngine(tmp_path, store, tell=tell)
     found = [json.loads(cast(bytes, result)) for _, result in engine.carry_out(plan)]
     assert told.pop(0).startswith("Connecting")
     return found, told
@@ -198,7 +205,7 @@ def test_a_node_whose_disk_refuses_is_said_and_the_rest_goes_on(
     (nodes.folder / "in-the-way").write_text("no folder")
     nodes.kill_second()
     nodes.add_second(cache="in-the-way")
-    results, told = read_assets(tmp_path / "run", store, units=6)
+    results, told = read_assets(tmp_path / "run", store, units=6, heard=tmp_path / "heard")
     assert len(results) == 6
     assert all(result["files"] == {"a.txt": "plate"} for result in results)
     assert len(told) == 1 and "in-the-way" in told[0] and "The other workers go on" in told[0]
