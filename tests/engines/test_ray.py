@@ -155,11 +155,11 @@ def test_a_driver_that_is_killed_finds_what_was_done(tmp_path):
 
 
 @pytest.fixture
-def store(nodes: Nodes) -> str:
+def store(nodes: Nodes, tmp_path: Path) -> str:
     s3 = fsspec.filesystem("s3", use_listings_cache=False)
     if not s3.exists("probe"):
         s3.mkdir("probe")
-    return "s3://probe/run"
+    return f"s3://probe/{tmp_path.name}"
 
 
 def read_assets(tmp_path: Path, store: str | None, units: int = 4, heard: Path | None = None):
