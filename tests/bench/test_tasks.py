@@ -50,3 +50,4 @@ def test_tools_err_as_the_suite_says(tmp_path, suite, plans, made, asked, hand, 
     made(suite=suite, out=str(tmp_path / "out"), **asked)
     (plan,) = plans
     assert (plan.noise, plan.conditions.dials) == (hand, eye)
+    assert plan.conditions.renderer == "own"

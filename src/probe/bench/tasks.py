@@ -14,11 +14,10 @@ from probe.assets.library import open_all
 from probe.bench.harness import harness_task
 from probe.bench.plan import ModelRunPlan, Pointer, check_folder
 from probe.bench.prices import read_prices
-from probe.episodes.conditions import Conditions, LightKind
+from probe.episodes.conditions import Conditions, LightKind, RendererKind
 from probe.episodes.participation import Points
 from probe.episodes.tool_errors import NoiseChoice, tool_errors
 from probe.perception.points import Convention
-from probe.scene.setup import RendererName
 from probe.tasks.suite import check_objects
 from probe.tasks.suite_file import find_suite
 from probe.transcripts.prompts import Graphs, Setting
@@ -36,7 +35,7 @@ def agentic(
     points: Points = "pixels",
     noise: NoiseChoice = "own",
     lighting: LightKind = "own",
-    renderer: RendererName = "filament",
+    renderer: RendererKind = "own",
     pointer: Pointer = "oracle",
     pointing: Convention = "pixels",
     workers: int = 4,
@@ -57,7 +56,7 @@ def text_only(
     graphs: Graphs = "full",
     noise: NoiseChoice = "own",
     lighting: LightKind = "own",
-    renderer: RendererName = "filament",
+    renderer: RendererKind = "own",
     workers: int = 4,
     prices: str | None = None,
 ) -> HarnessTask:
@@ -74,7 +73,7 @@ def direct(
     epochs: int = 3,
     points: Points = "pixels",
     lighting: LightKind = "own",
-    renderer: RendererName = "filament",
+    renderer: RendererKind = "own",
     workers: int = 4,
     prices: str | None = None,
 ) -> HarnessTask:

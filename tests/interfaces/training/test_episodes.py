@@ -7,9 +7,12 @@ import re
 import signal
 import subprocess
 import sys
+from collections.abc import Generator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, suppress
 from multiprocessing import active_children
 from pathlib import Path
+from threading import Timer
 
 import pytest
 
@@ -119,6 +122,42 @@ def test_a_killed_process_is_replaced_and_its_episode_goes_on(tmp_path):
         assert env.record is not None and env.record.participation is not None
         (fault,) = env.record.participation.faults
         assert "SIGKILL" in fault
+
+
+@contextmanager
+def interrupted(seconds: float) -> Generator[None]:
+    """The block, interrupted as by Ctrl-C."""
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def _wake(pid: int) -> None:
+    with suppress(ProcessLookupError):
+        os.kill(pid, signal.SIGCONT)
+
+
+def test_an_interrupted_call_leaves_nothing_to_whoever_comes_next(tmp_path):
+    with painted_tables(tmp_path, most=2) as tables:
+        env = ProbeEnv(tables)
+        env.reset(task=TASKS[0].id)
+        env.perceive_scene()
+        (process,) = active_children()
+        assert process.pid is not None
+        os.kill(process.pid, signal.SIGSTOP)
+        with interrupted(0.5):
+            env.grasp_and_remove("object_2")
+        Timer(1, _wake, [process.pid]).start()
+        assert played(env, 0) == 1.0
 
 
 def test_an_episode_whose_table_always_dies_is_missing_and_others_go_on(tmp_path):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Awaitable, Callable
 from concurrent.futures import Future
 from contextlib import AsyncExitStack
+from typing import TypeVar
 
 from anyio.from_thread import BlockingPortal
 
@@ -17,6 +19,9 @@ from probe.runs.worker_messages import (
     NoReply,
     PointerRequest,
 )
+
+Asked = TypeVar("Asked")
+Came = TypeVar("Came")
 
 
 class Seat:
@@ -44,16 +49,28 @@ class Seat:
 
     def call(self, call: Call) -> CallResult:
         """Call a tool."""
-        return self._portal.call(self._begun.result().call, call)
+        return self._wait(self._begun.result().call, call)
 
     def finish(self, request: FinishEpisode) -> EpisodeFinished:
         """Hand in the record and have it graded."""
-        return self._portal.call(self._begun.result().leave, request)
+        return self._wait(self._begun.result().leave, request)
 
     def leave(self) -> None:
         """Give the table to others."""
         self._begun.exception()
         self._portal.call(self._held.aclose)
+
+    def _wait(self, work: Callable[[Asked], Awaitable[Came]], asked: Asked) -> Came:
+        """Have something done; an interrupted caller breaks it off, table and all.
+
+        Otherwise its result would be taken for that of whatever is asked of the table next.
+        """
+        coming = self._portal.start_task_soon(work, asked)
+        try:
+            return coming.result()
+        except BaseException:
+            coming.cancel()
+            raise
 
     async def _begin(self) -> Assignment:
         assignment = await self._held.enter_async_context(self._pool.seat(_nobody))
