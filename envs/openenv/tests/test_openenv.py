@@ -104,6 +104,26 @@ def test_a_connection_that_goes_gives_its_seat_to_others(tmp_path):
         assert played(url, 0) == 1.0
 
 
+def test_a_seat_that_is_still_being_left_is_waited_for(tmp_path):
+    """Its table is still being set when the connection goes."""
+    with served(painted_tables(tmp_path, most=1)) as url:
+        with ProbeTable(base_url=url).sync() as table:
+            table.reset(task=TASKS[0].id)
+        assert played(url, 0) == 1.0
+
+
+def test_a_reply_that_comes_too_late_is_nobodys(tmp_path):
+    tables = painted_tables(tmp_path, most=2)
+    with served(tables) as url:
+        with ProbeTable(base_url=url, message_timeout_s=0.02).sync() as hasty:
+            with pytest.raises(TimeoutError, match=r"nothing for 0.02 seconds.*message_timeout_s"):
+                hasty.reset(task=TASKS[0].id)
+                hasty.step(ToolCall(tool="perceive_scene"))
+            with pytest.raises((TimeoutError, RuntimeError)):
+                hasty.step(ToolCall(tool="fly"))
+        assert played(url, 0) == 1.0
+
+
 def test_an_episode_whose_table_always_dies_ends_without_a_reward(tmp_path):
     (tmp_path / "deaths").write_text("3")
     tables = painted_tables(tmp_path, most=1)

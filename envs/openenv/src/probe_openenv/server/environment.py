@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from itertools import count
 from typing import Any
@@ -11,8 +12,11 @@ from openenv.core.env_server.interfaces import Environment
 
 import probe
 from probe.bench.process_pool import EpisodeProcessLost
-from probe.interfaces.training.tables import TrainingTables
+from probe.interfaces.training.tables import TooFewTables, TrainingTables
 from probe_openenv.models import EpisodeState, TableReply, ToolCall
+
+LEAVING = 120.0
+"""Seconds within which a connection that has ended gives its table back."""
 
 
 class Seats:
@@ -62,7 +66,7 @@ class ProbeEnvironment(Environment[ToolCall, TableReply, EpisodeState]):
     ) -> TableReply:
         """Begin an episode: what a model is told first, and its tools."""
         row = self._seats.row(task, seed)
-        self._env.reset(**row)
+        self._sit(row)
         self._state = EpisodeState(episode_id=episode_id or uuid4().hex, task=row["task"])
         return TableReply(messages=row["prompt"], tools=self._seats.tools)
 
@@ -75,6 +79,19 @@ class ProbeEnvironment(Environment[ToolCall, TableReply, EpisodeState]):
             return TableReply(text=str(lost), done=True, reward=self._env.get_reward())
         reward = self._env.get_reward() if came.ended else None
         return TableReply(text=came.text, done=came.ended, reward=reward)
+
+    def _sit(self, row: dict[str, Any]) -> None:
+        """Begin; whoever was the last to go may still be at a table that was being set."""
+        end = time.monotonic() + LEAVING
+        while True:
+            try:
+                self._env.reset(**row)
+            except TooFewTables:
+                if time.monotonic() > end:
+                    raise
+                time.sleep(0.1)
+            else:
+                return
 
     @property
     def state(self) -> EpisodeState:
