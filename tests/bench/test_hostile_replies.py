@@ -147,6 +147,21 @@ def test_errors_and_replies_without_a_choice_are_faults_of_their_episode(tmp_pat
     assert heard.records[none].end == "fault"
 
 
+def test_a_server_that_sent_no_choice_is_asked_again_when_the_run_goes_on(tmp_path):
+    """Though what it sent was kept, as every reply is."""
+    suite, sent = replace(demo(2), tasks=(CALM,)), [0]
+
+    def say(number: int, body: dict[str, Any]) -> Reply:
+        sent[0] += 1
+        return Reply(choices=0) if sent[0] <= 2 else Reply(calls=(answer(CALM.answer),))
+
+    with serving(say, keep=False) as server:
+        for value in ("missing", "missing", "C"):
+            log = run_in(plan(tmp_path, "agentic", suite), server.url, max_retries=0)
+            assert values_of(log) == {CALM.id: value}
+    assert sent == [3] and kept(tmp_path)[CALM.id].end == "answered"
+
+
 PROTOCOLS: dict[str, tuple[str, dict[str, Any]]] = {
     "openai/gpt-5.4": ("/v1", {"responses_api": True}),
     "anthropic/claude-opus-4-7": ("", {"streaming": False}),
