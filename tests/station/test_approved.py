@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from probe.errors import StoppedByPerson
-from probe.station.approved import Approved, PlannedMotion
+from probe.station.approved import Approved, Over, PlannedMotion
 from probe.station.emergency_stop import EmergencyStop
 from probe.station.path_picture import path_picture, tip_of
 from probe.station.stoppable import Stoppable
@@ -27,15 +27,20 @@ class Person:
         self.says = says
         self.asked: list[PlannedMotion] = []
 
-    def __call__(self, motion: PlannedMotion) -> bool:
+    def __call__(self, motion: PlannedMotion, over: Over) -> bool:
         self.asked.append(motion)
         return self.says(motion.number)
+
+
+def going_on() -> bool:
+    """Nobody has stopped it."""
+    return False
 
 
 def test_every_motion_is_asked_for_with_its_words_and_its_picture() -> None:
     person = Person()
     with station() as (robot, bridge):
-        careful = Approved(robot, person, robot.glance)
+        careful = Approved(robot, person, robot.glance, going_on)
         before = careful.observe(rgb=True)
         assert careful.follow(np.array([AWAY]))
         careful.grip(0.03)
@@ -54,7 +59,7 @@ def test_every_motion_is_asked_for_with_its_words_and_its_picture() -> None:
 
 def test_a_refused_motion_moves_nothing_and_is_no_blocked_one() -> None:
     with station() as (robot, bridge):
-        careful = Approved(robot, Person(lambda number: number != 2), robot.glance)
+        careful = Approved(robot, Person(lambda number: number != 2), robot.glance, going_on)
         careful.follow(np.array([AWAY]))
         with pytest.raises(StoppedByPerson, match="refused motion 2"):
             careful.follow(np.array([PARKED]))

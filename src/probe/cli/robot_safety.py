@@ -72,7 +72,7 @@ def guarded(robot: RobotStation, choice: SafetyChoice, out: Path) -> Generator[S
                          robot.release)  # fmt: skip
     asks = choice.approve == "ask"
     panel = RobotPanel(stop, desk if asks else None, robot.glance)
-    acting = Approved(robot, desk.ask, robot.glance) if asks else robot
+    acting = Approved(robot, desk.ask, robot.glance, lambda: stop.presses > 0) if asks else robot
     station = Stoppable(acting, stop)
     with panel_page(panel, choice.page_port) as address, keys(lambda key: heard(key, stop, desk)):
         say(f"Any key stops the robot, and so does {address}")
@@ -86,7 +86,7 @@ def heard(key: str, stop: EmergencyStop, desk: ApprovalDesk) -> None:
     """What a key does: y and n answer a motion that waits, r releases, any other one stops."""
     waiting = desk.waiting
     if waiting is not None and key in "yYnN":
-        desk.answer(waiting.number, yes=key in "yY")
+        desk.answer(waiting.id, yes=key in "yY")
     elif stop.by is not None:
         if key in "rR":
             stop.release()

@@ -28,7 +28,8 @@ removed: It was let go over the basket and its place is empty.
 no_candidate: No two sides of it that the open fingers get around.
 unreachable: The arm reaches none of the grasps without touching something.
 blocked: Something stopped the arm; it is still there.
-slipped: The fingers closed on nothing, or lost it while lifting; it is still there.
+slipped: The fingers closed on nothing or on something else, or lost it while lifting; it is
+    still there.
 dropped: It was lost on the way to the basket.
 moved: It isn't where it was, nor in the basket.
 """

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from uuid import uuid4
 
 import numpy as np
 
@@ -23,15 +24,20 @@ class PlannedMotion:
         number: From 1, in the order in which motions are asked for.
         words: What would move, and where to.
         picture: The newest picture of the table with the motion drawn over it, uint8, (h, w, 3).
+        id: Of this motion alone: each episode counts its own.
     """
 
     number: int
     words: str
     picture: Array
+    id: str = field(default_factory=lambda: uuid4().hex)
 
 
-Ask = Callable[[PlannedMotion], bool]
-"""Whether a person lets a motion happen; returns once they have said so."""
+Over = Callable[[], bool]
+"""Whether a person has stopped the robot in this episode, and be it that they released it since."""
+
+Ask = Callable[[PlannedMotion, Over], bool]
+"""Whether a person lets a motion happen; returns once they have said so, or once it is over."""
 
 
 class Approved:
@@ -46,15 +52,18 @@ class Approved:
         station: The one that acts.
         ask: Asks a person.
         look: What a camera sees now, with colours, the arm included.
+        over: Of its episode. A stop may come while a motion's picture is being made, before anybody
+            is asked: no motion begins after it.
     """
 
-    def __init__(self, station: Station, ask: Ask, look: Callable[[], Frame]) -> None:
+    def __init__(self, station: Station, ask: Ask, look: Callable[[], Frame], over: Over) -> None:
         self.arm: Arm = station.arm
         self.hand: Hand = station.hand
         self._station = station
         self._ask = ask
         self._count = 0
         self._look = look
+        self._over = over
         self._told: float | None = None
 
     def observe(self, *, rgb: bool) -> Frame:
@@ -101,5 +110,6 @@ class Approved:
     def _approve(self, words: str, path: Array) -> None:
         self._count += 1
         picture = path_picture(self._look(), self.arm, self.hand, path)
-        if not self._ask(PlannedMotion(self._count, words, picture)):
+        yes = self._ask(PlannedMotion(self._count, words, picture), self._over)
+        if not yes or self._over():
             raise StoppedByPerson(f"A person refused motion {self._count}. {words}")

@@ -86,8 +86,7 @@ def _of_one_name(moved: Sequence[Change]) -> list[list[Change]]:
     """Groups of several things of one name; looks may have taken one for another."""
     groups: dict[str, list[Change]] = {}
     for change in moved:
-        words = change.before.thing.words
-        groups.setdefault(words.name or words.description, []).append(change)
+        groups.setdefault(change.before.thing.words.called, []).append(change)
     return [group for group in groups.values() if len(group) > 1]
 
 

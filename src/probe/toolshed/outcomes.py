@@ -18,9 +18,9 @@ FELT = {
     "unreachable": "no grip on {id} is within reach without hitting other objects. Nothing was "
     "moved. Push it to a freer place, or first clear what stands around it",
     "blocked": "the gripper touched something and stopped",
-    "slipped": "the gripper closed on {id} but lost it while lifting",
+    "slipped": "the gripper got no hold of {id}, or lost it while lifting",
     "dropped": "the gripper lost what it held on the way to the basket",
-    "moved": "the gripper did not get hold of {id}",
+    "moved": "the gripper did not keep hold of {id}",
 }
 """What the hand felt during a grasp, by the skill's status."""
 
@@ -72,9 +72,14 @@ class OutcomeText(NamedTuple):
     words: str
 
 
-def nothing_moved(status: str, object_id: str) -> OutcomeText:
-    """What is said of an attempt that ended before the arm moved."""
-    return OutcomeText(False, f"{(FELT | SWEPT)[status].format(id=object_id)}.")
+def no_grasp_words(status: str, object_id: str) -> OutcomeText:
+    """What is said of a grasp that ended before the arm moved."""
+    return OutcomeText(False, f"{FELT[status].format(id=object_id)}.")
+
+
+def no_push_words(status: str, object_id: str) -> OutcomeText:
+    """What is said of a push that ended before the arm moved."""
+    return OutcomeText(False, f"{SWEPT[status].format(id=object_id)}.")
 
 
 def grasp_words(

@@ -21,7 +21,13 @@ from probe.toolshed.bystanders import bystander_words
 from probe.toolshed.findings import Named, found_text, nearest_text
 from probe.toolshed.graph import scene_text, told_text
 from probe.toolshed.handles import Handles
-from probe.toolshed.outcomes import OutcomeText, grasp_words, nothing_moved, push_words
+from probe.toolshed.outcomes import (
+    OutcomeText,
+    grasp_words,
+    no_grasp_words,
+    no_push_words,
+    push_words,
+)
 from probe.toolshed.parse import parse
 from probe.toolshed.pictures import outlined
 from probe.toolshed.refusals import BudgetSpent, EpisodeOver, PointMissing, Refusal
@@ -206,7 +212,7 @@ class Toolshed:
         )
         self.outcome = outcome
         if outcome.frame is before.table:
-            return self._told(nothing_moved(outcome.status, name), thing)
+            return self._told(no_grasp_words(outcome.status, name), thing)
         self._view.show(outcome.frame)
         held = seen if outcome.status == "removed" else None
         change, others = self._noted(compare(before, self._view.look, held), seen, before)
@@ -223,7 +229,7 @@ class Toolshed:
         )
         self.outcome = outcome
         if outcome.frame is before.table:
-            return self._told(nothing_moved(outcome.status, name), thing)
+            return self._told(no_push_words(outcome.status, name), thing)
         self._view.show(outcome.frame)
         change, others = self._noted(compare(before, self._view.look), seen, before)
         now = self._handle_now(name, change)

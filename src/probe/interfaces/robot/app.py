@@ -45,7 +45,7 @@ class RobotPanel:
 
 
 class _Answer(pydantic.BaseModel, extra="forbid"):
-    number: int
+    motion: str
     yes: bool
 
 
@@ -71,7 +71,9 @@ def app_of(panel: RobotPanel) -> Starlette:
 
 def _state(panel: RobotPanel) -> dict[str, Any]:
     waiting = panel.desk.waiting if panel.desk else None
-    told = waiting and {"number": waiting.number, "words": waiting.words}
+    told = waiting and {
+        "id": waiting.id, "number": waiting.number, "words": waiting.words
+    }  # fmt: skip
     return {"stopped": panel.stop.by, "waiting": told}
 
 
@@ -98,7 +100,7 @@ def _answer(panel: RobotPanel) -> Callable[[Request], Any]:
             said = _Answer.model_validate_json(await request.body())
         except pydantic.ValidationError:
             return JSONResponse({"error": "This can't be used."}, 400)
-        if panel.desk is None or not panel.desk.answer(said.number, yes=said.yes):
+        if panel.desk is None or not panel.desk.answer(said.motion, yes=said.yes):
             return JSONResponse(
                 {"error": "That motion no longer waits, or was shown only just now."}, 409
             )

@@ -10,7 +10,7 @@ from pathlib import Path
 from PIL import Image
 
 from probe.files import encode, write_bytes
-from probe.station.approved import PlannedMotion
+from probe.station.approved import Over, PlannedMotion
 
 MOTIONS = "motions"
 """Folder beside a run's records, for the pictures of the motions that were asked for."""
@@ -48,10 +48,10 @@ class ApprovalDesk:
     @property
     def waiting(self) -> PlannedMotion | None:
         """The motion that waits for an answer."""
-        return self._waiting
+        return self._waiting if self._answer is None else None
 
-    def ask(self, motion: PlannedMotion) -> bool:
-        """Wait for a person's answer, for as long as it takes.
+    def ask(self, motion: PlannedMotion, over: Over) -> bool:
+        """Wait for a person's answer, for as long as it takes; no, where the episode is over.
 
         Raises:
             OutputFailed: The picture can't be written.
@@ -61,20 +61,20 @@ class ApprovalDesk:
         with self._answered:
             self._tell(motion, path)
             self._answer, self._waiting, self._since = None, motion, time.monotonic()
-            while self._answer is None:
+            while self._answer is None and not over():
                 # In slices, so that Ctrl-C gets through.
                 self._answered.wait(0.5)
-            answer, self._waiting = self._answer, None
+            answer, self._waiting = bool(self._answer), None
         self._note(motion, answer)
         return answer
 
-    def answer(self, number: int, *, yes: bool) -> bool:
-        """Answer the motion of that number; whether that counts.
+    def answer(self, motion: str, *, yes: bool) -> bool:
+        """Answer the motion of that id; whether that counts.
 
         It doesn't if that motion waits no more, and a yes that comes too soon doesn't either.
         """
         with self._answered:
-            if self._waiting is None or self._waiting.number != number or self._answer is not None:
+            if self._waiting is None or self._waiting.id != motion or self._answer is not None:
                 return False
             if yes and time.monotonic() - self._since < QUICKEST:
                 return False
@@ -86,4 +86,4 @@ class ApprovalDesk:
         """Say no to whatever waits."""
         waiting = self._waiting
         if waiting is not None:
-            self.answer(waiting.number, yes=False)
+            self.answer(waiting.id, yes=False)

@@ -27,11 +27,11 @@ function show(state) {
   const waits = state.waiting;
   part("motion").hidden = waits === null || state.stopped !== null;
   document.title = waits === null ? "PROBE: robot" : "May the robot move? PROBE";
-  if (waits !== null && waits.number !== shown) {
+  if (waits !== null && waits.id !== shown) {
     part("words").textContent = `Motion ${waits.number}. ${waits.words}`;
-    part("plan").src = `/motion.jpg?number=${waits.number}`;
+    part("plan").src = `/motion.jpg?${waits.id}`;
   }
-  shown = waits === null ? null : waits.number;
+  shown = waits === null ? null : waits.id;
 }
 
 function act(path, said) {
@@ -40,8 +40,8 @@ function act(path, said) {
 
 part("stop").addEventListener("click", () => act("/stop", {}));
 part("release").addEventListener("click", () => act("/release", {}));
-part("yes").addEventListener("click", () => act("/answer", { number: shown, yes: true }));
-part("no").addEventListener("click", () => act("/answer", { number: shown, yes: false }));
+part("yes").addEventListener("click", () => act("/answer", { motion: shown, yes: true }));
+part("no").addEventListener("click", () => act("/answer", { motion: shown, yes: false }));
 
 const live = part("live");
 let look = 0;
