@@ -9,7 +9,7 @@ import tyro
 import probe
 
 
-def main(folder: Path = Path("outputs/examples/agent")) -> None:
+def main(folder: Path = Path("outputs/demo")) -> None:
     """Replay the first record of a run.
 
     Args:
@@ -17,7 +17,7 @@ def main(folder: Path = Path("outputs/examples/agent")) -> None:
     """
     record = probe.read_records(folder)[0]
     task = probe.load_suite(folder / "suite.json")[record.task]
-    library = probe.open_library("procedural")
+    library = probe.open_library("all")
     with probe.Renderer() as renderer:
         again, differences = probe.replay(task, record, library, renderer=renderer)
         # Grading needs no physics: the record holds every pose after every call.

@@ -1,4 +1,4 @@
-"""Draw an episode as a strip, as in the README: `python examples/strip.py --help`."""
+"""Draw an episode as a strip, as in docs/README.md: `python examples/strip.py --help`."""
 
 from __future__ import annotations
 

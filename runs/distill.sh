@@ -21,6 +21,9 @@ probe=${PROBE:-.venv/bin/probe}
 [ -n "${PROBE:-}" ] || make --silent driver .venv/.torch
 
 . runs/common.sh
+check_port "$PORT"
+same_settings "$OUT" "SUITE=$SUITE" "ARMS=$ARMS" "COUNTS=$COUNTS" "SELECT=$SELECT" "TINY=$TINY" \
+    "TRAIN=$TRAIN"
 
 step "collect: the scripted teacher answers training tasks"
 $probe collect --out "$OUT/collected" $COUNTS --counts.beneath 0 --points 0-1000 --workers "$WORKERS"

@@ -20,7 +20,7 @@ from probe.tasks.task import Task
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs/get-started/what-is-asked.md"
 STEPS = ("nested", "decoys", "exact", "ranked", "relation", "budgeted", "memory")
-"""Types that no packaged suite has; a test of each has a frozen task."""
+"""Types that `tour` lacks; a test of each has a frozen task."""
 
 SIDE_PX = 440
 WHAT = {

@@ -131,22 +131,29 @@ class Done:
 
 @dataclass
 class Obedient:
-    """Skills that take away or shift whatever they are pointed at; `status` is what they say."""
+    """Skills that take away or shift whatever they are pointed at; `status` is what they say.
+
+    With `unmoved` the arm never moves, and nobody looks again.
+    """
 
     status: str = ""
+    unmoved: bool = False
     calls: list[tuple[object, ...]] = field(default_factory=list[tuple[object, ...]])
 
     def grasp_and_remove(self, station, frame: Frame, mask: Array, drop_at) -> Done:
         self.calls.append(("grasp", int(mask.sum()), drop_at))
         if not self.status:
             station.remove(mask)
-        return Done(self.status or "removed", station.observe(rgb=False))
+        return Done(self.status or "removed", self._after(station, frame))
 
     def push(self, station, frame: Frame, mask: Array, direction, distance_m, basket) -> Done:
         self.calls.append(("push", direction, distance_m))
         if not self.status:
             station.shift(mask, 60, 0)
-        return Done(self.status or "pushed", station.observe(rgb=False))
+        return Done(self.status or "pushed", self._after(station, frame))
+
+    def _after(self, station, frame: Frame) -> Frame:
+        return frame if self.unmoved else station.observe(rgb=False)
 
 
 def spec(name: str, *colours: str, category: str = "", description: str = "") -> ObjectSpec:

@@ -18,6 +18,7 @@ from PIL import Image
 from probe.assets.environments.hdr_file import read_panorama
 from probe.assets.tables import load_table
 from probe.bench.prices import read_prices
+from probe.episodes.conventions import CONVENTIONS, read_conventions
 from probe.episodes.files import read_records
 from probe.episodes.folder import SETTING, setting_of_folder
 from probe.episodes.ordered import ORDERED, read_ordered
@@ -62,6 +63,7 @@ def test_only_regular_files_are_read(tmp_path, reader, made, words):
     ("name", "reader"),
     [
         (ORDERED, read_ordered),
+        (CONVENTIONS, read_conventions),
         (VARIATION, read_variation),
         (SETTING, setting_of_folder),
         (REMARKS, read_remarks),

@@ -11,14 +11,16 @@ import numpy as np
 import pytest
 
 from probe.agents.scripted import Scripted
-from probe.api.films import clipped, filmed, recorded
+from probe.api import films
+from probe.api.films import Clip, clipped, filmed, recorded
 from probe.cli.report import write_run_report
 from probe.episodes.circumstances import Circumstances
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import write_records
+from probe.episodes.participation import ModelReply, Participation
 from probe.episodes.play import play
 from probe.episodes.turns import Call
-from probe.errors import BadData, MissingExtra
+from probe.errors import BadData, MissingExtra, OutputFailed
 from probe.film import footage
 from probe.film.cutting import FPS
 from probe.film.footage import CantFilm
@@ -32,6 +34,7 @@ from probe.tasks.suite import selection
 from probe.tasks.suite_file import demo_suite, write_suite
 from probe.toolshed.result import MOVING
 from recordings import rows_of
+from run_folders import episode, write_run
 
 SUITE = demo_suite()
 INSET_PX = 344
@@ -104,6 +107,53 @@ def test_a_grasp_is_a_clip_that_the_report_shows(library, renderer, tmp_path):
     page = write_run_report([tmp_path], tmp_path / "page").read_text()
     assert all(f"clips/{name}" in page for name in names)
     assert {path.name for path in (tmp_path / "page" / "clips").iterdir()} == names
+
+
+@pytest.fixture
+def not_drawn(monkeypatch):
+    """Recordings and clips are files without content."""
+    monkeypatch.setattr(films, "_own", lambda *_: None)
+    monkeypatch.setattr(films, "write_recording", lambda *given: films.write_bytes(given[-1], b""))
+    monkeypatch.setattr(films, "clips_of", lambda *_, **__: [Clip(n, b"", 1.0) for n in (1, 2)])
+
+
+def test_each_episode_has_a_file_of_its_own(folder, record, not_drawn):
+    called = (ModelReply(len(record.steps)),)
+    several = [
+        record,
+        *(replace(record, agent=name) for name in ("Anna_B", "Anna B")),
+        *(
+            replace(record, agent="mine", participation=Participation(setting, replies=called))
+            for setting in ("agentic", "text-only", "text-only, short graphs")
+        ),
+    ]
+    write_records(folder / "records.jsonl", several)
+    made = list(recorded(folder))
+    assert all(new for _, new in made) and len({path for path, _ in made}) == len(several)
+    names = [path.stem.removeprefix(f"{SUITE.tasks[0].id}-") for path, _ in made]
+    assert names[:2] == ["fixed-0", "Anna_B-0"]
+    assert names[2].startswith("Anna_B-0-")
+    assert names[3:5] == ["mine-0-agentic", "mine-0-text-only"]
+    assert names[5].startswith("mine-0-text-only__short_graphs-")
+    assert list(recorded(folder)) == [(path, False) for path, _ in made]
+
+
+def test_clips_that_were_cut_short_are_finished(tmp_path, not_drawn, monkeypatch):
+    write_run(tmp_path, [episode(SUITE.tasks[0])], pictures=False)
+    write = films.write_bytes
+
+    def full(path: Path, content: bytes) -> None:
+        if any(path.parent.glob("*.webm")):
+            raise OutputFailed(path, OSError(28, "No space left on device"))
+        write(path, content)
+
+    with monkeypatch.context() as short:
+        short.setattr(films, "write_bytes", full)
+        with pytest.raises(OutputFailed):
+            list(clipped(tmp_path))
+    assert [made for _, made in clipped(tmp_path)] == [2]
+    assert [path.suffix for path in (tmp_path / "clips").iterdir()] == [".webm"] * 2
+    assert [made for _, made in clipped(tmp_path)] == [0]
 
 
 @pytest.mark.slow

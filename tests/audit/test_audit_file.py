@@ -166,6 +166,17 @@ def test_episodes_without_a_result_are_counted(tmp_path):
     assert begin(out, read_suite(out / SUITE), tmp_path / "key").missing == (11, 12)
 
 
+def test_a_record_that_comes_meanwhile_is_left_for_the_next_audit(tmp_path, monkeypatch):
+    out = write_folder(tmp_path, RECORD)
+
+    def checked(*_):
+        append_record(out / RECORDS, replace(RECORD, run=1))
+
+    monkeypatch.setattr("probe.runs.checks.folder.check_suite_of", checked)
+    audit = begin(out, read_suite(out / SUITE), tmp_path / "key")
+    assert [(claim.line, claim.record) for claim in audit.claims] == [(lines(out)[0], RECORD)]
+
+
 def forged(out: Path, *, seal: str | None) -> None:
     """An audit that says that all is equal, as somebody without the key can write it."""
     document = AuditDocument(

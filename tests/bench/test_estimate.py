@@ -88,6 +88,20 @@ def test_a_dry_run_leaves_out_what_was_done(tmp_path, capsys):
     assert f"{16 * 12} replies" in said and f"{16 * 40} replies" in said
 
 
+@pytest.mark.parametrize(
+    ("pointer", "endpoint", "setting"),
+    [
+        ("self", None, "agentic, pointer self"),
+        ("gemini-3.1-pro", None, "agentic, pointer google/gemini-3.1-pro-preview"),
+        ("mine", "http://localhost:9/v1", "agentic, pointer openai-api/endpoint/mine"),
+    ],
+)
+def test_a_dry_run_knows_what_was_done_with_a_pointer(tmp_path, capsys, pointer, endpoint, setting):
+    write_records(tmp_path / RECORDS, [in_the_seat(SUITE.tasks[0], setting=setting)])
+    would_ask(SUITE, replace(SEATS, pointer=pointer, endpoint=endpoint), tmp_path)
+    assert f"1 of them are in {tmp_path} already" in capsys.readouterr().out
+
+
 def test_a_model_without_a_price_is_named(tmp_path, capsys):
     path = tmp_path / "prices.yaml"
     path.write_text(PRICES)

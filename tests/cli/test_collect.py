@@ -126,6 +126,22 @@ def test_options_without_sight_go_together(tmp_path, asked, reason):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize(
+    ("asked", "option"),
+    [
+        ({"site": TeachingSetup(endpoint="http://localhost:9/v1")}, "--endpoint"),
+        ({"site": TeachingSetup(prices=Path("prices.yaml"))}, "--prices"),
+        ({"extent": CollectionSize(most_cost=5.0)}, "--most-cost"),
+    ],
+)
+def test_options_of_models_are_refused_without_one(tmp_path, monkeypatch, asked, option):
+    monkeypatch.setattr("probe.cli.collect.claim", None)  # before it nothing is done
+    told = f"{option}: does nothing without --model.*`probe collect --help`"
+    with pytest.raises(BadData, match=told):
+        begin(tmp_path / "out", {"count": 1}, **asked)
+    assert not (tmp_path / "out").exists()
+
+
 def test_how_lists_are_told_stays(tmp_path):
     usual = TeachingSetup().settings("0/1", FIRST_EPISODE)
     assert "graphs" not in usual.model_dump_json()

@@ -47,3 +47,9 @@ def test_without_pictures_objects_must_be_known(tmp_path):
     with pytest.raises(BadData, match="there is no thing_count_1_1 here"):
         unknown = training_task(1, "count")
         dataset(selected(tmp_path, unknown), tmp_path / "data", setting="text-only")
+
+
+@pytest.mark.parametrize(("graphs", "way"), [(None, "sizes"), ("full", "fewer")])
+def test_what_full_lists_would_no_longer_be_true_of_is_not_told_again(tmp_path, graphs, way):
+    with pytest.raises(BadData, match=f"--augment {way}: what full lists tell.*--graphs short"):
+        dataset(tmp_path, tmp_path / "out", setting="text-only", graphs=graphs, augment=[way])

@@ -75,6 +75,31 @@ def carry_out(said: Mapping[str, Any], out: Path) -> None:
             {"seeing": PerceptionChoice("segmenter"), "model": "m", "setting": "direct"},
             "does nothing with --setting direct",
         ),
+        (
+            {"model": "m", "setting": "direct", "conditions": Conditions(dials=Dials(over=0.1))},
+            "--dials: does nothing with --setting direct",
+        ),
+        (
+            {"model": "m", "setting": "blind", "conditions": Conditions(ideal="grasp")},
+            "--ideal grasp: does nothing with --setting blind",
+        ),
+        (
+            {
+                "model": "m",
+                "setting": "oracle-view",
+                "dry_run": True,
+                "conditions": Conditions(ideal="perception"),
+            },
+            "--ideal perception: does nothing with --setting oracle-view",
+        ),
+        (
+            {"agent": "always-A", "conditions": Conditions(dials=Dials(missed=0.1))},
+            "--dials: does nothing with --agent always-A",
+        ),
+        (
+            {"model": "m", "dry_run": True, "watch": True},
+            "--watch: does nothing with --dry-run",
+        ),
         ({"seeing": PerceptionChoice("enrolled")}, "Say it with --enrolment FILE"),
         (
             {"seeing": PerceptionChoice(enrolment=Path("objects.yaml"))},
@@ -95,4 +120,11 @@ def test_what_would_do_nothing_is_refused(tmp_path, said: dict[str, Any], words)
 def test_what_goes_together_is_taken(tmp_path, capsys):
     said = {"model": "gpt-5.4", "pointer": "self", "epochs": 2, "dry_run": True}
     carry_out(said, tmp_path / "out")
+    assert "6 tasks, 2 runs each: 12 episodes." in capsys.readouterr().out
+
+
+def test_tools_may_err_in_any_setting_that_has_them(tmp_path, capsys):
+    conditions = Conditions(dials=Dials(over=0.1), ideal="grasp")
+    said = {"model": "gpt-5.4", "setting": "text-only", "epochs": 2, "dry_run": True}
+    carry_out({**said, "conditions": conditions}, tmp_path / "out")
     assert "6 tasks, 2 runs each: 12 episodes." in capsys.readouterr().out

@@ -11,6 +11,7 @@ from pages import Page
 from probe.api.gathering import NoRuns, OtherSuite, gather, one_suite, short_names
 from probe.assets.library import open_library
 from probe.cli.held_out import held_out
+from probe.cli.ladder import ladder as up_the_ladder
 from probe.cli.report import report, write_run_report
 from probe.cli.rescore import rescore
 from probe.episodes.folder import RECORDS
@@ -83,6 +84,36 @@ def test_a_run_that_was_cut_off_between_runs_has_no_headline(tmp_path):
     top = card["macro"]["headline"]
     assert (top["value"], top["rows"], top["missing"]) == (None, 2 * len(PLAIN), len(PLAIN))
     assert f"4 never run {PLAIN[0].id} run 1, {PLAIN[1].id} run 1" in page.section("missing")
+
+
+def test_an_agent_that_was_ordered_and_has_no_record_is_missing(tmp_path):
+    less = replace(DEMO, tasks=PLAIN)
+    out = write_run(tmp_path / "run", [episode(task) for task in PLAIN], less)
+    note_ordered(out, "anna", "", 1)
+    note_ordered(out, "always-A", "", 2)
+    page = Page(write_run_report([out]).read_text())
+    missing = page.section("missing")
+    assert "always-A (blind) : 8 of 8 rows" in missing and "anna" not in missing
+    assert "incomplete" in page.section("scores") and "always-A" not in page.section("outcomes")
+    scores = json.loads((out / "scores.json").read_text())
+    assert not scores["complete"]
+    assert [card["entrant"] for card in scores["cards"]] == [
+        ["anna", "agentic"],
+        ["always-A", "blind"],
+    ]
+    # Tables of rows hold what was played.
+    assert len((out / "rows.jsonl").read_text().splitlines()) == len(PLAIN)
+
+
+def test_an_agent_that_is_missing_in_one_folder_is_told_from_the_other_folders(tmp_path):
+    less = replace(DEMO, tasks=PLAIN)
+    one = write_run(tmp_path / "one", [episode(task) for task in PLAIN], less)
+    other = write_run(tmp_path / "other", [episode(t, agent="bert") for t in PLAIN], less)
+    note_ordered(other, "anna", "", 1)
+    write_run_report([one, other], tmp_path / "both")
+    scores = json.loads((tmp_path / "both" / "scores.json").read_text())
+    cards = {card["entrant"][0]: len(card["gaps"]) for card in scores["cards"]}
+    assert cards == {"anna [one]": 0, "bert": 0, "anna [other]": 4}
 
 
 def test_a_failure_that_was_run_again_is_shown_and_does_not_count(tmp_path):
@@ -205,7 +236,7 @@ def test_a_report_that_was_stopped_draws_what_is_lacking_and_nothing_else(tmp_pa
     plain = lacking.read_bytes()
     lacking.unlink()
     with SceneRenderer(DEMO, lambda: open_library("procedural", None, cache)) as room:
-        played = gather([run], DEMO, room, run)
+        played = gather([run], DEMO, room, run).played
     assert {path: path.read_bytes() for path in others} == before
     assert lacking.read_bytes() != plain
     assert all((run / name).is_file() for each in played for name in each.pictures)
@@ -243,6 +274,18 @@ def test_hands_that_err_by_different_amounts_stand_beside_in_words(tmp_path, cap
     assert words in (tmp_path / "table.md").read_text()
     page = Page(write_run_report([runs[0]]).read_text())
     assert "errs by" not in page.section("scores")
+
+
+def test_who_never_looks_stands_once_among_the_held_out_and_not_on_the_ladder(tmp_path):
+    """Built-in agents' records don't tell that they never look, and one of them is a floor."""
+    letters = [episode(task, agent=name) for task in PLAIN for name in ("question-only", "anna")]
+    run = write_run(tmp_path / "run", letters, replace(DEMO, tasks=tuple(PLAIN)))
+    held_out((run,), out=tmp_path / "table.md")
+    lines = (tmp_path / "table.md").read_text().splitlines()
+    assert len([line for line in lines if line.startswith("| question-only")]) == 1
+    up_the_ladder((run,), out=tmp_path / "ladder.md")
+    steps = (tmp_path / "ladder.md").read_text()
+    assert "anna" in steps and "question-only" not in steps
 
 
 def test_a_robots_records_are_scored_and_shown_by_its_own_pictures(tmp_path):

@@ -11,6 +11,7 @@ from probe.cli.rescore import _lines, _table, rescore
 from probe.episodes.files import write_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import question_of
+from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord, TableState
 from probe.errors import BadData
 from probe.scores.roster import roster_of
@@ -43,13 +44,16 @@ def folder(tmp_path, monkeypatch):
     write_suite(tmp_path / SUITE, DEMO)
     write_records(tmp_path / RECORDS, records)
 
+    tasks = {task.id: task for task in DEMO.tasks}
+
+    def grade(record):
+        said = record.answer.choice if record.answer else None
+        right = said == tasks[record.task].answer
+        words = "right" if right else "wrong" if said else "unanswered"
+        return tasks[record.task], record, Score(right, right, words)
+
     def graded(out, track):
-        tasks = {task.id: task for task in DEMO.tasks}
-        for record in records:
-            said = record.answer.choice if record.answer else None
-            right = said == tasks[record.task].answer
-            words = "right" if right else "wrong" if said else "unanswered"
-            yield tasks[record.task], record, Score(right, right, words)
+        return list(map(grade, records))
 
     monkeypatch.setattr(import_module("probe.api.reports"), "graded", graded)
     return tmp_path
@@ -71,6 +75,20 @@ def test_rows_and_scores_are_written_beside_the_records(folder, capsys):
     assert "incomplete" in shown
     assert "anna (agentic): n = 6 tasks; ICC of runs unknown" in shown
     assert "5 rows missing" in shown
+
+
+def test_who_was_ordered_and_has_no_record_is_missing(folder, capsys):
+    note_ordered(folder, "anna", "", 1)
+    note_ordered(folder, "random", "", 2)
+    note_ordered(folder, "model", "direct", 1)
+    rescore(folder)
+    told = " ".join(capsys.readouterr().out.split())
+    assert "random: n = 6 tasks" in told and "12 rows missing" in told
+    assert "model (direct): n = 6 tasks" in told
+    scores = json.loads((folder / SCORES).read_text())
+    gaps = {tuple(card["entrant"]): len(card["gaps"]) for card in scores["cards"]}
+    assert gaps[("random", "random")] == 12 and gaps[("model", "direct")] == 6
+    assert {row.agent for row in read_csv(folder / ROWS_CSV)} == {"anna", "scripted"}
 
 
 def test_a_difference_that_cannot_be_is_not_promised():

@@ -11,7 +11,7 @@ from probe.cli.running import run_order
 from probe.engines.local import LocalEngine
 from probe.episodes.conditions import Conditions
 from probe.episodes.files import append_record
-from probe.episodes.folder import RECORDS, SUITE
+from probe.episodes.folder import RECORDS, SUITE, claim_setting, start_folder
 from probe.episodes.noise import NOISES
 from probe.episodes.ordered import read_ordered
 from probe.episodes.perceptions import PerceptionUsed
@@ -41,6 +41,16 @@ def test_a_folder_of_another_suite_is_refused(tmp_path):
     with pytest.raises(BadData, match="another suite. Choose another folder"):
         begin(tmp_path / "out")
     assert path.read_bytes() == before
+
+
+def test_agents_do_not_answer_where_people_do(tmp_path):
+    start_folder(tmp_path, DEMO)
+    claim_setting(tmp_path, "human")
+    before = sorted(tmp_path.iterdir())
+    words = "is kept for records of the setting human. Choose another folder"
+    with pytest.raises(BadData, match=words):
+        begin(tmp_path)
+    assert sorted(tmp_path.iterdir()) == before
 
 
 def test_another_part_of_the_same_suite_is_named_as_such(tmp_path):

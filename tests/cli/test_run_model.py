@@ -176,7 +176,9 @@ def test_the_harness_finds_our_tasks_by_name(tmp_path):
 def test_a_pointer_is_asked_at_the_endpoint_too(tmp_path):
     """Whoever has no provider before its name is there; its price is its own."""
     suite, prices = suite_file(tmp_path, (COUNT,)), tmp_path / "prices.yaml"
-    prices.write_text("eyes:\n  tokens_in: 1000000\n  tokens_out: 0\n")
+    prices.write_text(
+        "eyes:\n  tokens_in: 1000000\n  tokens_out: 0\nmine:\n  tokens_in: 0\n  tokens_out: 0\n"
+    )
 
     def says(number: int, body: dict[str, Any]) -> Reply:
         if not body.get("tools"):
@@ -194,7 +196,7 @@ def test_a_pointer_is_asked_at_the_endpoint_too(tmp_path):
     assert record.setting == "agentic, pointer openai-api/endpoint/eyes"
     models = [str(body["model"]) for body in asked(server)]
     assert (models[0], models[-1]) == ("mine", "mine") and "eyes" in models
-    # The server counts 100 tokens for each request, a dollar each; only the pointer has a price.
+    # The server counts 100 tokens for each request, a dollar each; only the pointer's cost any.
     assert record.participation and record.participation.cost == 100 * models.count("eyes")
     said = refused("audit", tmp_path / "out", "--replay", "all")
     assert "1 can't be replayed: perception asked a model (pointer openai-api/" in said

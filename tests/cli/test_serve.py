@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from probe.episodes.folder import claim_setting, start_folder
 from probe.tasks.suite_file import demo_suite, write_suite
 from run_folders import DEMO, episode, write_run
 
@@ -37,6 +38,14 @@ def filaments(tmp_path):
     return write_run(tmp_path / "filaments", [episode(DEMO.tasks[0])], pictures=False)
 
 
+@pytest.fixture
+def people(tmp_path):
+    """A folder that people answer in."""
+    start_folder(tmp_path / "people", demo_suite())
+    claim_setting(tmp_path / "people", "human")
+    return tmp_path / "people"
+
+
 @pytest.mark.parametrize(
     ("arguments", "environment", "words"),
     [
@@ -46,6 +55,7 @@ def filaments(tmp_path):
         (["--out", "/proc/nowhere"], {}, "/proc/nowhere"),
         (["--out", "OTHER"], {}, "is another suite. Choose another folder"),
         (["--out", "FILAMENTS", "--renderer", "blender"], {}, "was run under other conditions"),
+        (["--out", "PEOPLE"], {}, "is kept for records of the setting human. Choose another"),
         ([], {"VK_ICD_FILENAMES": "/nowhere", "VK_DRIVER_FILES": "/nowhere"}, "mesa-vulkan"),
     ],
     ids=[
@@ -55,13 +65,14 @@ def filaments(tmp_path):
         "unwritable",
         "another suite's folder",
         "another renderer's folder",
+        "people's folder",
         "no driver",
     ],
 )
 def test_failures_are_one_line_with_a_remedy(
-    tmp_path, other, filaments, arguments, environment, words
+    tmp_path, other, filaments, people, arguments, environment, words
 ):
-    folders = {"OTHER": str(other), "FILAMENTS": str(filaments)}
+    folders = {"OTHER": str(other), "FILAMENTS": str(filaments), "PEOPLE": str(people)}
     told = [folders.get(word, word) for word in arguments]
     out = [] if "--out" in told else ["--out", tmp_path / "out"]
     result = python("-m", "probe", "serve", *told, *out, **environment)

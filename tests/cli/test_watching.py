@@ -8,14 +8,20 @@ import urllib.request
 
 import pytest
 
+from model_server import Reply, serving
 from probe.api.agents import make_agent
 from probe.api.resources import everything
+from probe.cli import model_run
+from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.running import run_order
 from probe.cli.watching import watching
 from probe.engines.local import LocalEngine
+from probe.episodes.conditions import AS_FROZEN
 from probe.episodes.files import line_of, read_records
+from probe.episodes.noise import NO_NOISE
 from probe.runs.plan import RunOrder
 from probe.tasks.suite import part
+from probe.types import Shard
 from run_folders import DEMO
 
 SUITE = part(DEMO, DEMO.tasks[2])
@@ -39,6 +45,36 @@ def test_without_it_there_is_nothing(tmp_path, capsys):
     with watching(tmp_path, SUITE, "scripted", "", 6, on=False) as tables:
         assert tables is None
     assert capsys.readouterr().out == ""
+
+
+class Watched(Exception):
+    """Enough is known: the run needn't begin."""
+
+
+@pytest.mark.parametrize(
+    ("pointer", "setting"),
+    [
+        ("oracle", "agentic"),
+        ("self", "agentic, pointer self"),
+        ("eyes", "agentic, pointer openai-api/endpoint/eyes"),
+    ],
+)
+def test_records_are_counted_under_the_name_of_the_one_that_points(
+    tmp_path, monkeypatch, pointer, setting
+):
+    def watched(out, suite, agent, setting, total, *, on):
+        raise Watched(agent, setting, total, on)
+
+    monkeypatch.setattr(model_run, "watching", watched)
+    with serving(lambda number, body: Reply("Hello.")) as server:
+        options = ModelRunOptions(
+            library=everything, model="mine", setting="agentic", epochs=2, points=None,
+            pointer=pointer, endpoint=server.url, prices=None, noise=NO_NOISE,
+            conditions=AS_FROZEN, shard=Shard(), workers=1, watch=True,
+        )  # fmt: skip
+        with pytest.raises(Watched) as told:
+            run_model(SUITE, options, tmp_path / "out")
+    assert told.value.args == ("mine", setting, 2, True)
 
 
 @pytest.mark.slow

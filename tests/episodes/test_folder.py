@@ -1,12 +1,15 @@
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from probe.episodes.files import append_record, read_records
+from probe.episodes import folder
+from probe.episodes.files import append_record
 from probe.episodes.folder import (
     RECORDS,
-    add_run,
     claim_setting,
     in_order,
     occupied,
@@ -15,7 +18,7 @@ from probe.episodes.folder import (
     start_folder,
 )
 from probe.errors import BadData, OutputFailed
-from probe.tasks.suite_file import demo_suite
+from probe.tasks.suite_file import demo_suite, write_suite
 
 
 def test_a_folder_belongs_to_one_suite(tmp_path):
@@ -34,25 +37,32 @@ def test_who_is_at_work_keeps_others_out(tmp_path):
         pass
 
 
+def test_of_two_that_begin_a_folder_at_once_one_is_let_in(tmp_path, monkeypatch):
+    both, held = threading.Barrier(2), threading.Barrier(2)
+
+    def slowly(path, suite):
+        time.sleep(0.2)
+        write_suite(path, suite)
+
+    def begin(_: int) -> bool:
+        both.wait(10)
+        try:
+            with occupied(tmp_path / "run", demo_suite()):
+                held.wait(10)
+                return True
+        except BadData:
+            held.wait(10)
+            return False
+
+    monkeypatch.setattr(folder, "write_suite", slowly)
+    with ThreadPoolExecutor(2) as threads:
+        assert sorted(threads.map(begin, range(2))) == [False, True]
+
+
 def test_records_that_cannot_be_read_are_found_at_the_start(tmp_path):
     (tmp_path / "records.jsonl").write_text('{"version":')
     with pytest.raises(BadData, match=r"records.jsonl, line 1"):
         start_folder(tmp_path, demo_suite())
-
-
-def test_runs_are_numbered_by_task_and_agent(tmp_path, play):
-    record = play()
-    others = (replace(record, agent="b"), replace(record, task="t-2"))
-    for one in (record, record, *others, record):
-        add_run(tmp_path / "new", one)
-    kept = read_records(tmp_path / "new" / "records.jsonl")
-    assert [(r.task, r.agent, r.run) for r in kept] == [
-        ("t-1", "fixed", 0),
-        ("t-1", "fixed", 1),
-        ("t-1", "b", 0),
-        ("t-2", "fixed", 0),
-        ("t-1", "fixed", 2),
-    ]
 
 
 def test_the_order_is_that_of_tasks_however_records_were_written(play):
@@ -81,15 +91,23 @@ def test_a_folder_that_claims_an_arm_keeps_it(tmp_path, play):
     start_folder(tmp_path, demo_suite())
     assert setting_of_folder(tmp_path) is None
     claim_setting(tmp_path, "human")
-    add_run(tmp_path, play())
+    append_record(tmp_path / RECORDS, play())
     claim_setting(tmp_path, "human")
     assert setting_of_folder(tmp_path) == "human"
     with pytest.raises(BadData, match="of the setting human. Choose another folder"):
         claim_setting(tmp_path, "agentic")
 
 
+def test_agents_are_not_let_into_a_folder_of_people(tmp_path):
+    start_folder(tmp_path, demo_suite())
+    claim_setting(tmp_path, "human")
+    words = "is kept for records of the setting human. Choose another folder"
+    with pytest.raises(BadData, match=words):
+        start_folder(tmp_path, demo_suite())
+
+
 def test_a_folder_with_records_of_others_can_claim_no_arm(tmp_path, play):
-    add_run(tmp_path, play())
+    append_record(tmp_path / RECORDS, play())
     with pytest.raises(BadData, match="others have records there"):
         claim_setting(tmp_path, "human")
 

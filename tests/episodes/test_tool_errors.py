@@ -7,13 +7,14 @@ from dataclasses import replace
 import pytest
 
 from probe.episodes.conditions import AS_FROZEN, Conditions
-from probe.episodes.noise import NO_NOISE, Noise
+from probe.episodes.noise import NO_NOISE, NOISES, Noise
 from probe.episodes.perceptions import PerceptionUsed
 from probe.episodes.record import EpisodeRecord, TableState
-from probe.episodes.tool_errors import label_of, tool_errors
+from probe.episodes.tool_errors import hands_words, label_of, tool_errors
 from probe.episodes.turns import Question
 from probe.perception.dials import Dials
 from probe.tasks.headline import HeadlineErrors
+from run_folders import episode, on_robot
 from task_examples import FIND, SCENE
 
 EYE = Dials(over=0.1, under=0.05, missed=0.02)
@@ -50,10 +51,21 @@ def test_who_calls_no_tool_suffers_no_errors(setting):
     assert label_of(record(NO_NOISE), HEADLINE, setting) == ""
 
 
-@pytest.mark.parametrize("setting", ["scripted", "random", "agentic, pointer self", "text-only"])
-def test_who_calls_tools_does(setting):
+@pytest.mark.parametrize(
+    ("setting", "label"),
+    [
+        ("scripted", "ideal hand, ideal detector"),
+        ("random", "ideal hand, ideal detector"),
+        ("text-only", "ideal hand, ideal detector"),
+        ("text-only, short graphs", "ideal hand, ideal detector"),
+        # The model that points errs by itself.
+        ("agentic, pointer self", "ideal hand"),
+        ("agentic, pointer openai/eyes", "ideal hand"),
+    ],
+)
+def test_who_calls_tools_does(setting, label):
     assert tool_errors(HEADLINE, "own", AS_FROZEN, setting=setting) == (HAND, AS_SAID)
-    assert label_of(record(NO_NOISE), HEADLINE, setting) == "ideal hand, ideal detector"
+    assert label_of(record(NO_NOISE), HEADLINE, setting) == label
 
 
 def record(noise: Noise, conditions: Conditions = AS_FROZEN) -> EpisodeRecord:
@@ -78,6 +90,18 @@ def test_ideal_tools_cannot_be_taken_for_the_headline_setting():
 def test_another_detector_is_named_by_its_name():
     seen = replace(record(HAND), perception=PerceptionUsed("segmenter"))
     assert label_of(seen, HEADLINE, "agentic") == seen.perception.label != ""
+
+
+def test_a_robots_hand_errs_by_itself(tmp_path):
+    real = on_robot(record(NO_NOISE), tmp_path)
+    assert real.frames and label_of(real, HEADLINE, "scripted") == "perception segmenter"
+
+
+def test_hands_that_err_by_different_amounts_are_told_without_a_robots(tmp_path):
+    ideal, erring = (episode(FIND, agent=name) for name in ("anna", "bert"))
+    erring = replace(erring, noise=NOISES["paper"])
+    assert "(ideal hand; hand off by 18 mm" in hands_words([ideal, erring], None)
+    assert hands_words([on_robot(ideal, tmp_path), erring], None) == ""
 
 
 @pytest.mark.parametrize("setting", ["direct", "blind", "oracle-view", "rule"])

@@ -44,12 +44,12 @@ class Slow(Obedient):
         return super().grasp_and_remove(station, frame, mask, drop_at)
 
 
-def open_episode() -> Episode:
+def open_episode(run: int = 0) -> Episode:
     """A fresh episode."""
     station = PaintedStation(BLOCKS)
     tools = toolshed.Toolshed(station, Oracle(SPECS), Slow(), UR5_TABLE)
     question = Question(QUESTION.text, QUESTION.options, tools.first_picture())
-    return Episode("duck-0815", question, tools, station, agent_name="mcp")
+    return Episode("duck-0815", question, tools, station, agent_name="mcp", run=run)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from contextlib import ExitStack
+from dataclasses import replace
 
 import numpy as np
 import psutil
@@ -14,12 +15,16 @@ from interfaces.clients import Player, Reply, playing, wired
 from interfaces.test_mcp_server import texts
 from probe.agents.scripted import Scripted
 from probe.assets.library import open_library
+from probe.episodes.conditions import NO_DIALS
 from probe.episodes.files import line_of, read_records
 from probe.episodes.grading import question_of
-from probe.episodes.play import play, score
+from probe.episodes.noise import Noise
+from probe.episodes.play import play, replay_afresh, score
+from probe.episodes.replay import differences
 from probe.episodes.turns import Question, Turn
 from probe.render.renderer import Renderer
 from probe.scene.seeds import generator
+from probe.tasks.headline import HeadlineErrors
 from probe.tasks.suite import part
 from probe.tasks.suite_file import demo_suite, write_suite
 from probe.toolshed.result import ToolResult
@@ -107,6 +112,27 @@ def test_two_sessions_do_not_see_each_other(server, tmp_path):
     answers = {record.run: record.answer and record.answer.choice for record in records}
     assert answers == {0: "C", 1: "A"}
     assert {record.label for record in records} == {"renderer filament"}
+
+
+def test_a_record_says_with_which_luck_its_session_was_played(task, library, tmp_path):
+    shaky = HeadlineErrors(grasp=0.018, push=0.004, dials=NO_DIALS)
+    suite = replace(part(demo_suite(), task), name="shaky", headline=shaky)
+    write_suite(tmp_path / "suite.json", suite)
+    command = ("-m", "probe", "serve", "--suite", tmp_path / "suite.json", "--task", MUG)
+    for _ in range(2):
+        with playing(*command, "--out", tmp_path / "out", env=dict(os.environ)) as player:
+            player.call("find_object", description="green mug")
+            player.call("grasp_and_remove", object_id="object_1")
+            player.call("answer_question", choice="C")
+    records = read_records(tmp_path / "out" / "records.jsonl")
+    assert [(record.run, record.noise) for record in records] == [
+        (0, Noise(0.018, 0.004)),
+        (1, Noise(0.018, 0.004)),
+    ]
+    with Renderer() as renderer:
+        for record in records:
+            again = replay_afresh(task, record, library, renderer)
+            assert differences(record, again) == []
 
 
 @pytest.mark.parametrize("state", ["idle", "busy"])

@@ -2,6 +2,7 @@
 
 import threading
 import time
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -66,8 +67,8 @@ def test_a_call_under_way_is_not_waited_for(tmp_path):
     assert kept(tmp_path) == [record]
 
 
-def test_runs_are_numbered_whoever_writes_them(tmp_path):
-    sessions = [Session(open_episode, tmp_path) for _ in range(4)]
+def test_a_record_is_of_the_run_that_was_played_whoever_writes_first(tmp_path):
+    sessions = [Session(partial(open_episode, run), tmp_path) for run in (5, 0, 7, 2)]
     for session in sessions:
         session.call(LOOK).result()
     threads = [threading.Thread(target=session.close) for session in sessions]
@@ -75,7 +76,7 @@ def test_runs_are_numbered_whoever_writes_them(tmp_path):
         thread.start()
     for thread in threads:
         thread.join()
-    assert sorted(record.run for record in kept(tmp_path)) == [0, 1, 2, 3]
+    assert sorted(record.run for record in kept(tmp_path)) == [0, 2, 5, 7]
     assert [path.name for path in tmp_path.iterdir()] == ["records.jsonl"]
 
 
@@ -105,10 +106,10 @@ def test_a_mistake_of_ours_is_recorded_and_not_told(tmp_path, monkeypatch):
 
 
 def test_a_record_that_cannot_be_written_is_reported(tmp_path, monkeypatch):
-    def full(path: Path, record: object) -> None:
+    def full(path: Path, line: bytes) -> None:
         raise OutputFailed(path, "No space left on device")
 
-    monkeypatch.setattr("probe.interfaces.session.add_run", full)
+    monkeypatch.setattr("probe.interfaces.session.add_line", full)
     session = Session(open_episode, tmp_path)
     assert session.call(ANSWER).result().ended
     with pytest.raises(OutputFailed, match="No space left"):

@@ -166,6 +166,22 @@ def test_everything_missed_and_everything_made_up():
     assert labels is not None and not any(labels[ghost.mask].any() for ghost in ghosts)
 
 
+def test_what_is_made_up_is_called_the_same_where_the_list_has_more_objects():
+    """But for the few that are called one of these."""
+    rumours = [Words(f"thing {n}", "thing", (), "A thing.") for n in range(200)]
+    more = [Words(f"more {n}", "more", (), "More.") for n in range(10)]
+    ideal, same, n = Ideal(tuple(BLOCKS)), 0, 0
+    for seed in range(30):
+        names = [
+            [it.words.name for it in NoisyDetector(
+                ideal, Dials(hallucinated=1.0), poses, seed, 0, known).detect(ideal.frame)]
+            for known in (rumours, [*more[:5], *rumours, *more[5:]])
+        ]  # fmt: skip
+        same += sum(one == other for one, other in zip(*names, strict=True))
+        n += len(names[0])
+    assert same / n > 0.9
+
+
 def test_luck_is_the_same_in_another_process():
     line = "from probe.perception.dials import luck; print(luck('7/0/3/mug/missed'))"
     other = subprocess.run(

@@ -4,6 +4,7 @@ from dataclasses import replace
 import pytest
 
 from played_examples import played, write_page
+from probe.episodes.participation import Participation
 from probe.errors import BadData
 from probe.report.clips import clip_stem, collect_clips
 from probe.report.highlight import Shot
@@ -27,9 +28,10 @@ def test_a_clip_is_named_by_what_moved_and_how():
         clip_stem(RECORD, GRASP + 1),
         clip_stem(replace(RECORD, run=1), GRASP),
         clip_stem(replace(RECORD, agent="bert"), GRASP),
+        clip_stem(replace(RECORD, participation=Participation("text-only")), GRASP),
         clip_stem(replace(RECORD, steps=(RECORD.steps[0], after, *RECORD.steps[2:])), GRASP),
     }
-    assert len(others) == 4
+    assert len(others) == 5
     assert stem not in others
     assert clip_stem(episode(DEMO.tasks[0]), GRASP) == stem
 

@@ -2,8 +2,11 @@ import pytest
 
 from probe.report.outcome_figure import CLASSES, WIDTH, panels
 from probe.scores.breakdown import Outcomes
+from probe.scores.missing import Absent
 from probe.scores.roster import roster_of
-from probe.scores.scorecard import scorecard
+from probe.scores.row import Entrant
+from probe.scores.scorecard import absent_card, scorecard
+from probe.toolshed.version import TOOLS_VERSION
 from score_rows import faulty, row
 
 
@@ -24,6 +27,11 @@ def test_bars_are_shares_of_a_types_episodes():
         ("missing", 1, pytest.approx(WIDTH * 3 / 4), pytest.approx(WIDTH / 4)),
     ]
     assert [s.words for s in count.segments] == ["manipulated, wrong"]
+
+
+def test_who_has_no_episode_has_no_bars():
+    absent = Absent(Entrant("dora", "agentic"), 1, TOOLS_VERSION)
+    assert panels([absent_card(absent, roster_of([row("size-0")]), seed=0)]) == []
 
 
 def test_every_class_of_episodes_has_its_colour():

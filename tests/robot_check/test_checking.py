@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,11 +13,15 @@ import pytest
 from faults import plant
 from probe_bridge.checks.outcome import Outcome
 
+from probe.errors import OutputFailed
 from probe.render.renderer import Renderer
+from probe.robot_check import checking
 from probe.robot_check.box import KnownBox
 from probe.robot_check.calibration import calibrated
+from probe.robot_check.carrying import Carrier
 from probe.robot_check.checking import Wishes, check, kit_of
 from probe.robot_check.corrected import corrected
+from probe.robot_check.errors import Impossible
 from probe.robot_check.holding import Cell, held_up, sightings
 from probe.scene.setup_file import read_setup
 from probe.station.remote import RobotStation, connected
@@ -88,3 +93,33 @@ def test_what_needs_no_motion_is_checked_where_nobody_wants_any(twin, tmp_path, 
     assert {"box", "reach", "pick"} <= skipped
     assert not (tmp_path / "cameras.json").exists()
     assert json.dumps([each.values() for each in outcomes])
+
+
+def test_a_box_is_not_let_go_where_no_way_leads_over_the_basket(twin) -> None:
+    robot, address = twin
+    far = replace(SETUP, basket=replace(SETUP.basket, position=(4.0, 4.0, 0.0)))
+    with closing(connected(address, TOKEN)) as client:
+        carrier = Carrier(RobotStation(client, SETUP, "front"), far, BOX)
+        before = robot._driver.opening()
+        with pytest.raises(Impossible, match=r"over the basket, so the hand still holds it\."):
+            carrier.drop()
+        assert robot._driver.opening() == pytest.approx(before, abs=1e-6)
+
+
+@pytest.mark.parametrize("asked", [1, 2])
+def test_what_was_found_before_an_error_is_kept_and_the_error_stands_at_its_check(
+    twin, monkeypatch, asked
+) -> None:
+    _, address = twin
+    monkeypatch.setattr(checking, "_look_at_box", lambda *_: fail("cameras.json"))
+    monkeypatch.setattr(checking, "pick", lambda *_: fail("the pick"))
+    answers = iter([asked == 1, True])
+    kit = kit_of(address, TOKEN, None, lambda outcome: None)
+    checking._with_box(kit, Wishes(SETUP, BOX, pick=True), lambda text: next(answers))
+    failed = [each for each in kit.outcomes if each.fault == "ended early"]
+    assert [each.check for each in failed] == [["box"], ["pick"]][asked - 1]
+    assert "reach" in {each.check for each in kit.outcomes}
+
+
+def fail(what: str) -> None:
+    raise OutputFailed(what, "no space left")

@@ -3,6 +3,7 @@ from dataclasses import replace
 import pytest
 
 from probe.episodes.conditions import Conditions
+from probe.episodes.conventions import CONVENTIONS, claim_convention, read_conventions
 from probe.episodes.files import read_records, write_records
 from probe.episodes.folder import RECORDS, SETTING, SUITE, setting_of_folder
 from probe.episodes.grading import question_of
@@ -108,6 +109,19 @@ def test_different_numbers_of_ordered_runs_are_refused(folders, tmp_path):
     with pytest.raises(BadData, match=r"/1: was to have 1 runs of each task by a, .* 3"):
         merge_folders(parts, tmp_path / "out")
     assert not (tmp_path / "out").exists()
+
+
+def test_how_places_are_written_down_is_kept(folders, tmp_path):
+    parts = folders([record(0)], [record(1)])
+    merge_folders(parts, tmp_path / "unknown")
+    assert not (tmp_path / "unknown" / CONVENTIONS).exists()
+    claim_convention(parts[0], "a", "agentic, pointer self", "yx1000")
+    merge_folders(parts, tmp_path / "out")
+    assert read_conventions(tmp_path / "out") == {("a", "agentic, pointer self"): "yx1000"}
+    claim_convention(parts[1], "a", "agentic, pointer self", "pixels")
+    with pytest.raises(BadData, match=r"/1: was run with pointing=pixels for a, .* yx1000"):
+        merge_folders(parts, tmp_path / "other")
+    assert not (tmp_path / "other").exists()
 
 
 def test_people_stay_people_and_what_they_said_comes_along(folders, tmp_path):

@@ -5,9 +5,12 @@ import json
 
 import pytest
 
+from probe.scores.missing import Absent, Headline
 from probe.scores.roster import roster_of
+from probe.scores.row import Entrant
 from probe.scores.summary import summarise, write_scores
 from probe.scores.units import ContraryRows
+from probe.toolshed.version import TOOLS_VERSION
 from score_rows import faulty, row
 
 TASKS = [f"{question_type}-{i}" for question_type in ("find", "size") for i in range(8)]
@@ -78,6 +81,23 @@ def test_an_agent_that_lacks_a_task_or_everything_is_incomplete_and_last():
     assert len(scores.all_pairs) == 6  # she can't be compared
     pair = next(p for p in scores.all_pairs if p.second.agent == "carl")
     assert (pair.tasks, pair.left_out) == (15, 1)
+
+
+def test_who_was_ordered_and_never_came_is_missing_altogether():
+    dora = Absent(Entrant("dora", "agentic"), 3, TOOLS_VERSION)
+    scores = summarise("s", ROWS, ROSTER, absent=[dora, dora])
+    assert not scores.complete
+    card = scores.cards[-1]
+    assert card.entrant == dora.entrant
+    assert card.macro.headline == Headline(None, 0.0, 1.0, rows=48, missing=48)
+    assert {(gap.run, gap.reason) for gap in card.gaps} == {(n, "never run") for n in range(3)}
+    assert len(card.gaps) == 48 and card.effort.episodes == 0 and card.outcomes == ()
+    assert [figure.headline.missing for figure in card.question_types] == [24, 24]
+    # Nobody is compared with her, and the others have what they had.
+    plain = summarise("s", ROWS, ROSTER)
+    assert scores.cards[:-1] == plain.cards and scores.all_pairs == plain.all_pairs
+    carl = Absent(Entrant("carl", "agentic"), 1, TOOLS_VERSION)
+    assert summarise("s", ROWS, ROSTER, absent=[carl]) == plain
 
 
 def test_those_who_share_no_task_so_far_are_named():

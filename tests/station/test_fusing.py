@@ -62,3 +62,10 @@ def test_one_picture_keeps_its_readings():
 def test_a_covered_camera_is_no_table():
     with pytest.raises(ProbeError, match="covered"):
         fused([np.zeros((4, 4)), np.full((4, 4), np.nan)])
+
+
+def test_a_camera_of_whose_pictures_most_are_empty_is_no_table():
+    """No pixel has a reading in half of them."""
+    empty = [np.zeros((8, 8))] * 5
+    with pytest.raises(ProbeError, match=r"Only 4 of the camera's 9 pictures have any depth"):
+        fused([*[np.full((8, 8), 0.8)] * 4, *empty])

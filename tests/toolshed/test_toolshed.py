@@ -142,6 +142,23 @@ def test_a_failed_grasp_says_what_else_could_help(shed, skills, status):
     assert "red" not in result.text.split()
 
 
+def test_a_grasp_and_a_push_that_nothing_leads_to_are_told_apart(shed, station, skills):
+    """Both end before the arm moves, and each says of itself what could help."""
+    name = handle(shed, "red mug")
+    skills.status, skills.unmoved = "unreachable", True
+    grasp = shed.call("grasp_and_remove", {"object_id": name}).text
+    push = shed.call("push", {"object_id": name, "direction": "up", "distance_cm": 5}).text
+    assert grasp == (
+        f"Failed: no grip on {name} is within reach without hitting other objects. Nothing was "
+        "moved. Push it to a freer place, or first clear what stands around it. "
+        "Manipulations left: 9."
+    )
+    assert push == (
+        "Failed: the arm can't make this push. Nothing was moved. Try another direction or a "
+        "shorter distance, or grasp it. Manipulations left: 8."
+    )
+
+
 @pytest.mark.parametrize("status", sorted(set(SWEPT)))
 def test_every_push_is_put_in_words(shed, skills, status):
     name = handle(shed, "red mug")

@@ -57,6 +57,15 @@ def test_calls_in_the_wrong_form_and_replies_without_one():
     assert rungs_of(played, right=False).formed == Share(2, 6)
 
 
+def test_what_fits_its_tool_is_in_the_right_form_though_this_question_takes_it_not():
+    played = record(
+        step("answer_question", {"choice": "B"}, "Point at it, too.", "malformed"),
+        step("answer_question", {"choice": "E"}, "There is no option E.", "malformed"),
+        step("answer_question", {"choice": "Z"}, "answer_question did nothing: ...", "malformed"),
+    )
+    assert rungs_of(played, right=False).formed == Share(2, 3)
+
+
 def test_places_that_a_list_has_told():
     played = record(
         finding(100, 100),  # before any list

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+import hashlib
+from collections.abc import Generator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -132,7 +133,7 @@ def clipped(
     """Write a short loop of each manipulation for a folder's report, into "clips" beside records.
 
     Yields each episode that has manipulations, and how many clips were made of it; none if it has
-    some already. A call that moved nothing gets none.
+    them already. A call that moved nothing gets none.
 
     Args:
         folder: Holds suite.json and records.jsonl.
@@ -151,14 +152,23 @@ def clipped(
             paths = {n: chosen.place / CLIPS / f"{clip_stem(record, n)}.webm" for n in moving}
             if not moving:
                 continue
-            if any(path.exists() for path in paths.values()):
+            unfinished = paths[moving[0]].with_suffix(".unfinished")
+            if any(path.exists() for path in paths.values()) and not unfinished.exists():
                 yield record, 0
                 continue
             own = _own(drawing, record, renderer)
             clips = clips_of(chosen.asked(record), record, chosen.things, own, stage=renderer)
-            for clip in clips:
-                write_bytes(paths[clip.call + 1], clip.content)
+            _write_all({paths[clip.call + 1]: clip.content for clip in clips}, unfinished)
             yield record, len(clips)
+
+
+def _write_all(contents: Mapping[Path, bytes], unfinished: Path) -> None:
+    """Write files; the one that says that they are unfinished is there until all are written."""
+    if contents:
+        write_bytes(unfinished, b"")
+        for path, content in contents.items():
+            write_bytes(path, content)
+        unfinished.unlink(missing_ok=True)
 
 
 def _own(drawing: Renderers, record: EpisodeRecord, stage: RendererName = "filament") -> Renderer:
@@ -223,6 +233,13 @@ class _Episodes:
     ) -> Path:
         """An episode's file, with a name of signs that every disk takes."""
         drawn = "" if stage == "filament" else f"-{stage}"
-        named = f"{record.task}-{record.agent}-{record.run}{drawn}"
-        name = "".join(sign if sign.isalnum() or sign in "-_." else "_" for sign in named)
-        return Path(out or self.place / FILMS) / f"{name}.{ending}"
+        setting = f"-{record.setting}" if record.setting else ""
+        name = _file_name(f"{record.task}-{record.agent}-{record.run}{setting}")
+        return Path(out or self.place / FILMS) / f"{name}{drawn}.{ending}"
+
+
+def _file_name(named: str) -> str:
+    """With other signs replaced; a digest then tells it from names that become the same."""
+    name = "".join(sign if sign.isalnum() or sign in "-_." else "_" for sign in named)
+    digest = hashlib.sha256(named.encode()).hexdigest()[:8]
+    return name if name == named else f"{name}-{digest}"

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from probe.api.grading import grade_folder
 from probe.api.progress import Track, silent
-from probe.api.rows import rows_of
+from probe.api.rows import absent_of, rows_of
 from probe.episodes.conditions import RendererKind
 from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
@@ -19,8 +19,8 @@ from probe.report.episodes import ReportEpisode
 from probe.report.page import LARGEST_SINGLE, PICTURES, TooManyEpisodes, addresses
 from probe.report.scene_renderer import SceneRenderer
 from probe.report.stills import Still, develop, file_of, stills_of
-from probe.scores.missing import settled
-from probe.scores.row import Row
+from probe.scores.missing import Absent, settled
+from probe.scores.row import Entrant, Row
 from probe.tasks.identity import identity_of
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import read_suite
@@ -47,6 +47,29 @@ class _Entry:
     record: EpisodeRecord
     row: Row
     stills: tuple[Still, ...]
+
+
+@dataclass(frozen=True)
+class _Folder:
+    entries: tuple[_Entry, ...]
+    absent: tuple[Absent, ...]
+
+    @property
+    def entrants(self) -> set[Entrant]:
+        return {it.row.entrant for it in self.entries} | {it.entrant for it in self.absent}
+
+
+@dataclass(frozen=True)
+class Gathered:
+    """What folders hold.
+
+    Attributes:
+        played: Every episode, in the order of the suite.
+        absent: Who was ordered in a folder and has no episode there.
+    """
+
+    played: tuple[ReportEpisode, ...]
+    absent: tuple[Absent, ...]
 
 
 def one_suite(runs: Sequence[Path]) -> Suite:
@@ -78,8 +101,8 @@ def gather(
     renderer: RendererKind = "own",
     single: bool = False,
     track: Track = silent,
-) -> tuple[ReportEpisode, ...]:
-    """Every episode of the folders, in the order of the suite, its pictures in the report's folder.
+) -> Gathered:
+    """Every episode of the folders, its pictures in the report's folder.
 
     Args:
         runs: Folders.
@@ -95,8 +118,9 @@ def gather(
         NoRuns: No folder holds a record.
         TooManyEpisodes: For a single file.
     """
-    folders = [_entries(run, suite, scene_renderer, setting, renderer, track) for run in runs]
-    entries = [entry for some in _told_apart(runs, folders) for entry in some]
+    folders = [_read(run, suite, scene_renderer, setting, renderer, track) for run in runs]
+    folders = _told_apart(runs, folders)
+    entries = [entry for some in folders for entry in some.entries]
     if not entries:
         raise NoRuns(f"There is no record in {runs[0]}. Let an agent work on the suite first.")
     if single and len(entries) > LARGEST_SINGLE:
@@ -106,7 +130,7 @@ def gather(
     kept = [run / PICTURES for run in runs]
     _draw(entries, suite, scene_renderer, out / PICTURES, kept, track)
     counting = {id(row) for row in settled(entry.row for entry in entries)}
-    return tuple(
+    played = tuple(
         ReportEpisode(
             entry.task,
             entry.record,
@@ -117,37 +141,51 @@ def gather(
         )
         for entry in entries
     )
+    return Gathered(played, tuple(it for some in folders for it in some.absent))
 
 
-def _entries(
+def _read(
     run: Path,
     suite: Suite,
     scene_renderer: SceneRenderer,
     setting: str | None,
     renderer: RendererKind,
     track: Track,
-) -> list[_Entry]:
+) -> _Folder:
     found = grade_folder(run, suite, scene_renderer, track)
     rows = rows_of(run, suite, found, setting, identity_of(suite).title)
-    return [
+    entries = (
         _Entry(task, record, row, stills_of(task, record, run, renderer))
         for (task, record, _), row in zip(found, rows, strict=True)
-    ]
+    )
+    absent = absent_of(run, suite, [record for _, record, _ in found], setting)
+    return _Folder(tuple(entries), tuple(absent))
 
 
-def _told_apart(runs: Sequence[Path], folders: Sequence[list[_Entry]]) -> list[list[_Entry]]:
+def _told_apart(runs: Sequence[Path], folders: Sequence[_Folder]) -> list[_Folder]:
     """Agents that appear in the same setting in two folders get their folder's name added."""
-    entrants = Counter(who for some in folders for who in {entry.row.entrant for entry in some})
+    entrants = Counter(who for some in folders for who in some.entrants)
     shared = {who.agent for who, times in entrants.items() if times > 1}
     return [
-        [_called(entry, name) if entry.row.agent in shared else entry for entry in some]
-        for name, some in zip(short_names(runs), folders, strict=True)
+        _called(some, name, shared) for name, some in zip(short_names(runs), folders, strict=True)
     ]
 
 
-def _called(entry: _Entry, folder: str) -> _Entry:
-    agent = f"{entry.row.agent} [{folder}]"
-    return replace(entry, row=entry.row.model_copy(update={"agent": agent}))
+def _called(some: _Folder, folder: str, shared: Collection[str]) -> _Folder:
+    """The same, with the folder's name added to those of shared agents."""
+
+    def called(agent: str) -> str:
+        return f"{agent} [{folder}]" if agent in shared else agent
+
+    entries = (
+        replace(it, row=it.row.model_copy(update={"agent": called(it.row.agent)}))
+        for it in some.entries
+    )
+    absent = (
+        replace(it, entrant=Entrant(called(it.entrant.agent), it.entrant.setting))
+        for it in some.absent
+    )
+    return _Folder(tuple(entries), tuple(absent))
 
 
 def short_names(folders: Sequence[Path]) -> list[str]:

@@ -10,7 +10,7 @@ from probe.api.gathering import gather, one_suite, short_names
 from probe.api.grading import graded, scene_renderer_of
 from probe.api.progress import Track, silent
 from probe.api.resources import audit_key_file
-from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES, rows_of, write_beside
+from probe.api.rows import ROWS_CSV, ROWS_JSON, SCORES, absent_of, rows_of, write_beside
 from probe.audit.audit_file import audit_of
 from probe.episodes.conditions import RendererKind
 from probe.episodes.folder import SUITE
@@ -64,9 +64,11 @@ def rescore(folder: str | Path, *, setting: str | None = None, track: Track = si
     out = Path(folder)
     suite = read_suite(out / SUITE)
     identity = identity_of(suite)
-    rows = rows_of(out, suite, graded(out, track), setting, identity.title)
+    found = graded(out, track)
+    rows = rows_of(out, suite, found, setting, identity.title)
+    absent = absent_of(out, suite, [record for _, record, _ in found], setting)
     roster = roster_of_tasks(suite.tasks)
-    scores = summarise(identity.title, rows, roster, whole=identity.whole)
+    scores = summarise(identity.title, rows, roster, whole=identity.whole, absent=absent)
     write_beside(out, rows, scores)
     return scores
 
@@ -105,7 +107,7 @@ def write_report(
     candidates = read_build_log(Path(build_log)) if build_log else []
     folder = Path(out) if out else (runs[0] if len(runs) == 1 else SEVERAL)
     with scene_renderer_of(suite) as scene_renderer:
-        played = gather(
+        found = gather(
             runs,
             suite,
             scene_renderer,
@@ -115,9 +117,9 @@ def write_report(
             single=single_file,
             track=track,
         )
-    rows, identity = [each.row for each in played], identity_of(suite)
-    roster = roster_of_tasks(suite.tasks)
-    scores = summarise(identity.title, rows, roster, whole=identity.whole)
+    played, identity = found.played, identity_of(suite)
+    rows, roster = [each.row for each in played], roster_of_tasks(suite.tasks)
+    scores = summarise(identity.title, rows, roster, whole=identity.whole, absent=found.absent)
     write_beside(folder, rows, scores)
     page = folder / ("report.html" if single_file else "index.html")
     audits = tuple(

@@ -11,11 +11,13 @@ from probe.api.grading import Graded
 from probe.episodes.folder import setting_of_folder
 from probe.episodes.ordered import Ordered, read_ordered
 from probe.episodes.record import EpisodeRecord
-from probe.scores.marking import row_of
-from probe.scores.row import Row
+from probe.scores.marking import row_of, under
+from probe.scores.missing import Absent
+from probe.scores.row import Entrant, Row
 from probe.scores.row_files import write_csv, write_json_lines
 from probe.scores.summary import AGENTIC, Scores, write_scores
 from probe.tasks.suite import Suite
+from probe.toolshed.version import TOOLS_VERSION
 
 ROWS_CSV, ROWS_JSON, SCORES = "rows.csv", "rows.jsonl", "scores.json"
 
@@ -50,6 +52,29 @@ def rows_of(
     setting, ordered = setting or setting_of_folder(out), read_ordered(out)
     suite = replace(suite, name=title or suite.name)
     return [_row(suite, each, setting, ordered) for each in records]
+
+
+def absent_of(
+    out: Path, suite: Suite, records: Sequence[EpisodeRecord], setting: str | None = None
+) -> list[Absent]:
+    """Who was ordered in a folder and has no record there.
+
+    Args:
+        out: The folder.
+        suite: Its suite.
+        records: All of its records; they say under which conditions the others were to be run.
+        setting: As in rows_of.
+    """
+    setting, first = setting or setting_of_folder(out), next(iter(records), None)
+    there = {(it.agent, it.setting) for it in records}
+    absent = list[Absent]()
+    for (agent, own), runs in read_ordered(out).items():
+        if (agent, own) not in there:
+            said = setting or own or setting_of(agent)
+            named = said if first is None else under(said, first, suite.headline)
+            tools = TOOLS_VERSION if first is None else first.tools
+            absent.append(Absent(Entrant(agent, named), runs, tools))
+    return absent
 
 
 def write_beside(folder: Path, rows: Sequence[Row], scores: Scores) -> None:

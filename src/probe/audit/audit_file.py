@@ -196,7 +196,12 @@ def hashes_of_lines(out: Path) -> list[str]:
     Raises:
         BadData: They can't be read.
     """
-    return [hashlib.sha256(line).hexdigest() for line in lines_of(out / RECORDS)]
+    return [hash_of_line(line) for line in lines_of(out / RECORDS)]
+
+
+def hash_of_line(line: bytes) -> str:
+    """SHA-256 of a record's line, without its end; hex digits."""
+    return hashlib.sha256(line).hexdigest()
 
 
 def hash_of(path: Path) -> str:

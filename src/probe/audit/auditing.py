@@ -6,13 +6,13 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from probe.audit.audit_file import ReplayVerdict, earlier, hashes_of_lines, is_foreign, keep
+from probe.audit.audit_file import ReplayVerdict, earlier, hash_of_line, is_foreign, keep
 from probe.audit.replaying import Claim, Replayer, unable
 from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.episodes.folder import reserved
 from probe.episodes.ordered import Ordered, read_ordered
 from probe.episodes.record import EpisodeRecord
-from probe.runs.checks.folder import read_checked
+from probe.runs.checks.folder import read_checked_lines
 from probe.runs.checks.reference import check_reference
 from probe.runs.variation import read_variation
 from probe.scene.seeds import generator
@@ -66,15 +66,15 @@ def begin(out: Path, suite: Suite, key_file: Path, reference: Suite | None = Non
     Raises:
         BadData: A record can't be read, or can't be of a run of the suite; or this is another one.
     """
-    records = read_checked(out, suite)
+    found = read_checked_lines(out, suite)
+    records = [record for _, record in found]
     if reference is not None:
         check_reference(out, suite, reference, records)
     tasks = {task.id: task for task in suite.tasks}
     bases = _bases(out, suite, reference)
-    lines = hashes_of_lines(out)
     claims = tuple(
-        Claim(line, record, tasks[record.task], bases.get(record.task))
-        for line, record in zip(lines, records, strict=True)
+        Claim(hash_of_line(line), record, tasks[record.task], bases.get(record.task))
+        for line, record in found
         if record.end != "fault"
     )
     missing = missing_of(records, suite, read_ordered(out))

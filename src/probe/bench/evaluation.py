@@ -19,6 +19,7 @@ from inspect_ai.model import GenerateConfig, Model, get_model
 
 from probe.bench.harness import PATIENCE, harness_task
 from probe.bench.model_runner import ROLE, ModelRunner
+from probe.bench.models import asked_as
 from probe.bench.plan import ModelRunPlan, missing_of
 from probe.bench.prices import Price
 from probe.bench.raw_arguments import as_sent
@@ -30,8 +31,6 @@ LOGS = "logs"
 
 _MARKUP = re.compile(r"\[/?(?:bold|italic|underline|blue|red|green|yellow)\b[^\]\n]*\]")
 """Of the harness's words for a terminal."""
-
-_SERVICE, _LOCAL = "openai-api/endpoint/", "openai-api/vllm/"
 
 
 @dataclass(frozen=True)
@@ -136,21 +135,17 @@ async def _greet(model: Model) -> None:
 def _model(chosen: Participants, name: str) -> Model:
     """One of the models; none is shared between two event loops.
 
-    At an endpoint are the one that acts, and who has a name that no provider stands before.
-
     Raises:
         MissingExtra: Its client isn't installed.
         ModelFailed: It can't be asked.
     """
-    bare = name.removeprefix(_LOCAL)
+    asked = asked_as(name, chosen.model, chosen.endpoint)
     if name.startswith("grok/") and find_spec("xai_sdk") is None:
         raise MissingExtra(name, "bench,grok")
-    own = chosen.endpoint is not None and (name == chosen.model or bare != name or "/" not in name)
     try:
-        if not own:
+        if asked == name:
             return get_model(name, memoize=False)
-        url, key = chosen.endpoint, chosen.key
-        return get_model(_SERVICE + bare, base_url=url, api_key=key, memoize=False)
+        return get_model(asked, base_url=chosen.endpoint, api_key=chosen.key, memoize=False)
     except Exception as error:  # a missing key or client; each provider raises its own
         reason = " ".join(_MARKUP.sub("", str(error)).split())
         raise ModelFailed(f"{name} can't be asked: {reason}") from error

@@ -14,6 +14,8 @@ from probe.errors import BadData
 from probe.files import fault
 from probe.perception.points import Convention
 
+_SERVICE, _LOCAL = "openai-api/endpoint/", "openai-api/vllm/"
+
 
 class ModelSettings(pydantic.BaseModel, extra="forbid", frozen=True):
     """What suits a model.
@@ -50,3 +52,18 @@ def known_models() -> Mapping[str, ModelSettings]:
 def settings_of(name: str) -> ModelSettings:
     """What suits a model; of one without a short name only its name is known."""
     return known_models().get(name) or ModelSettings(id=name)
+
+
+def asked_as(name: str, acting: str, endpoint: str | None) -> str:
+    """The harness's name for a model as it is asked, which records have of one that points.
+
+    At an endpoint are the one that acts, and who has a name that no provider stands before.
+
+    Args:
+        name: The harness's name for it, without regard to the endpoint.
+        acting: Likewise, of the one that acts.
+        endpoint: Address of a server that speaks OpenAI's protocol; None for each one's usual.
+    """
+    bare = name.removeprefix(_LOCAL)
+    there = name == acting or bare != name or "/" not in name
+    return _SERVICE + bare if endpoint is not None and there else name

@@ -12,9 +12,11 @@ from typing import Literal
 from probe.assets.library import Library
 from probe.bench.prices import Price, Prices
 from probe.episodes.conditions import AS_FROZEN, Conditions
+from probe.episodes.conventions import check_convention, claim_convention
 from probe.episodes.files import line_of, read_records, set_aside_cut
 from probe.episodes.folder import (
     RECORDS,
+    check_for_agents,
     check_suite,
     occupied,
     standing,
@@ -133,15 +135,19 @@ def check_folder(plan: ModelRunPlan, order: RunOrder) -> None:
     """See that a folder, if it is one, is about the same suite under the same conditions.
 
     Raises:
-        BadData: It isn't, or a record can't be of a run of the suite.
+        BadData: It isn't, it is kept for people's records, or a record can't be of a run of the
+            suite.
     """
     check_suite(plan.out, plan.suite)
+    check_for_agents(plan.out)
     path = plan.out / RECORDS
     if path.exists():
         earlier = read_records(path, whole=False)
         check_settings(path, earlier, order)
         # The harness shows what they are worth beside what is played now.
         check_records(earlier, plan.suite, path)
+    if plan.pointer != "oracle":
+        check_convention(plan.out, order.agent, order.setting, plan.convention)
 
 
 def missing_of(plan: ModelRunPlan, order: RunOrder) -> int:
@@ -170,6 +176,8 @@ def take_up(plan: ModelRunPlan, order: RunOrder) -> tuple[Done, str]:
     path = plan.out / RECORDS
     earlier = read_records(path) if path.exists() else []
     check_settings(path, earlier, order)
+    if plan.pointer != "oracle":
+        claim_convention(plan.out, order.agent, order.setting, plan.convention)
     note_ordered(plan.out, order.agent, order.setting, order.runs)
     return _done(earlier, order), _name_of_replies(plan.out / REPLIES)
 

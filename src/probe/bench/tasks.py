@@ -142,7 +142,8 @@ def _with_tools(plan: ModelRunPlan, noise: NoiseChoice, conditions: Conditions) 
 def _fit(plan: ModelRunPlan) -> HarnessTask:
     """The task, if its folder and objects are fit; each sample would find out by itself otherwise.
 
-    Who acts isn't known yet, so that --points are compared with the first sample.
+    Who acts isn't known yet, so that --points and the convention of the one that points are
+    compared with the first sample.
     """
     check_folder(plan, plan.order("", ""))
     check_objects(plan.suite, plan.library())

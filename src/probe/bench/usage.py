@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TypeVar
+
 from inspect_ai.event import ModelEvent
 from inspect_ai.log import transcript
 from inspect_ai.model import ModelOutput
@@ -10,20 +13,36 @@ from probe.bench.prices import Price, cost_of, tokens_in
 from probe.bench.reasons import LONGEST, explained
 from probe.texts import writable
 
+_Count = TypeVar("_Count", int, float)
+
 _ODD_STOPS = {
     "content_filter": "refused by the server's filter",
     "max_tokens": "cut off after the most tokens allowed",
     "model_length": "cut off for want of context",
 }
+_NOT_TAKEN = ("content_filter", "model_length")
+"""With these, and without a count of tokens, the harness tells of a request that was refused."""
 
 
 class EpisodeUsage:
     """Tokens, dollars and faults of an episode; of the model that acts and the one that points."""
 
     def __init__(self) -> None:
-        self.tokens: tuple[int, int] | None = None
-        self.cost: float | None = None
         self.faults: list[str] = []
+        self._inward: list[int | None] = []
+        self._outward: list[int | None] = []
+        self._costs: list[float | None] = []
+
+    @property
+    def tokens(self) -> tuple[int, int] | None:
+        """Of all requests and of all replies; None where a server didn't say."""
+        inward, outward = _total(self._inward), _total(self._outward)
+        return None if inward is None or outward is None else (inward, outward)
+
+    @property
+    def cost(self) -> float | None:
+        """US dollars for all replies; None where one has no price, or its tokens aren't known."""
+        return _total(self._costs)
 
     def count(self, which: str, output: ModelOutput, price: Price | None) -> None:
         """Take in a reply.
@@ -36,13 +55,11 @@ class EpisodeUsage:
         if output.stop_reason in _ODD_STOPS:
             self.fault(which, _ODD_STOPS[output.stop_reason])
         usage = output.usage
-        if usage is None:
+        if usage is None and output.stop_reason in _NOT_TAKEN:
             return
-        before = self.tokens or (0, 0)
-        self.tokens = before[0] + tokens_in(usage), before[1] + usage.output_tokens
-        cost = cost_of(usage, price)
-        if cost is not None:
-            self.cost = (self.cost or 0.0) + cost
+        self._inward.append(tokens_in(usage) if usage else None)
+        self._outward.append(usage.output_tokens if usage else None)
+        self._costs.append(cost_of(usage, price) if usage else None)
 
     def note_retries(self, which: str, seen: int) -> None:
         """What is tried again below us is in the harness's own log alone.
@@ -66,3 +83,9 @@ class EpisodeUsage:
     def fault(self, which: str, what: str) -> None:
         """Note what went wrong with a reply."""
         self.faults.append(f"{which}: {what}")
+
+
+def _total(counts: Sequence[_Count | None]) -> _Count | None:
+    """Their sum; None if there are none, or one isn't known."""
+    known = [count for count in counts if count is not None]
+    return sum(known[1:], known[0]) if known and len(known) == len(counts) else None

@@ -12,6 +12,7 @@ import tyro
 from probe.cli.engines import EngineChoice
 from probe.cli.model_run import price_of
 from probe.cli.numbers import check_numbers
+from probe.cli.option_conflicts import refuse_stray
 from probe.cli.pool_notice import tell_other_pool
 from probe.cli.screen import bar, say
 from probe.cli.shards import parse_shard
@@ -113,6 +114,7 @@ def collect(
     """
     check_numbers({"--total": total, "--workers": site.workers})
     aim = extent.aim(counts if total is None else in_proportion(counts, total))
+    _check_teacher(site, extent.most_cost)
     _check_setting(aim.mode, site)
     if extent.most_cost is not None and site.model is not None:
         _check_price(site.prices, site.model)
@@ -121,6 +123,14 @@ def collect(
     say(f"Episodes go to {out}; Ctrl-C stops, the same command goes on.")
     so_far = _watched(out, aim, hands_of(site, out, where))
     _tell(out, aim, so_far)
+
+
+def _check_teacher(site: TeachingSetup, most_cost: float | None) -> None:
+    if site.model is None:
+        given = {
+            "--endpoint": site.endpoint, "--prices": site.prices, "--most-cost": most_cost,
+        }  # fmt: skip
+        refuse_stray("collect", "without --model", given)
 
 
 def _check_setting(mode: Mode, site: TeachingSetup) -> None:

@@ -27,7 +27,7 @@ from probe.train.dataset.augment.augmenting import Augmentation, augmented
 from probe.train.dataset.augment.certain import NotCertain
 from probe.train.dataset.augment.listed_ids import without_finding
 from probe.train.dataset.augment.speech import AS_TAUGHT, Speech, said_otherwise
-from probe.train.dataset.augment.teller import AugmentationWay
+from probe.train.dataset.augment.teller import SHORT_ALONE, AugmentationWay
 from probe.train.dataset.drawing import DrawingWorker, draw, pictures_of
 from probe.train.dataset.examples import TrainingExample, example_of
 from probe.train.dataset.folder import Form, write_dataset
@@ -178,6 +178,10 @@ def _check(
     }
     for option in [it for it, is_asked in asked.items() if is_asked and setting is None]:
         raise BadData(option, _IN_TEXT[option], "Say --setting text-only, too, or leave it out")
+    untold = [way for way in augment or [] if way in SHORT_ALONE and graphs != "short"]
+    if untold:
+        reason = "what full lists tell of the table's parts and of neighbours would no longer hold"
+        raise BadData(f"--augment {' '.join(untold)}", reason, "Say --graphs short, too")
     if speech.plain and "phrases" in (augment or []):
         reason = "there are no other phrases with --plain"
         raise BadData("--augment phrases", reason, "Leave out one of them")

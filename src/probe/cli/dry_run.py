@@ -5,9 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from probe.bench.estimate import PICTURE_TOKENS, REPLY_TOKENS, Estimate, estimate
-from probe.bench.models import settings_of
 from probe.bench.prices import Price
-from probe.cli.model_run import ModelRunOptions, check_asked, plan_of, price_of
+from probe.cli.model_run import ModelRunOptions, check_asked, plan_of, pointer_name, price_of
 from probe.cli.screen import say
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS
@@ -54,10 +53,7 @@ def _tell(suite: Suite, options: ModelRunOptions, out: Path, price: Price | None
 def _done(suite: Suite, options: ModelRunOptions, out: Path) -> set[tuple[str, int]]:
     """Episodes that the folder holds, by task and run."""
     path = out / RECORDS
-    pointer = "self" if options.pointer == "self" else settings_of(options.pointer).id
-    order = plan_of(suite, options, out, None).order(
-        options.model, "" if options.pointer == "oracle" else pointer
-    )
+    order = plan_of(suite, options, out, None).order(options.model, pointer_name(options))
     records = read_records(path, whole=False) if path.exists() else []
     mine = [it for it in records if (it.agent, it.setting) == (order.agent, order.setting)]
     return {(it.task, it.run) for it in mine if it.end != "fault"}

@@ -68,7 +68,8 @@ def held_out(
         rows += rows_of(folder, asked, found)
         records += [record for _, record, _ in found]
         tell_unsummed(folder)
-    rows += floors(suite, others, _learnt(learnt))
+    known = {row.entrant for row in rows}
+    rows += [row for row in floors(suite, others, _learnt(learnt)) if row.entrant not in known]
     roster = roster_of_tasks(suite.tasks)
     table = markdown(standings(rows, roster, others))
     pairs = differences(rows, roster, others)

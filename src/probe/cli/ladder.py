@@ -49,5 +49,6 @@ def _episodes(folder: Path) -> Iterator[tuple[Entrant, EpisodeRecord, bool]]:
     tell_unsummed(folder)
     rows = rows_of(folder, read_suite(folder / SUITE), played)
     for row, (_, record, _) in zip(rows, played, strict=True):
-        if has_tools(record.setting) and not row.missing:
+        # Rows also tell built-in agents that never look, which no record does.
+        if has_tools(row.setting) and not row.missing:
             yield row.entrant, record, row.correct

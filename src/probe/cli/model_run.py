@@ -10,7 +10,7 @@ from pathlib import Path
 
 from probe.api.resources import cache_folder
 from probe.assets.library import Library
-from probe.bench.models import settings_of
+from probe.bench.models import asked_as, settings_of
 from probe.bench.plan import ModelRunPlan
 from probe.bench.prices import Price, Prices, read_prices
 from probe.cli.address import check_address
@@ -110,7 +110,7 @@ def run_model(suite: Suite, options: ModelRunOptions, out: Path, *, plain: bool 
     its_price = price_of(options.prices, options.pointer) if pointer else None
     chosen = Participants(settings_of(options.model).id, options.endpoint, key, pointer, its_price)
     total = len(plan.tasks) * plan.epochs
-    setting = plan.named_setting
+    setting = plan.order(options.model, pointer_name(options)).setting
     with watching(out, suite, options.model, setting, total, on=options.watch) as tables:
         plan = replace(plan, tables=tables)
         return evaluate(plan, chosen, "rich" if sys.stdout.isatty() and not plain else "plain")
@@ -130,6 +130,14 @@ def price_of(path: Path | None, name: str) -> Price | None:
         known = ", ".join(sorted(prices)) or "none"
         say(f"{path} has no price of {name}: no cost is told. Known: {known}.")
     return price
+
+
+def pointer_name(options: ModelRunOptions) -> str:
+    """Of the one that points, as records have it; empty for nobody."""
+    if options.pointer in ("oracle", "self"):
+        return options.pointer.removeprefix("oracle")
+    pointer, acting = settings_of(options.pointer).id, settings_of(options.model).id
+    return asked_as(pointer, acting, options.endpoint)
 
 
 def check_asked(options: ModelRunOptions) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from probe.episodes.conditions import NO_DIALS, Conditions
+from probe.episodes.participation import has_tools
 from probe.errors import BadData
 from probe.transcripts.prompts import Graphs, Setting
 
@@ -50,3 +51,24 @@ def check_graphs(graphs: Graphs | None, setting: Setting) -> None:
     if graphs is not None and setting != "text-only":
         reason = f"does nothing with --setting {setting}"
         raise BadData("--graphs", reason, "Say --setting text-only, or leave it out")
+
+
+def check_tools_wanted(conditions: Conditions, setting: str, when: str) -> None:
+    """See that how tools err is said only where there are tools.
+
+    Args:
+        conditions: What was asked for.
+        setting: How the agent may answer.
+        when: When it does nothing, if there are none: "with --setting direct".
+
+    Raises:
+        BadData: It is said where there are none.
+    """
+    if has_tools(setting):
+        return
+    for name, said in (
+        ("--dials", conditions.dials != NO_DIALS),
+        (f"--ideal {conditions.ideal}", conditions.ideal != "none"),
+    ):
+        if said:
+            raise BadData(name, f"does nothing {when}", "Leave it out")

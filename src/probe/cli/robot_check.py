@@ -56,10 +56,12 @@ def check_robot(
         reason = f"the hand opens {around.gripper.max_opening:.3f} m"
         raise BadData("--box", reason, "Take a box that is narrower by 3 cm")
     kit = kit_of(address, token_in(token_file), certificate, _tell)
-    check(kit, Wishes(around, KnownBox(box), pick, corrected), _may)
-    _table(kit.outcomes).show(_WIDE)
-    if out:
-        write_text(out, json.dumps([each.values() for each in kit.outcomes], indent=1) + "\n")
+    try:
+        check(kit, Wishes(around, KnownBox(box), pick, corrected), _may)
+    finally:
+        _table(kit.outcomes).show(_WIDE)
+        if out:
+            write_text(out, json.dumps([each.values() for each in kit.outcomes], indent=1) + "\n")
     if not kit.well:
         sys.exit(1)
 

@@ -31,6 +31,7 @@ def enrol(
     objects: File,
     address: str | None = None,
     token_file: Path = TOKEN_FILE,
+    certificate: Path | None = None,
     setup: Path | None = None,
     camera: View = "front",
     views: int = 4,
@@ -46,6 +47,7 @@ def enrol(
             Without one, the list's names are those of catalogue objects, and a simulated camera
             looks.
         token_file: Has the bridge's token.
+        certificate: Of the bridge, if no public authority vouches for it.
         setup: File of the set-up (docs/how-to/extend/add-a-setup.md).
         camera: Which looks.
         views: Poses in which each object is shown to a robot's camera.
@@ -56,7 +58,7 @@ def enrol(
     if address is None:
         found = _shown_in_simulation(names, around.camera(camera))
     else:
-        with closing(connected(address, token_in(token_file))) as client:
+        with closing(connected(address, token_in(token_file), certificate)) as client:
             station = RobotStation(client, around, camera)
             found = {name: shown(_posed(station, name, views)) for name in names}
     write_signatures(objects, found)

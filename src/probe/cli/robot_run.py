@@ -20,11 +20,14 @@ from probe.cli.screen import say
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import RECORDS, start_folder
 from probe.episodes.grading import question_of
+from probe.episodes.perceptions import used_by
 from probe.episodes.real import open_real_episode
 from probe.episodes.run import act_out
 from probe.errors import BadData
 from probe.perception.choice import ideal
 from probe.render.renderer import Renderer
+from probe.runs.plan import RunOrder
+from probe.runs.run import check_folder
 from probe.station.remote import RobotStation, connected
 from probe.tasks.suite_file import find_suite
 
@@ -63,6 +66,7 @@ def run(
     if perceiver is ideal:
         reason = "reads the simulation's labels, and a robot has none"
         raise BadData("--perception oracle", reason, "Say segmenter or enrolled")
+    check_folder(out, tasks, RunOrder(agent, perception=used_by(perceiver)))
     start_folder(out, tasks)
     _check_new(out, task, agent, run)
     question = question_of(asked)

@@ -22,8 +22,11 @@ from probe.cli.screen import say
 from probe.episodes.files import set_aside_cut
 from probe.episodes.folder import RECORDS, check_suite, occupied
 from probe.episodes.ordered import note_ordered
+from probe.episodes.perceptions import used_by
 from probe.errors import BadData, Unfinished
 from probe.render.renderer import Renderer
+from probe.runs.plan import RunOrder
+from probe.runs.run import check_folder
 from probe.runs.session.events import Begun
 from probe.runs.session.log import LOG
 from probe.runs.session.plan import SessionPlan, read_plan, tasks_of
@@ -32,8 +35,12 @@ from probe.runs.session.session import RobotSession
 from probe.runs.session.verify import account_of
 from probe.runs.work import AgentOf
 from probe.station.remote import RobotStation, connected
+from probe.tasks.suite import Suite
 from probe.tasks.suite_file import content_hash, find_suite
 from probe.tasks.task import Task
+
+OVER = "Each was interrupted as often as a session tries it; play its task in a new session."
+"""What to do about episodes that a session which is over lacks."""
 
 
 def session(
@@ -62,8 +69,8 @@ def session(
     planned, token = read_plan(plan), token_in(token_file)
     suite, things = tasks_of(planned, find_suite(planned.suite)), everything()
     perceiver = PerceptionChoice(planned.perception, planned.enrolment).perceiver()
-    check_suite(out, suite)
-    with occupied(out, suite), Renderer(cache_folder() / "light") as renderer:
+    order = RunOrder("", perception=used_by(perceiver))
+    with _taken_up(out, suite, order), Renderer(cache_folder() / "light") as renderer:
         agents = _agents(planned, out)
         set_aside_cut(out / RECORDS)
         for name in agents:
@@ -78,6 +85,15 @@ def session(
             say("Paused. The same command goes on.")
             return
     _tell(out)
+
+
+@contextmanager
+def _taken_up(out: Path, suite: Suite, order: RunOrder) -> Generator[None]:
+    """A folder for this process alone, if its records may stand beside what is played now."""
+    check_suite(out, suite)
+    with occupied(out, suite):
+        check_folder(out, suite, order)
+        yield
 
 
 def verify_session(out: Folder) -> None:
@@ -99,9 +115,10 @@ def _tell(out: Path) -> None:
         f"{account.results} of {account.wanted} episodes have a result; {account.interrupted} were "
         f"interrupted and count for nothing. {account.seals} sealed truths were opened; all fit."
     )
-    if not account.finished:
-        missing = account.wanted - account.results
-        raise Unfinished(missing, account.wanted, "episodes", "The session isn't over.")
+    missing = account.wanted - account.results
+    if missing or not account.finished:
+        remedy = OVER if account.finished else "The session isn't over."
+        raise Unfinished(missing, account.wanted, "episodes", remedy)
 
 
 def _agents(plan: SessionPlan, out: Path) -> Mapping[str, AgentOf]:

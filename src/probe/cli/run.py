@@ -18,7 +18,12 @@ from probe.cli.metavars import SuiteName
 from probe.cli.model_run import ModelRunOptions, run_model
 from probe.cli.numbers import check_numbers
 from probe.cli.objects import all_objects
-from probe.cli.option_conflicts import check_graphs, check_pointer, refuse_stray
+from probe.cli.option_conflicts import (
+    check_graphs,
+    check_pointer,
+    check_tools_wanted,
+    refuse_stray,
+)
 from probe.cli.perception import PerceptionChoice
 from probe.cli.run_summary import RunSummary, only_json, tell
 from probe.cli.running import check_whole, run_order
@@ -147,7 +152,8 @@ def run(
                 tasks, suite, acting, asked, order, out, engine, perceiver, watch=watch
             )
         elif asked.dry_run:
-            refuse_stray("run", "with --dry-run", {"--json": json or None})
+            given = {"--json": json or None, "--watch": watch or None}
+            refuse_stray("run", "with --dry-run", given)
             would_ask(tasks, _options_of(acting, asked, order, workers, seeing), out)
             return
         else:
@@ -211,6 +217,8 @@ def _run_agent(
         "--dry-run": asked.dry_run or None,
     })  # fmt: skip
     agent = "scripted" if acting.agent is None else acting.agent
+    setting = SETTINGS.get(agent, "agentic")
+    check_tools_wanted(order.conditions, setting, f"with --agent {agent}")
     name, agent_of = who_acts(agent, acting.agent_name, acting.sandbox, suite, out)
     order = replace(order, agent=name)
     missing = run_order(tasks, order, agent_of, all_objects(), out, engine, perceiver, watch=watch)
@@ -249,6 +257,7 @@ def _options_of(
         workers=workers or _TABLES,
     )
     check_graphs(asked.graphs, options.setting)
+    check_tools_wanted(options.conditions, options.setting, f"with --setting {options.setting}")
     check_pointer(options.pointer, options.setting, options.conditions)
     seeing.check_model(options.pointer, options.setting)
     return options

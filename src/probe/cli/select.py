@@ -22,10 +22,10 @@ from probe.train.choose.candidates import EpisodeCandidate
 from probe.train.choose.chosen import SelectionDocument, write_selection
 from probe.train.choose.efficiency import SLACK
 from probe.train.choose.evaluation import evaluation_of
-from probe.train.choose.gathering import SETTINGS, candidates_of
+from probe.train.choose.gathering import candidates_of
 from probe.train.choose.selection import BEYOND_SHARE, Recipe
 from probe.train.choose.selection import select as selected
-from probe.train.collect.batches import batches
+from probe.train.collect.batches import SETTINGS, batches
 
 _SHOWN = 5
 
@@ -134,7 +134,7 @@ def _print(document: SelectionDocument, episodes: int) -> None:
     for question_type, settings in document.examples.items():
         most = document.limits.get(question_type)
         cells = (
-            str(settings["agentic"]),
+            str(sum(settings.values()) - settings["direct"]),
             str(settings["direct"]),
             "" if most is None else str(most),
         )

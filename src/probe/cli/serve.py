@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -13,10 +15,10 @@ from probe.cli.numbers import check_numbers
 from probe.cli.objects import all_objects, check
 from probe.cli.perception import PerceptionChoice
 from probe.cli.screen import warn
+from probe.episodes.claimed_run import claimed_run
 from probe.episodes.conditions import Conditions, RendererKind
 from probe.episodes.episode import Episode
-from probe.episodes.files import read_records
-from probe.episodes.folder import RECORDS, check_suite, start_folder
+from probe.episodes.folder import start_folder
 from probe.episodes.grading import question_of
 from probe.episodes.perceptions import ORACLE_USED, used_by
 from probe.episodes.play import open_episode
@@ -27,7 +29,7 @@ from probe.interfaces.words import question_text
 from probe.perception.choice import Perceiver
 from probe.render.renderer import Renderer
 from probe.runs.plan import Job, RunOrder
-from probe.runs.run import check_settings
+from probe.runs.run import check_folder
 from probe.runs.viewpoints import circumstances_of, renderer_of
 from probe.scene.seeds import generator
 from probe.tasks.suite import Suite, part
@@ -71,11 +73,13 @@ def serve(
     )
     order = RunOrder(agent, noise=hand, conditions=conditions, perception=used)
     chosen = _chosen(tasks, task, seed)
-    _check_earlier(out, tasks, order)
+    check_folder(out, tasks, order)
     things = all_objects()
-    with Renderer(engine=renderer_of(chosen, conditions)) as drawing:
-        start_folder(out, tasks)
-        opening = partial(_open, part(tasks, chosen), things, drawing, order, perceiver)
+    with (
+        Renderer(engine=renderer_of(chosen, conditions)) as drawing,
+        _claimed(out, tasks, chosen, agent) as run,
+    ):
+        opening = partial(_open, part(tasks, chosen), things, drawing, order, perceiver, run)
         session = Session(opening, out)
         question = question_of(chosen)
         # Standard output is the protocol's. Some clients show no instructions to their model.
@@ -95,17 +99,24 @@ def _chosen(suite: Suite, task: str | None, seed: int) -> Task:
     return tasks[task]
 
 
-def _check_earlier(out: Path, suite: Suite, order: RunOrder) -> None:
-    check_suite(out, suite)
-    if (out / RECORDS).exists():
-        check_settings(out / RECORDS, read_records(out / RECORDS), order)
+@contextmanager
+def _claimed(out: Path, suite: Suite, task: Task, agent: str) -> Generator[int]:
+    """The number of the session's run, in a folder that is made if need be."""
+    start_folder(out, suite)
+    with claimed_run(out, task.id, agent) as run:
+        yield run
 
 
 def _open(
-    suite: Suite, things: Library, renderer: Renderer, order: RunOrder, perceiver: Perceiver
+    suite: Suite,
+    things: Library,
+    renderer: Renderer,
+    order: RunOrder,
+    perceiver: Perceiver,
+    run: int,
 ) -> Episode:
-    """Set the table of a suite's only task."""
+    """Set the table of a suite's only task, with the luck of a run."""
     check(suite, things)
     (task,) = suite.tasks
-    circumstances = circumstances_of(order, Job(task, 0), things.assets)
+    circumstances = circumstances_of(order, Job(task, run), things.assets)
     return open_episode(task, order.agent, things, renderer, circumstances, perceiver)

@@ -125,7 +125,20 @@ def read_records(path: Path, *, whole: bool = True) -> list[EpisodeRecord]:
         BadData: The file is missing, or a line is cut off, has changed since it was written, or is
             no record of this version.
     """
-    lines = lines_of(path, whole=whole)
+    return records_of(path, lines_of(path, whole=whole))
+
+
+def records_of(path: Path, lines: Sequence[bytes]) -> list[EpisodeRecord]:
+    """The records of all lines of a file, which have been read.
+
+    Args:
+        path: The file, for the message.
+        lines: As lines_of gives them.
+
+    Raises:
+        BadData: A line is cut off, has changed since it was written, or is no record of this
+            version.
+    """
     return [_read(f"{path}, line {number}", line) for number, line in enumerate(lines, start=1)]
 
 

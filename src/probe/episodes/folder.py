@@ -5,10 +5,9 @@ from __future__ import annotations
 import fcntl
 from collections.abc import Generator, Iterable
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 
-from probe.episodes.files import append_line, append_record, read_records
+from probe.episodes.files import append_line, read_records
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
 from probe.files import alone, write_text
@@ -21,22 +20,27 @@ RECORDS, SUITE, SETTING = "records.jsonl", "suite.json", "arm"
 
 
 def start_folder(out: Path, suite: Suite) -> None:
-    """Make a folder that records about a suite can be added to, or see that it is one.
+    """Make a folder that agents' records about a suite can be added to, or see that it is one.
 
     Raises:
-        BadData: It is about another suite, or its records can't be read or were made by tools of
-            another version.
+        BadData: It is about another suite, is kept for people's records, or its records can't be
+            read or were made by tools of another version.
         OutputFailed: It can't be written.
     """
     check_suite(out, suite)
+    check_for_agents(out)
     if (out / RECORDS).exists():
         check_tools_of(out / RECORDS, read_records(out / RECORDS))
     _found(out, suite)
 
 
 def _found(out: Path, suite: Suite) -> None:
-    if not (out / SUITE).exists():
-        write_suite(out / SUITE, suite)
+    """Write the suite if there is none: one for all, as a run's lock lies on this very file."""
+    if (out / SUITE).exists():
+        return
+    with alone(out):
+        if not (out / SUITE).exists():
+            write_suite(out / SUITE, suite)
 
 
 @contextmanager
@@ -103,6 +107,18 @@ def claim_setting(out: Path, setting: str) -> None:
     write_text(out / SETTING, f"{setting}\n")
 
 
+def check_for_agents(out: Path) -> None:
+    """See that a folder doesn't claim one setting for all its records, as people's folders do.
+
+    Raises:
+        BadData: It does: an agent's record would count as a person's.
+    """
+    said = setting_of_folder(out)
+    if said is not None:
+        reason = f"is kept for records of the setting {said}"
+        raise BadData(out, reason, "Choose another folder")
+
+
 def setting_of_folder(out: Path) -> str | None:
     """The setting that a folder claims for all its records; None if each agent has its own.
 
@@ -163,21 +179,3 @@ def reserved(out: Path, name: str = SUITE) -> Generator[None]:
             remedy = "Wait for it, or choose another folder"
             raise BadData(out, "another run is at work there", remedy) from error
         yield
-
-
-def add_run(out: Path, record: EpisodeRecord) -> None:
-    """Add a record as the next run of its agent on its task.
-
-    Raises:
-        BadData: A record that is there already can't be read.
-        OutputFailed: It can't be written; those that were there are still whole.
-    """
-    path = out / RECORDS
-    with alone(out):
-        earlier = read_records(path) if path.exists() else []
-        mine = [r.run for r in earlier if _whose(r) == _whose(record)]
-        append_record(path, replace(record, run=max(mine, default=-1) + 1))
-
-
-def _whose(record: EpisodeRecord) -> tuple[str, str, str]:
-    return record.task, record.agent, record.setting

@@ -22,6 +22,11 @@ def has_tools(setting: str) -> bool:
     return setting.split(",")[0] not in _WITHOUT_TOOLS
 
 
+def has_pointer(setting: str) -> bool:
+    """Whether a model points for perception; a setting's name says so after a comma."""
+    return any(part.startswith("pointer ") for part in setting.split(", ")[1:])
+
+
 @dataclass(frozen=True)
 class ModelReply:
     """One reply of a model.

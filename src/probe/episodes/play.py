@@ -129,7 +129,9 @@ def _perceiver(
         return ideal
     if conditions.dials == NO_DIALS:
         return chosen
-    return dialled(conditions.dials, task.seed, circumstances.run, library.specs)
+    # Those of the package: what else is on a machine must not change what is told.
+    rumours = [spec for spec in library.specs if spec.origin == "procedural"]
+    return dialled(conditions.dials, task.seed, circumstances.run, rumours)
 
 
 def open_episode(

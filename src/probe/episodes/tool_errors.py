@@ -8,7 +8,7 @@ from typing import Literal
 
 from probe.episodes.conditions import NO_DIALS, Conditions
 from probe.episodes.noise import NO_NOISE, NOISES, Noise, NoiseName
-from probe.episodes.participation import has_tools
+from probe.episodes.participation import has_pointer, has_tools
 from probe.episodes.record import EpisodeRecord
 from probe.perception.dials import Dials
 from probe.tasks.headline import HeadlineErrors
@@ -60,7 +60,8 @@ def tool_errors(
 def label_of(record: EpisodeRecord, headline: HeadlineErrors | None, setting: str) -> str:
     """In what an episode differs from the headline setting of its suite, in a few words.
 
-    Of a suite without one: from its task and the usual perception.
+    Of a suite without one: from its task and the usual perception. A robot's hand errs by itself,
+    and so does a model that points; nothing is said of them.
 
     Args:
         record: The episode.
@@ -72,20 +73,21 @@ def label_of(record: EpisodeRecord, headline: HeadlineErrors | None, setting: st
     dials, noise = record.conditions.dials, Noise(headline.grasp, headline.push)
     if dials == headline.dials:
         record = replace(record, conditions=replace(record.conditions, dials=NO_DIALS))
-    hand = "" if record.noise == noise else _hand(record.noise)
-    eye = "" if dials != NO_DIALS or headline.dials == NO_DIALS else "ideal detector"
-    perceives = "" if record.perception.label else eye
-    return ", ".join(filter(None, (record.label, hand, perceives)))
+    hand = "" if record.frames or record.noise == noise else _hand(record.noise)
+    errs = dials != NO_DIALS or bool(record.perception.label) or has_pointer(setting)
+    eye = "" if errs or headline.dials == NO_DIALS else "ideal detector"
+    return ", ".join(filter(None, (record.label, hand, eye)))
 
 
 def hands_words(records: Iterable[EpisodeRecord], headline: HeadlineErrors | None) -> str:
     """What to say where hands err by different amounts; empty if they err alike.
 
     Args:
-        records: Of all results that stand side by side.
+        records: Of all results that stand side by side; a robot's hand is left out, for nobody
+            knows how far it errs.
         headline: Of their suite; with one, each result's setting tells how it differs from that.
     """
-    hands = {record.noise for record in records if record.manipulations}
+    hands = {it.noise for it in records if it.manipulations and not it.frames}
     if headline is not None or len(hands) < 2:
         return ""
     several = "; ".join(_hand(it) for it in sorted(hands, key=lambda it: (it.grasp, it.push)))

@@ -9,7 +9,8 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 from probe.episodes.episode import Episode
-from probe.episodes.folder import add_run
+from probe.episodes.files import line_of
+from probe.episodes.folder import add_line
 from probe.episodes.turns import Call
 from probe.toolshed.result import ToolResult
 from probe.types import Array
@@ -93,7 +94,7 @@ class Session:
                 return
             self._kept = True
             try:
-                add_run(self._out, episode.record)
+                add_line(self._out, line_of(episode.record))
             except Exception as error:  # close() raises it; the client did its part
                 self._fail(error)
 

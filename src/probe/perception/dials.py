@@ -156,7 +156,8 @@ class NoisyDetector:
         found: list[Thing] = []
         for chance in lucks:
             if chance("hallucinated") < self._dials.hallucinated:
-                words = self._rumours[int(chance("words") * len(self._rumours))]
+                # Not by its place in the list, which is another where there are other objects.
+                words = min(self._rumours, key=lambda it: chance(f"words/{it.name}"))
                 rng = np.random.default_rng(int(chance("place") * 2**53))
                 thing = invented(taken, words, rng)
                 if thing is not None:

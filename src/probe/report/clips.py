@@ -34,8 +34,9 @@ def clip_stem(record: EpisodeRecord, number: int) -> str:
         number: Of the step, from 1.
     """
     step = record.steps[number - 1]
+    whose = [record.task, record.agent, record.run, *filter(None, [record.setting])]
     told = [
-        [record.task, record.agent, record.run, number, step.call.name, step.call.arguments],
+        [*whose, number, step.call.name, step.call.arguments],
         *(SceneDocument.of(scene).model_dump() for scene in record.scenes[number - 1 : number + 1]),
     ]
     return hashlib.sha256(json.dumps(told).encode()).hexdigest()[:20]

@@ -58,8 +58,12 @@ class Panel:
 
 
 def panels(cards: Iterable[Scorecard]) -> list[Panel]:
-    """The bars of each entrant; lengths are shares of a type's episodes."""
-    return [Panel(card.entrant, tuple(_bar(each) for each in card.outcomes)) for card in cards]
+    """The bars of each entrant that has an episode; lengths are shares of a type's episodes."""
+    return [
+        Panel(card.entrant, tuple(_bar(each) for each in card.outcomes))
+        for card in cards
+        if card.outcomes
+    ]
 
 
 def _bar(outcomes: Outcomes) -> Bar:

@@ -106,12 +106,19 @@ class Carrier:
         return abs(self._station.grip(0.0) - self.width) < _FELT
 
     def drop(self) -> None:
-        """Let the box fall into the basket and go home; the hand then is as wide as it was."""
+        """Let the box fall into the basket and go home; the hand then is as wide as it was.
+
+        Raises:
+            Impossible: No way leads over the basket; the hand still holds the box.
+        """
         x, y, floor = self._setup.basket.position
         high = floor + self._setup.basket.size[2] + self._box.size[2] + 0.06
         for turn in np.radians([0, 45, 90, 135, 180]):
             if self.to(self.down(np.array([x, y, high]), float(turn))) is not None:
                 break
+        else:
+            text = "No free way leads the box over the basket, so the hand still holds it."
+            raise Impossible("out of reach", text, "Compare the set-up's basket with the real one.")
         self._station.grip(min(self.width + _LET_GO, self._station.hand.max_opening))
         self._held = None
         self._station.wait(0.5)

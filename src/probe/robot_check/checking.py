@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from contextlib import closing
+from collections.abc import Callable, Generator
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from probe.errors import BadData, MissingExtra, RobotLost
+from probe.errors import BadData, MissingExtra, ProbeError, RobotLost
 from probe.robot_check.box import KnownBox
 from probe.robot_check.calibration import FEWEST, Calibration, calibrated
 from probe.robot_check.corrected import corrected, write_cameras
@@ -99,26 +99,42 @@ def check(kit: Kit, wishes: Wishes, ask: Callable[[str], bool]) -> None:
 
 
 def _with_box(kit: Kit, wishes: Wishes, ask: Callable[[str], bool]) -> None:
-    from probe_bridge.errors import BridgeError
-
     with closing(kit.connect()) as client:
-        try:
-            views: list[View] = [view for view in _VIEWS if view in client.description.cameras]
-            station = RobotStation(client, wishes.setup, views[0] if views else "front")
+        views: list[View] = [view for view in _VIEWS if view in client.description.cameras]
+        station = RobotStation(client, wishes.setup, views[0] if views else "front")
+        told = False
+        with _told(kit, REACH):
             kit.add(reach_outcome(station, wishes.setup, client.description.joints))
+            told = True
+        if not told:
+            kit.skip([BOX, PICK], "what comes before it has failed")
+            return
+        with _told(kit, BOX):
             size = " x ".join(f"{100 * edge:g}" for edge in wishes.box.size)
             if ask(CARRYING.format(size=size)):
                 cell = Cell(client, station, wishes.setup, views, wishes.box)
                 _look_at_box(kit, cell, wishes)
             else:
                 kit.skip([BOX], "nobody wanted it")
+        with _told(kit, PICK):
             _pick(kit, station, wishes, ask)
-        except Impossible as reason:
-            kit.add(impossible(BOX, reason))
-        except BadData as error:
-            kit.add(impossible(BOX, Impossible("wrong set-up", str(error), "")))
-        except (RobotLost, BridgeError) as error:
-            kit.add(impossible(BOX, Impossible("link lost", str(error), "")))
+
+
+@contextmanager
+def _told(kit: Kit, check: str) -> Generator[None]:
+    """The block, whose errors are a failure of its check: what was found before isn't lost."""
+    from probe_bridge.errors import BridgeError
+
+    try:
+        yield
+    except Impossible as reason:
+        kit.add(impossible(check, reason))
+    except BadData as error:
+        kit.add(impossible(check, Impossible("wrong set-up", str(error), "")))
+    except (RobotLost, BridgeError) as error:
+        kit.add(impossible(check, Impossible("link lost", str(error), "")))
+    except ProbeError as error:
+        kit.add(impossible(check, Impossible("ended early", str(error), "")))
 
 
 def _look_at_box(kit: Kit, cell: Cell, wishes: Wishes) -> None:

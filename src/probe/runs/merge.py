@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from probe.episodes.conventions import joined_conventions, write_conventions
 from probe.episodes.files import write_records
 from probe.episodes.folder import (
     RECORDS,
@@ -32,7 +33,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
 
     Raises:
         BadData: They are about different suites, were run under different conditions, were to have
-            different numbers of runs, a model counted places in two ways, their tools have
+            different numbers of runs, a model counted or wrote places in two ways, their tools have
             different versions, a robot's pictures belong to one, only some are people's, an episode
             is in two of them, one can't be read or can't be of a run of the suite, or the new
             folder isn't new.
@@ -52,7 +53,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
             first = first or record
             _check(part, record, first, found, points)
         kept += records
-    setting, ordered = _setting(parts), joined(parts)
+    setting, ordered, conventions = _setting(parts), joined(parts), joined_conventions(parts)
     remarks = [remark for part in parts for remark in read_remarks(part)]
     variation = read_variation(parts[0])
     if variation is not None:
@@ -63,6 +64,7 @@ def merge_folders(parts: Sequence[Path], out: Path) -> int:
         write_ordered(out, ordered)
     if remarks:
         write_remarks(out, remarks)
+    write_conventions(out, conventions)
     write_suite(out / SUITE, suite)
     write_records(out / RECORDS, in_order(kept, suite))
     return len(kept)

@@ -11,7 +11,14 @@ from pathlib import Path
 
 from probe.engines.plan import Engine, LostUnit, WorkPlan
 from probe.episodes.files import line_of, read_records, set_aside_cut
-from probe.episodes.folder import RECORDS, add_line, check_suite, check_tools_of, occupied
+from probe.episodes.folder import (
+    RECORDS,
+    add_line,
+    check_for_agents,
+    check_suite,
+    check_tools_of,
+    occupied,
+)
 from probe.episodes.ordered import note_ordered
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData
@@ -46,8 +53,8 @@ def begun(out: Path, suite: Suite, order: RunOrder) -> Generator[RunStart]:
     """Make or take up a folder, for this process alone; nothing is changed if it is refused.
 
     Raises:
-        BadData: It is about another suite, was run under other conditions, can't be read, or
-            another run is at work there.
+        BadData: It is about another suite, is kept for people's records, was run under other
+            conditions, can't be read, or another run is at work there.
         OutputFailed: It can't be written.
     """
     check_folder(out, suite, order)
@@ -66,10 +73,12 @@ def check_folder(out: Path, suite: Suite, order: RunOrder) -> None:
     """See that a run can begin or go on in a folder; nothing is left there.
 
     Raises:
-        BadData: It is about another suite, was run under other conditions, or can't be read.
+        BadData: It is about another suite, is kept for people's records, was run under other
+            conditions, or can't be read.
         OutputFailed: It can't be written.
     """
     check_suite(out, suite)
+    check_for_agents(out)
     check_settings(out / RECORDS, _earlier(out), order)
     check_writable(out)
 

@@ -25,6 +25,21 @@ class Gap:
 
 
 @dataclass(frozen=True)
+class Absent:
+    """An entrant that was ordered and of which there is no row: all of it is missing.
+
+    Attributes:
+        entrant: Who it is.
+        ordered: Runs of each task that it was to have.
+        tools: Version of the tools that it was to have.
+    """
+
+    entrant: Entrant
+    ordered: int
+    tools: int
+
+
+@dataclass(frozen=True)
 class Headline:
     """An average over types or, pooled, over tasks; or the reason why there is none.
 

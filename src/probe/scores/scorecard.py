@@ -21,7 +21,7 @@ from probe.scores.breakdown import (
 )
 from probe.scores.estimates import corrected, macro_chance
 from probe.scores.intervals import Interval, bootstrap, standard_error, student, wilson
-from probe.scores.missing import Gap, Headline, gaps_of, headline, present, runs_of
+from probe.scores.missing import Absent, Gap, Headline, gaps_of, headline, present, runs_of
 from probe.scores.power import detectable_gap
 from probe.scores.restraint import is_restrained, needless
 from probe.scores.roster import (
@@ -166,19 +166,36 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
         ContraryRows: They are of several entrants, suites or versions of the tools, or a run is
             there twice.
     """
-    gaps, tools = gaps_of(rows, roster), rows[0].tools
+    tools = rows[0].tools
     if odd := next((row for row in rows if row.tools != tools), None):
         raise ContraryRows(odd, f"it has version {odd.tools} of the tools, others have {tools}")
-    question_types = chance_by_type(roster)
+    return _card(rows[0].entrant, tools, rows, roster, seed, runs_of(rows))
+
+
+def absent_card(absent: Absent, roster: Roster, seed: int) -> Scorecard:
+    """The figures of an entrant of which all is missing; see scorecard."""
+    return _card(absent.entrant, absent.tools, (), roster, seed, range(absent.ordered))
+
+
+def _card(
+    entrant: Entrant,
+    tools: int,
+    rows: Sequence[Row],
+    roster: Roster,
+    seed: int,
+    runs: Collection[int],
+) -> Scorecard:
+    """All figures of an entrant that should have these runs of each task."""
+    gaps = gaps_of(rows, roster, runs)
     error, freedom = standard_error(strata_of([] if gaps else units_of(rows)))
     return Scorecard(
-        entrant=rows[0].entrant,
-        macro=_figure("macro", rows, roster, seed),
+        entrant=entrant,
+        macro=_figure("macro", rows, roster, seed, runs=runs),
         question_types=tuple(
-            _part(question_type, rows, roster, seed, _of_type(question_type))
-            for question_type in question_types
+            _part(question_type, rows, roster, seed, _of_type(question_type), runs)
+            for question_type in chance_by_type(roster)
         ),
-        parts=_parts(rows, roster, seed),
+        parts=_parts(rows, roster, seed, runs),
         gaps=tuple(gaps),
         icc=icc(units_of(present(rows))),
         detectable=detectable_gap(math.sqrt(2) * error, freedom) if error else None,
@@ -186,41 +203,51 @@ def scorecard(rows: Sequence[Row], roster: Roster, seed: int) -> Scorecard:
         effort=effort(rows),
         execution=execution(rows),
         tools=tools,
-        **_restraint(rows, roster, seed),
+        **_restraint(rows, roster, seed, runs),
     )
 
 
-def _restraint(rows: Sequence[Row], roster: Roster, seed: int) -> Restraint:
+def _restraint(rows: Sequence[Row], roster: Roster, seed: int, runs: Collection[int]) -> Restraint:
     counts = {listed.necessary for listed in roster.values()}
     steps = sorted(count for count in counts if count is not None)
     if None in counts:
         return {}
     return {
-        "restrained": _figure("restrained", rows, roster, seed, is_restrained),
+        "restrained": _figure("restrained", rows, roster, seed, is_restrained, runs),
         "by_necessary": tuple(
-            _part(str(count), rows, roster, seed, lambda it, n=count: it.necessary == n, pool=True)
+            _part(str(count), rows, roster, seed, _that_takes(count), runs, pool=True)
             for count in steps
         ),
         "needless": needless(rows),
     }
 
 
+def _that_takes(necessary: int) -> Callable[[Listed], bool]:
+    return lambda listed: listed.necessary == necessary
+
+
 def _of_type(question_type: str) -> Callable[[Listed], bool]:
     return lambda listed: listed.question_type == question_type
 
 
-def _parts(rows: Sequence[Row], roster: Roster, seed: int) -> tuple[Figure, ...]:
+def _of_stratum(stratum: str) -> Callable[[Listed], bool]:
+    return lambda listed: listed.stratum == stratum
+
+
+def _parts(
+    rows: Sequence[Row], roster: Roster, seed: int, runs: Collection[int]
+) -> tuple[Figure, ...]:
     strata = sorted({(it.question_type, it.stratum) for it in roster.values() if it.stratum})
     figures = [
-        _part(
-            f"{question_type}, {stratum}", rows, roster, seed, lambda it, s=stratum: it.stratum == s
-        )
-        for question_type, stratum in strata
+        _part(f"{of}, {stratum}", rows, roster, seed, _of_stratum(stratum), runs)
+        for of, stratum in strata
     ]
     more = {it.question_type for it in roster.values() if _needs_more(it.question_type)}
     letters = [
-        _part(f"{name}, letter alone", rows, roster, seed, _of_type(name), _letter, letter_guessed)
-        for name in sorted(more)
+        _part(
+            f"{of}, letter alone", rows, roster, seed, _of_type(of), runs, _letter, letter_guessed
+        )
+        for of in sorted(more)
     ]
     return (*letters, *figures)
 
@@ -241,6 +268,7 @@ def _part(
     roster: Roster,
     seed: int,
     keep: Callable[[Listed], bool],
+    runs: Collection[int],
     worth: Worth = is_correct,
     guess: Guess = guessed,
     *,
@@ -248,7 +276,7 @@ def _part(
 ) -> Figure:
     some = {task: listed for task, listed in roster.items() if keep(listed)}
     mine = [row for row in rows if row.task in some]
-    return _figure(name, mine, some, seed, worth, runs_of(rows), guess, pool=pool)
+    return _figure(name, mine, some, seed, worth, runs, guess, pool=pool)
 
 
 def _floor(by_type: Mapping[str, float], roster: Roster, *, pool: bool) -> float:

@@ -13,11 +13,11 @@ import pydantic
 from probe.files import write_text
 from probe.scene.seeds import generator
 from probe.scores.holm import ties
-from probe.scores.missing import present, settled
+from probe.scores.missing import Absent, present, settled
 from probe.scores.pairs import Pair, Results, family, share_tasks
 from probe.scores.roster import Roster
 from probe.scores.row import Entrant, Row
-from probe.scores.scorecard import Scorecard, scorecard
+from probe.scores.scorecard import Scorecard, absent_card, scorecard
 from probe.scores.setting_effect import Both, SettingEffect, setting_effect
 from probe.scores.units import ContraryRows, by_entrant, units_of
 
@@ -53,7 +53,13 @@ class Scores:
 
 
 def summarise(
-    suite: str, rows: Iterable[Row], roster: Roster, seed: int = 0, *, whole: bool = True
+    suite: str,
+    rows: Iterable[Row],
+    roster: Roster,
+    seed: int = 0,
+    *,
+    whole: bool = True,
+    absent: Iterable[Absent] = (),
 ) -> Scores:
     """All scores of a suite.
 
@@ -63,6 +69,7 @@ def summarise(
         roster: All tasks of the suite.
         seed: Of all draws.
         whole: Whether these are all tasks of the suite that it is a part of, if it is one.
+        absent: Who was ordered and has no row; who has one after all isn't absent.
 
     Raises:
         ContraryRows: Rows of another suite or of other tasks, or two results of a run.
@@ -74,6 +81,8 @@ def summarise(
             raise ContraryRows(row, f"it is of suite {row.suite}, not of {suite}")
     entrants = by_entrant(kept)
     cards = [scorecard(some, roster, seed) for some in entrants.values()]
+    never = {it.entrant: it for it in absent if it.entrant not in entrants}
+    cards += [absent_card(it, roster, seed) for _, it in sorted(never.items())]
     cards.sort(key=lambda card: -card.macro.headline.worst)
     results: Results = {
         entrant: units for entrant, some in entrants.items() if (units := units_of(present(some)))

@@ -48,7 +48,7 @@ def fused(depths: Sequence[Array]) -> FusedDepth:
             pixel counts as measured if at least half of the pictures have a reading of it.
 
     Raises:
-        ProbeError: There is no reading in any.
+        ProbeError: No pixel counts as measured.
     """
     stack = np.array(depths, dtype=np.float32)
     stack[~(stack > 0)] = np.nan
@@ -56,6 +56,12 @@ def fused(depths: Sequence[Array]) -> FusedDepth:
     if not present.any():
         raise ProbeError("The camera gave no depth at all. Is it covered?")
     measured = 2 * present.sum(axis=0) >= len(stack)
+    if not measured.any():
+        seen = int(present.any(axis=(1, 2)).sum())
+        raise ProbeError(
+            f"Only {seen} of the camera's {len(stack)} pictures have any depth, or each of another "
+            "part. Is it covered, or too near?"
+        )
     whole = bool(measured.all())
     depth = _together(stack, measured)
     return FusedDepth(depth, _noise(stack), None if whole else measured)

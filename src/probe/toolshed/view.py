@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from probe.changes.change import Changes
 from probe.changes.sighting import Look, Sighting, sightings
+from probe.perception.relief import AROUND
 from probe.perception.things import Detector, Thing
 from probe.scene.setup import Basket
 from probe.station.colours import in_colour
 from probe.station.station import Station
-from probe.types import Array, Frame
+from probe.types import Array, Frame, Pose
 
 
 class CurrentView:
@@ -66,7 +69,7 @@ class CurrentView:
         if self._look is None:
             table = self.coloured
             basket = self._station.look_into_basket(rgb=True)
-            below = sightings(basket, self._detector.detect(basket))
+            below = sightings(basket, self._detector.detect(_from_its_floor(basket, self._basket)))
             inside = tuple(s for s in below if self._basket.holds(*s.middle[:2]))
             beside = tuple(s for s in below if s not in inside and not _in_view(table, s.middle))
             here = sightings(table, self.things)
@@ -80,6 +83,18 @@ class CurrentView:
         self._buried, self._missing = changes.buried, changes.missing
         if self._look is not None:
             self._look = replace(self._look, buried=self._buried, missing=self._missing)
+
+
+def _from_its_floor(frame: Frame, basket: Basket) -> Frame:
+    """The frame as if the basket's floor lay where the table's top does: detectors look there."""
+    *aside, height = basket.position
+    reach = max(abs(middle) + size / 2 for middle, size in zip(aside, basket.size, strict=False))
+    shift = np.array([*(aside if reach > AROUND else (0.0, 0.0)), height])
+    if not shift.any():
+        return frame
+    pose = frame.camera.world_from_camera
+    there = Pose.of(np.array(pose.position) - shift, np.array(pose.wxyz))
+    return replace(frame, camera=replace(frame.camera, world_from_camera=there))
 
 
 def _in_view(frame: Frame, point: Array) -> bool:

@@ -12,9 +12,12 @@ from dataclasses import dataclass, field
 from probe.agents.reading import handle_refused, read_graph
 from probe.episodes.record import EpisodeRecord, Step
 from probe.perception.places import place_in
+from probe.runs.checks.calls import request_of
+from probe.scene.setup import UR5_TABLE
 from probe.scores.row import Entrant
 from probe.toolshed.result import MOVING
 
+_SIDE_PX = UR5_TABLE.picture_px
 _APART_PX = 2.0
 """A place is a listed one at this distance at most: thousandths are about a pixel apart."""
 
@@ -120,8 +123,9 @@ def _wordless(record: EpisodeRecord) -> int:
 
 def _of_step(step: Step, lists: _Lists) -> Rungs:
     lost = handle_refused(step.text)
-    # Tools call an object_id that doesn't hold malformed, too: that is another rung.
-    formed = step.status != "malformed" or lost
+    # Tools call malformed, too, what fits them and not this table or question: an object_id that
+    # doesn't hold, which is another rung, a letter without an option, an answer without its point.
+    formed = step.status != "malformed" or lost or request_of(step, _SIDE_PX) is not None
     listed = holding = Share()
     if formed and step.call.name in MOVING and step.status != "refused":
         # Once no manipulation is left, nobody looks at the object_id.

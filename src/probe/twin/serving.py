@@ -140,22 +140,27 @@ def listening(robot: Robot, token: str, host: str, port: int) -> Generator[str]:
     )
     thread.start()
     try:
-        yield ready.result()
-    except OSError as error:
-        raise OutputFailed(f"{host}:{port}", error) from error
+        yield _address(ready, f"{host}:{port}")
     finally:
         ended.set()
         thread.join()
 
 
+def _address(ready: Future[str], where: str) -> str:
+    try:
+        return ready.result()
+    except OSError as error:
+        raise OutputFailed(where, error) from error
+
+
 async def _serve(
     robot: Robot, token: str, host: str, port: int, ready: Future[str], ended: threading.Event
 ) -> None:
-    from probe_bridge.server import Address, listen
-
     try:
+        from probe_bridge.server import Address, listen
+
         server = await listen(robot, token, Address(host, port))
-    except OSError as error:
+    except Exception as error:  # whoever waits hears of it, whatever it is
         ready.set_exception(error)
         return
     async with server:

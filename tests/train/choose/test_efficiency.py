@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from lessons import lesson, reminded, training_task
+from probe.episodes.turns import Call
 from probe.train.choose.efficiency import failures, limits, waste
 
 TASK = training_task(1)
@@ -41,6 +42,21 @@ def test_a_reply_that_needed_a_reminder_did_nothing(setting):
     it = lesson(TASK, setting=setting)
     assert waste(it.record, 1) is None
     assert waste(reminded(it).record, 1) == "a call or reply that did nothing"
+
+
+def test_a_thing_is_the_same_under_the_object_id_that_a_reply_gave_it():
+    """Nobody looked in between."""
+    played = moves(("mug", "failed"))
+    find, grasp, _ = played.steps
+    grasp = replace(grasp, text="Failed: the gripper met it. It is object_77 now.")
+    again = failing(grasp, "object_77")
+    assert dict(failures(replace(played, steps=(find, grasp, again)))) == {"mug": 2}
+    unnamed = failing(grasp, "object_8"), failing(grasp, "object_9")
+    assert waste(replace(played, steps=unnamed), 3) is None
+
+
+def failing(step, handle):
+    return replace(step, call=Call.of("grasp_and_remove", {"object_id": handle}), text="Failed.")
 
 
 def test_an_agent_without_a_seat_is_reminded_of_nothing():

@@ -13,8 +13,9 @@ from lessons import BY_KIND, FIRST_SEED, lesson
 from probe.assets.library import Library, open_library
 from probe.episodes.files import append_record, read_records
 from probe.episodes.folder import RECORDS, SUITE
-from probe.errors import Unsatisfiable
-from probe.generation.build_folder import BuildFolder
+from probe.errors import BadData, Unsatisfiable
+from probe.generation.build_folder import BuildFolder, CandidateLog, TaskSlot
+from probe.generation.plan import ATTEMPTS
 from probe.report.scene_renderer import SceneRenderer
 from probe.tasks.suite_file import write_suite
 from probe.train.choose.gathering import candidates_of
@@ -129,6 +130,40 @@ def test_a_model_without_sight_plays_with_tools_alone(tmp_path, things):
     claim(tmp_path, SETTINGS)
     found, _ = candidates_of([tmp_path], {})
     assert {it.record.setting for it in found} == {"text-only"} and len(found) == len(world.made)
+
+
+@pytest.mark.parametrize("other", [{"mode": "agentic"}, {"direct_runs": 1}])
+def test_a_batch_is_not_finished_in_other_settings_than_it_was_begun_in(tmp_path, things, other):
+    """What was played of it would stay ungraded, and nothing could be selected."""
+    begun = Aim({"count": 5}, FIRST, batch=4, direct_runs=2)
+    with pytest.raises(KeyboardInterrupt):
+        run(TwiceDirect(tmp_path, things, stop_after=6), begun)
+    (batch,) = batches(tmp_path)
+    with pytest.raises(BadData, match=r"direct, 2 runs each. Say --settings and --direct-runs"):
+        run(World(tmp_path, things), replace(begun, **other))
+    assert not batch.whole
+    run(TwiceDirect(tmp_path, things), begun)
+    assert batch.whole
+
+
+class TwiceDirect(World):
+    """Plays two runs without tools."""
+
+    def play(self, suite, setting, runs, out):
+        yield from super().play(suite, setting, runs, out)
+        path = out / RECORDS
+        for task in suite.tasks if setting == "direct" else ():
+            append_record(path, lesson(task, setting=setting, run=1).record)
+
+
+def test_a_place_that_was_tried_in_vain_is_left_out(tmp_path, things):
+    parts = BuildFolder(tmp_path / TASKS)
+    for attempt in range(ATTEMPTS):
+        tried = CandidateLog("count", 1000 * FIRST + attempt, "hidden", None, "in sight", 1.0)
+        parts.add(TaskSlot("count", FIRST), tried)
+    world = World(tmp_path, things)
+    run(world, Aim({"count": 1}, FIRST, batch=1))
+    assert world.made[0] == FIRST + 1
 
 
 @pytest.mark.parametrize("stop", [0, 3, 5, 8])

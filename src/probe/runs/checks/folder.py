@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 
 from probe.episodes.conditions import Conditions
-from probe.episodes.files import read_records
+from probe.episodes.files import lines_of, records_of
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.grading import answer_form, budget_of
 from probe.episodes.ordered import read_ordered
@@ -45,12 +45,18 @@ def read_checked(out: Path, suite: Suite) -> list[EpisodeRecord]:
         BadData: A record can't be read, or can't have come of a run of the suite; or the suite
             bears the name of a packaged one that it isn't.
     """
+    return [record for _, record in read_checked_lines(out, suite)]
+
+
+def read_checked_lines(out: Path, suite: Suite) -> list[tuple[bytes, EpisodeRecord]]:
+    """As read_checked, each record with its line: both are of one look at the file."""
     path = out / RECORDS
-    records = read_records(path)
+    lines = lines_of(path)
+    records = records_of(path, lines)
     check_records(records, suite, path)
     _refuse(_of_folder(records, out), records, path)
     check_suite_of(out, suite, records)
-    return records
+    return list(zip(lines, records, strict=True))
 
 
 def check_records(records: Sequence[EpisodeRecord], suite: Suite, path: Path) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from statistics import median_low
 from typing import Literal
 
-from probe.agents.reading import read_handles
+from probe.agents.reading import read_handles, read_new_handle
 from probe.episodes.record import EpisodeRecord, Step
 from probe.toolshed.result import DID_NOTHING, MOVING
 
@@ -63,8 +63,13 @@ def failures(record: EpisodeRecord) -> Counter[str]:
     for step in record.steps:
         if step.call.name in _LOOKS:
             called |= read_handles(step.text)
-        elif step.call.name in MOVING and step.status == "failed":
-            failed[called.get(_handle(step), "")] += 1
+        elif step.call.name in MOVING:
+            handle = _handle(step)
+            what = called.get(handle, handle)
+            if step.status == "failed":
+                failed[what] += 1
+            if renamed := read_new_handle(step.text):
+                called[renamed] = what
     return failed
 
 

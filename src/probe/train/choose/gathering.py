@@ -12,11 +12,9 @@ from probe.errors import BadData
 from probe.tasks.suite import Suite
 from probe.tasks.suite_file import digest_of, read_suite
 from probe.train.choose.candidates import EpisodeCandidate
-from probe.train.collect.batches import Batch, EpisodeGrade, batches
+from probe.train.collect.batches import SETTINGS, Batch, EpisodeGrade, batches
 from probe.train.collect.settings import read_settings
 from probe.transcripts.prompts import Setting
-
-SETTINGS: tuple[Setting, ...] = "direct", "agentic", "text-only"
 
 
 @dataclass(frozen=True)

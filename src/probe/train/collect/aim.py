@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from itertools import islice
 from typing import Literal
@@ -12,6 +12,7 @@ from probe.errors import BadData
 from probe.generation.build_folder import TaskSlot
 from probe.tasks.task import QUESTION_TYPES, QuestionType
 from probe.train.collect.batches import CollectedBatches, fresh_places
+from probe.transcripts.prompts import Setting
 from probe.types import Shard
 
 PAPER_COUNTS: Mapping[QuestionType, int] = {
@@ -111,6 +112,11 @@ class Aim:
         """At most."""
         return {"both": self.direct_runs + 1, "direct": self.direct_runs}.get(self.mode, 1)
 
+    @property
+    def settings(self) -> tuple[Setting, ...]:
+        """In which tasks are played, in this order."""
+        return ("direct", "agentic") if self.mode == "both" else (self.mode,)
+
     def reached(self, so_far: CollectedBatches) -> int:
         """Successes that count; more of a type than wanted don't."""
         return sum(
@@ -125,8 +131,15 @@ class Aim:
         few = self.most_episodes is not None and self._by_episodes(so_far) <= 0
         return "episodes" if few else "cost"
 
-    def next_places(self, so_far: CollectedBatches) -> list[TaskSlot]:
-        """What to make next: as much as is lacking by the success rates so far, within a batch."""
+    def next_places(
+        self, so_far: CollectedBatches, exhausted: Callable[[TaskSlot], bool] = lambda _: False
+    ) -> list[TaskSlot]:
+        """What to make next: as much as is lacking by the success rates so far, within a batch.
+
+        Args:
+            so_far: What there is.
+            exhausted: Whether a place has been tried in vain; it is left out.
+        """
         needs = {question_type: self._need(question_type, so_far) for question_type in self.counts}
         shares = _shared(needs, min(self.batch, self._room(so_far)))
         places = list[TaskSlot]()
@@ -134,7 +147,8 @@ class Aim:
             fresh = fresh_places(
                 question_type, self.first, self.shard, so_far.last.get(question_type)
             )
-            places += islice(fresh, shares[question_type])
+            left = (place for place in fresh if not exhausted(place))
+            places += islice(left, shares[question_type])
         return places
 
     def _need(self, question_type: QuestionType, so_far: CollectedBatches) -> int:

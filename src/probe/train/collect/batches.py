@@ -67,6 +67,10 @@ class Grades(pydantic.BaseModel, extra="forbid", frozen=True):
     grades: tuple[EpisodeGrade, ...]
 
 
+SETTINGS: tuple[Setting, ...] = "direct", "agentic", "text-only"
+"""In which a teacher may play."""
+
+
 @dataclass(frozen=True)
 class Batch:
     """One batch's folder."""

@@ -14,15 +14,17 @@ from typing import Protocol
 from probe.assets.library import Library
 from probe.episodes.folder import SUITE
 from probe.episodes.record import EpisodeRecord
-from probe.errors import Unsatisfiable
+from probe.errors import BadData, Unsatisfiable
 from probe.generation.build import assemble
 from probe.generation.build_folder import BuildFolder, TaskSlot
+from probe.generation.plan import ATTEMPTS
 from probe.report.scene_renderer import SceneRenderer
 from probe.tasks.suite import Suite, check_objects, selection
 from probe.tasks.suite_file import read_suite, write_suite
 from probe.tasks.task import Task
 from probe.train.collect.aim import Aim
 from probe.train.collect.batches import (
+    SETTINGS,
     TASKS,
     Batch,
     CollectedBatches,
@@ -81,13 +83,14 @@ def collect(out: Path, aim: Aim, hands: TeacherWorkers) -> Generator[CollectionP
 
     Raises:
         Unsatisfiable: No task of a batch could be made.
-        BadData: What is there already can't be read.
+        BadData: What is there already can't be read, or a batch was begun in other settings.
         OutputFailed: It can't be written.
     """
     for batch in batches(out, aim.shard):
         if not batch.whole:
             suite = read_suite(batch.folder / SUITE)
             check_objects(suite, hands.library)
+            _check_begun(batch, suite, aim)
             so_far = collected(batches(out, aim.shard))
             for doing in _played(batch, suite, aim, hands):
                 yield CollectionProgress(so_far, doing)
@@ -100,9 +103,26 @@ def collect(out: Path, aim: Aim, hands: TeacherWorkers) -> Generator[CollectionP
         yield CollectionProgress(so_far, "a batch is done")
 
 
+def _check_begun(batch: Batch, suite: Suite, aim: Aim) -> None:
+    """See that whatever was played of a batch is of what is to be played, or it stays ungraded.
+
+    Raises:
+        BadData: It was begun with other settings, or with more runs.
+    """
+    begun = [it for it in SETTINGS if (batch.setting(it) / SUITE).exists()]
+    known = {run for _, run in batch.records("direct", suite)}
+    if not {*begun} <= {*aim.settings} or max(known, default=-1) >= aim.direct_runs:
+        reason = f"was begun with episodes that are {' and '.join(begun)}"
+        runs = f", {max(known) + 1} runs each" if known else ""
+        remedy = f"Say --settings and --direct-runs as then, or delete {batch.folder}"
+        raise BadData(batch.folder, f"{reason}{runs}", remedy)
+
+
 def _new(out: Path, aim: Aim, hands: TeacherWorkers, so_far: CollectedBatches) -> Generator[str]:
     """Make and play one more batch."""
-    wanted, failures, made = aim.next_places(so_far), list[str](), list[TaskSlot]()
+    failures, made = list[str](), list[TaskSlot]()
+    parts = BuildFolder(out / TASKS)
+    wanted = aim.next_places(so_far, lambda place: parts.is_exhausted(place, ATTEMPTS))
     for place, failure in hands.make(wanted):
         if failure is None:
             made.append(place)
@@ -111,7 +131,7 @@ def _new(out: Path, aim: Aim, hands: TeacherWorkers, so_far: CollectedBatches) -
         yield f"{len(made)} of {len(wanted)} tasks made"
     if not made:
         raise Unsatisfiable(f"None of {len(wanted)} tasks could be made. {failures[0]}")
-    batch, parts = new_batch(out, aim.shard), BuildFolder(out / TASKS)
+    batch = new_batch(out, aim.shard)
     # In the order in which they were wanted: which worker was first mustn't matter.
     assemble(batch.folder / SUITE, parts, sorted(made), hands.library)
     suite = read_suite(batch.folder / SUITE)

@@ -14,8 +14,9 @@ import numpy as np
 from probe.train.tune import libraries
 from probe.train.tune.conversations import NotUnderstood
 
-MOST_WORDS = 300
-"""Characters that may stand before a call. A "<" begins the call, so none may be among them."""
+MOST_WORDS = 2000
+"""Characters that may stand before a call, twice what our teacher says at most. A "<" begins the
+call, so none may be among them."""
 
 _AS_TRAINED = {"whitespace_flexible": False, "item_separator": ", ", "key_separator": ": "}
 """JSON as templates write it, and so as models have learnt it."""

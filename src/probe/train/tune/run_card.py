@@ -46,7 +46,7 @@ class Run(pydantic.BaseModel, extra="forbid", frozen=True):
         weights: Type of the numbers that were trained, such as "float32".
         computed: Type of the numbers that were computed with; empty in older files.
         steps: How many.
-        seconds: Of all sessions together, from their first step's log on.
+        seconds: Of all sessions together, from when the model is loaded to their last step's log.
         tokens: That were read, in all sessions together; 0 for trainings of before they were
             counted.
         first_loss, last_loss: Means over a tenth of the steps.

@@ -1,4 +1,4 @@
-"""The same episode with a slip: something is asked for by an object_id that is out of date.
+"""The same episode with a slip: something is asked for by an object_id that doesn't hold.
 
 The scripted teacher makes none, so its student never reads what to do after one. The slip itself
 isn't learnt, as it is refused (probe.train.dataset.examples); what follows it is.
@@ -17,7 +17,7 @@ from probe.agents.phrases import Say
 from probe.episodes.participation import ModelReply
 from probe.episodes.record import EpisodeRecord, Step
 from probe.episodes.turns import Call
-from probe.toolshed.refusals import StaleHandle
+from probe.toolshed.refusals import StaleHandle, UnknownHandle
 from probe.toolshed.result import MOVING
 from probe.toolshed.toolshed import MANIPULATIONS, TURNS
 from probe.train.dataset.augment.certain import NotCertain
@@ -29,11 +29,12 @@ _Names = Mapping[str, str | None]
 
 
 def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> EpisodeRecord:
-    """An episode in which, at one point, a call asks for what is out of date.
+    """An episode in which, at one point, a call has an object_id that doesn't hold.
 
     Either an earlier turn is said once more, or the turn that comes is said with an object_id that
-    its thing had before. The reply refuses it, which costs no manipulation; the teacher looks
-    again, and goes on with what it did at this point.
+    its thing had before, or the first manipulation comes before anything was listed. The reply
+    refuses it, which costs no manipulation; the teacher looks, and goes on with what it did at this
+    point.
 
     Args:
         record: What happened, in the setting "text-only".
@@ -42,7 +43,7 @@ def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> Ep
 
     Raises:
         NotCertain: The scripted teacher didn't teach, or finds things by find_object before it
-            moves them; nothing is out of date that it moved or moves next; or no turns are left.
+            moves them; it moves nothing, or not after a list; or no turns are left.
     """
     check_scripted(record)
     seat = seat_of_single_calls(record)
@@ -53,13 +54,25 @@ def with_a_slip(record: EpisodeRecord, rng: np.random.Generator, say: Say) -> Ep
     lists = [_names(step) for step in record.steps]
     decisions = _decisions(record, lists)
     by_place = {at: slips for at in decisions if (slips := _slips(record, lists, at))}
+    by_place |= {0: early} if (early := _early(record)) else {}
     if not by_place:
-        raise NotCertain(record.task, "nothing is out of date that it moved or moves next")
+        raise NotCertain(record.task, "it moves nothing that it listed")
     at = int(rng.choice([*by_place]))
     slip = by_place[at][int(rng.integers(len(by_place[at])))]
-    steps = [*record.steps[:at], *_refused(slip, record.steps[at - 1], say), *record.steps[at:]]
-    replies = [*seat.replies[:at], ModelReply(1), ModelReply(1), *seat.replies[at:]]
+    more = _refused(slip, record.steps[at - 1], say) if at else (slip,)
+    steps = [*record.steps[:at], *more, *record.steps[at:]]
+    replies = [*seat.replies[:at], *(ModelReply(1) for _ in more), *seat.replies[at:]]
     return replace(record, steps=tuple(steps), participation=replace(seat, replies=tuple(replies)))
+
+
+def _early(record: EpisodeRecord) -> list[Step]:
+    """The first manipulation before the first list, refused; none if a list doesn't come first."""
+    first, *later = record.steps
+    move = next((step for step in later if step.call.name in MOVING), None)
+    if first.call.name != "perceive_scene" or move is None:
+        return []
+    text = str(UnknownHandle(_object_id(move), ()))
+    return [replace(move, status="malformed", text=text, point_px=None, after=record.start)]
 
 
 def _decisions(record: EpisodeRecord, lists: Sequence[_Names | None]) -> list[int]:

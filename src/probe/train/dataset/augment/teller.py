@@ -35,6 +35,10 @@ phrases of its teacher, with its options or marks under other letters, with othe
 things, with other object_ids, with other colours (Compare), with other sizes of the marked things
 (Size), with fewer things on the table, or with a call that is refused."""
 
+SHORT_ALONE: tuple[AugmentationWay, ...] = "sizes", "fewer"
+"""Ways for short lists alone: a full one also tells which parts of the table are cluttered or clear
+and what is near what, by boxes' distances."""
+
 _Retell = Callable[[Task, EpisodeRecord, np.random.Generator, Say], tuple[Task, EpisodeRecord]]
 _RETELL: Mapping[AugmentationWay, _Retell] = {
     "options": reordered,
