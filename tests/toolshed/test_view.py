@@ -29,7 +29,7 @@ def floor_as_seen(station, position) -> np.ndarray:
     """Where a detector takes the middle of a basket's floor to be, metres."""
     onlooker = Onlooker()
     _ = CurrentView(station, onlooker, Basket(position)).look
-    camera, taken = onlooker.frames[-1].camera, station.look_into_basket(rgb=True).camera
+    camera, taken = onlooker.frames[0].camera, station.look_into_basket(rgb=True).camera
     ((u, v),) = taken.project(np.array([position]))
     depth = taken.world_from_camera.inverse().apply(np.array([position]))[:, 2]
     return camera.lift(np.array([[u, v]]), depth)[0]

@@ -18,7 +18,7 @@ from PIL import Image  # noqa: E402
 
 from interfaces.painted import BLOCKS, SPECS, Slow  # noqa: E402
 from probe.episodes.episode import Episode  # noqa: E402
-from probe.episodes.folder import claim_setting, start_folder  # noqa: E402
+from probe.episodes.folder import claim_setting, occupied  # noqa: E402
 from probe.episodes.grading import answer_form, question_of  # noqa: E402
 from probe.episodes.record import EpisodeRecord  # noqa: E402
 from probe.files import encode  # noqa: E402
@@ -98,8 +98,8 @@ def hall_in(
     out: Path, room: Room, seats: int = 4, practice: Suite | None = PRACTICE
 ) -> SessionManager:
     """A hall over a folder that is started if it isn't yet."""
-    start_folder(out, SUITE)
-    claim_setting(out, "human")
+    with occupied(out, SUITE):
+        claim_setting(out, "human")
     return SessionManager(SUITE, out, room.furnish, seats, practice)
 
 
