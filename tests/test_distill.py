@@ -54,6 +54,14 @@ def make_ready(collected: Path, cache: Path) -> None:
     )
 
 
+def begun_with_these_settings(folder: Path) -> None:
+    """What the script writes first, so that it goes on with the task that is there."""
+    said = SMALL | {"SUITE": str(folder / "one.json")}
+    names = ("SUITE", "ARMS", "COUNTS", "SELECT", "TINY", "TRAIN")
+    lines = "".join(f"{name}={said[name]}\n" for name in names)
+    (folder / "out/settings").write_text(lines)
+
+
 def who_answered(folder: Path) -> set[str]:
     """As the harness's log has it from the replies, not from what was asked for."""
     from inspect_ai.log import list_eval_logs, read_eval_log
@@ -66,6 +74,7 @@ def who_answered(folder: Path) -> set[str]:
 @pytest.mark.filterwarnings("default")
 def test_the_recipe(tmp_path, cache):
     make_ready(tmp_path / "out/collected", cache)
+    begun_with_these_settings(tmp_path)
     demo = demo_suite()
     one = next(task for task in demo.tasks if task.question_type == "count")
     write_suite(tmp_path / "one.json", part(demo, one))
