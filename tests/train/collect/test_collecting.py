@@ -139,7 +139,9 @@ def test_a_batch_is_not_finished_in_other_settings_than_it_was_begun_in(tmp_path
     with pytest.raises(KeyboardInterrupt):
         run(TwiceDirect(tmp_path, things, stop_after=6), begun)
     (batch,) = batches(tmp_path)
-    with pytest.raises(BadData, match=r"direct and agentic, 2 runs each. Say --settings and --direct-runs"):
+    with pytest.raises(
+        BadData, match=r"direct and agentic, 2 runs each. Say --settings and --direct-runs"
+    ):
         run(World(tmp_path, things), replace(begun, **other))
     assert not batch.whole
     run(TwiceDirect(tmp_path, things), begun)
