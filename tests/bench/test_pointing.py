@@ -53,6 +53,24 @@ def check(record) -> None:
         assert "object_" in step.text and "clay flower pot" not in step.text
 
 
+def test_a_pointer_whose_server_sends_no_choice_is_asked_again(tmp_path, cache):
+    """Though what it sent was kept, as every reply is."""
+    sent = [0]
+
+    def silent_first(number: int, body: dict[str, Any]) -> Reply:
+        if body.get("tools"):
+            return acting(number, body)
+        sent[0] += 1
+        return Reply(choices=0) if sent[0] == 1 else pointing(number, body)
+
+    with serving(silent_first) as server:
+        run_in(real(tmp_path, cache, "self"), server.url, EpisodeWorkerSetup, max_retries=0)
+    record = kept(tmp_path)[TASK.id]
+    check(record)
+    assert record.end == "answered"
+    assert any("no choice" in fault for fault in seat_of(record).faults)
+
+
 def test_the_model_itself_points(tmp_path, cache):
     with serving(both) as server:
         run_in(real(tmp_path, cache, "self"), server.url, EpisodeWorkerSetup)

@@ -12,7 +12,9 @@ def test_each_agent_has_a_convention_in_each_setting_and_it_stays(tmp_path):
     claim_convention(tmp_path, "anna", "agentic, pointer eyes", "pixels")
     claim_convention(tmp_path, "bert", SELF, "xy100")
     claim_convention(tmp_path, "anna", SELF, "yx1000")
-    told = r"pointing=yx1000 for anna \(agentic, pointer self\), not pixels. Say -T pointing=yx1000"
+    told = (
+        r"pointing=yx1000 for anna \(agentic, pointer self\), not pixels. Name the model as before"
+    )
     with pytest.raises(BadData, match=rf"{CONVENTIONS}: was begun with {told}"):
         claim_convention(tmp_path, "anna", SELF, "pixels")
     assert read_conventions(tmp_path) == {

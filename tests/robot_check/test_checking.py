@@ -121,5 +121,15 @@ def test_what_was_found_before_an_error_is_kept_and_the_error_stands_at_its_chec
     assert "reach" in {each.check for each in kit.outcomes}
 
 
+def test_a_set_up_that_is_another_robots_is_told_and_nothing_is_moved(twin) -> None:
+    _, address = twin
+    other = replace(SETUP, mount=replace(SETUP.mount, parked=SETUP.mount.parked[:-1]))
+    kit = kit_of(address, TOKEN, None, lambda outcome: None)
+    checking._with_box(kit, Wishes(other, BOX), lambda text: pytest.fail("asked to move"))
+    verdicts = {each.check: each.verdict for each in kit.outcomes}
+    assert verdicts == {"reach": "failed", "box": "skipped", "pick": "skipped"}
+    assert kit.outcomes[0].fault == "wrong set-up"
+
+
 def fail(what: str) -> None:
     raise OutputFailed(what, "no space left")

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from inspect_ai.event import Event, ModelEvent
 from inspect_ai.log import transcript
 from inspect_ai.model import (
     CachePolicy,
     ChatMessage,
     ChatMessageAssistant,
     ChatMessageUser,
-    GenerateConfig,
     Model,
     ModelOutput,
 )
 from inspect_ai.tool import ToolInfo
 from inspect_ai.util import LimitExceededError
 
+from probe.bench.kept_replies import generated
 from probe.bench.prices import Price
 from probe.bench.raw_arguments import as_sent
 from probe.bench.reasons import said
@@ -64,7 +63,7 @@ class ModelConversation:
         self._asked += 1
         seen = len(transcript().events)
         try:
-            output = await self._generated()
+            output = await generated(self._model, self.messages, self._cache, self._tools)
         except LimitExceededError:
             raise
         except Exception as error:  # whatever a provider's client may raise
@@ -104,20 +103,6 @@ class ModelConversation:
             setting, points, tuple(self.replies), inward, outward, counted.cost, faults
         )
 
-    async def _generated(self) -> ModelOutput:
-        """A reply; one without a choice that was kept is no answer, so the server is asked anew."""
-        config = GenerateConfig(parallel_tool_calls=False) if self._tools else GenerateConfig()
-        cache, anew, seen = self._cache, 0, len(transcript().events)
-        while True:
-            output = await self._model.generate(
-                self.messages, tools=self._tools, config=config, cache=cache
-            )
-            if not output.empty or not _kept_earlier(transcript().events[seen:]):
-                return output
-            anew, seen = anew + 1, len(transcript().events)
-            scopes = self._cache.scopes | {"anew": str(anew)}
-            cache = self._cache.model_copy(update={"scopes": scopes})
-
     def _count(self, output: ModelOutput) -> None:
         self.output = output
         message = output.message
@@ -140,8 +125,3 @@ class ModelConversation:
 
     def _fault(self, what: str) -> None:
         self._episode_usage.fault(self._which, what)
-
-
-def _kept_earlier(events: Sequence[Event]) -> bool:
-    """Whether what a model is said to have replied came from the cache."""
-    return any(isinstance(event, ModelEvent) and event.cache == "read" for event in events)

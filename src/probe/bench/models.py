@@ -50,8 +50,9 @@ def known_models() -> Mapping[str, ModelSettings]:
 
 
 def settings_of(name: str) -> ModelSettings:
-    """What suits a model; of one without a short name only its name is known."""
-    return known_models().get(name) or ModelSettings(id=name)
+    """What suits a model, by its short name or the harness's; of others only the name is known."""
+    by_id = {known.id: known for known in known_models().values()}
+    return known_models().get(name) or by_id.get(name) or ModelSettings(id=name)
 
 
 def asked_as(name: str, acting: str, endpoint: str | None) -> str:

@@ -6,6 +6,7 @@ from inspect_ai.log import transcript
 from inspect_ai.model import CachePolicy, ChatMessageUser, ContentImage, ContentText, Model
 from inspect_ai.util import LimitExceededError
 
+from probe.bench.kept_replies import generated
 from probe.bench.prices import Price
 from probe.bench.raw_arguments import as_sent
 from probe.bench.reasons import said
@@ -39,7 +40,7 @@ class Pointing:
         which = f"pointing {len(self._known) + 1}"
         seen = len(transcript().events)
         try:
-            output = await self._model.generate([_message(asked)], cache=self._cache)
+            output = await generated(self._model, [_message(asked)], self._cache)
         except LimitExceededError:
             raise
         except Exception as error:  # whatever a provider's client may raise
@@ -48,6 +49,9 @@ class Pointing:
             self._episode_usage.fault(which, f"none, {reason}")
             return NoReply(f"{self._model.name} gave no reply, {which}: {reason}")
         self._episode_usage.note_retries(which, seen)
+        if output.empty:
+            self._episode_usage.fault(which, "none, the server sent no choice")
+            return NoReply(f"{self._model.name} gave no reply, {which}: no choice in it")
         self._episode_usage.count(which, output, self._price)
         if output.error:
             self._episode_usage.fault(which, f"can't be read: {writable(output.error)}")

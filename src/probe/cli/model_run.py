@@ -134,8 +134,10 @@ def price_of(path: Path | None, name: str) -> Price | None:
 
 def pointer_name(options: ModelRunOptions) -> str:
     """Of the one that points, as records have it; empty for nobody."""
-    if options.pointer in ("oracle", "self"):
-        return options.pointer.removeprefix("oracle")
+    if options.pointer == "oracle":
+        return ""
+    if options.pointer == "self":
+        return "self"
     pointer, acting = settings_of(options.pointer).id, settings_of(options.model).id
     return asked_as(pointer, acting, options.endpoint)
 

@@ -8,14 +8,13 @@ import os
 import struct
 from collections.abc import Generator
 from contextlib import contextmanager
-from itertools import count
 from pathlib import Path
 from typing import BinaryIO
 
 from probe.episodes.files import read_records
 from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.ordered import MOST_RUNS
-from probe.errors import OutputFailed
+from probe.errors import BadData, OutputFailed
 from probe.files import alone
 
 _FLOCK = "hhqqi4x"
@@ -36,7 +35,7 @@ def claimed_run(out: Path, task: str, agent: str) -> Generator[int]:
         agent: Who acts, for the record; not a model that has a setting.
 
     Raises:
-        BadData: A record that is there already can't be read.
+        BadData: A record that is there already can't be read, or no number is left.
         OutputFailed: The folder can't be written.
     """
     try:
@@ -47,7 +46,11 @@ def claimed_run(out: Path, task: str, agent: str) -> Generator[int]:
         # Whoever ends a claim has added its record before, so that it is read here.
         with alone(out):
             done, first = _done(out, task, agent), _place(task, agent)
-            run = next(run for run in count() if run not in done and _locked(file, first + run))
+            runs = (run for run in range(MOST_RUNS) if run not in done)
+            run = next((run for run in runs if _locked(file, first + run)), None)
+        if run is None:
+            remedy = "Choose another folder"
+            raise BadData(out, f"has {MOST_RUNS} runs of {agent} at {task} already", remedy)
         yield run
 
 
@@ -71,4 +74,6 @@ def _locked(file: BinaryIO, place: int) -> bool:
         fcntl.fcntl(file, fcntl.F_OFD_SETLK, asked)
     except BlockingIOError:
         return False
+    except OSError as error:  # a file system without locks
+        raise OutputFailed(file.name, error) from error
     return True

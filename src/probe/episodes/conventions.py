@@ -52,7 +52,8 @@ def check_convention(out: Path, agent: str, setting: str, pointing: Convention) 
     before = read_conventions(out).get((agent, setting), pointing)
     if before != pointing:
         reason = f"was begun with pointing={before} for {agent} ({setting}), not {pointing}"
-        remedy = f"Say -T pointing={before}, or choose another folder"
+        as_before = f"Name the model as before (in Inspect, say -T pointing={before})"
+        remedy = f"{as_before}, or choose another folder"
         raise BadData(out / CONVENTIONS, reason, remedy)
 
 

@@ -41,6 +41,7 @@ def _found(out: Path, suite: Suite) -> None:
     with alone(out):
         if not (out / SUITE).exists():
             write_suite(out / SUITE, suite)
+    check_suite(out, suite)
 
 
 @contextmanager

@@ -101,12 +101,12 @@ def check(kit: Kit, wishes: Wishes, ask: Callable[[str], bool]) -> None:
 def _with_box(kit: Kit, wishes: Wishes, ask: Callable[[str], bool]) -> None:
     with closing(kit.connect()) as client:
         views: list[View] = [view for view in _VIEWS if view in client.description.cameras]
-        station = RobotStation(client, wishes.setup, views[0] if views else "front")
-        told = False
+        station = None
         with _told(kit, REACH):
-            kit.add(reach_outcome(station, wishes.setup, client.description.joints))
-            told = True
-        if not told:
+            robot = RobotStation(client, wishes.setup, views[0] if views else "front")
+            kit.add(reach_outcome(robot, wishes.setup, client.description.joints))
+            station = robot
+        if station is None:
             kit.skip([BOX, PICK], "what comes before it has failed")
             return
         with _told(kit, BOX):

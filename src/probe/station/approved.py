@@ -110,6 +110,7 @@ class Approved:
     def _approve(self, words: str, path: Array) -> None:
         self._count += 1
         picture = path_picture(self._look(), self.arm, self.hand, path)
-        yes = self._ask(PlannedMotion(self._count, words, picture), self._over)
-        if not yes or self._over():
+        # A stop may have come while the picture was made, and while a person was asked.
+        asked = PlannedMotion(self._count, words, picture)
+        if self._over() or not self._ask(asked, self._over) or self._over():
             raise StoppedByPerson(f"A person refused motion {self._count}. {words}")

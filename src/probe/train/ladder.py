@@ -13,11 +13,9 @@ from probe.agents.reading import handle_refused, read_graph
 from probe.episodes.record import EpisodeRecord, Step
 from probe.perception.places import place_in
 from probe.runs.checks.calls import request_of
-from probe.scene.setup import UR5_TABLE
 from probe.scores.row import Entrant
 from probe.toolshed.result import MOVING
 
-_SIDE_PX = UR5_TABLE.picture_px
 _APART_PX = 2.0
 """A place is a listed one at this distance at most: thousandths are about a pixel apart."""
 
@@ -108,7 +106,7 @@ def rungs_of(record: EpisodeRecord, *, right: bool) -> Rungs:
     """
     lists, found = _Lists(), Rungs()
     for step in record.steps:
-        found += _of_step(step, lists)
+        found += _of_step(step, lists, record.viewpoint.camera.width_px)
         if step.call.name == "perceive_scene" and step.status == "done":
             lists.read(step.text)
     ends = Rungs(answered=Share(int(record.answer is not None), 1), right=Share(int(right), 1))
@@ -121,11 +119,11 @@ def _wordless(record: EpisodeRecord) -> int:
     return sum(it.calls == 0 for it in seat.replies) if seat else 0
 
 
-def _of_step(step: Step, lists: _Lists) -> Rungs:
+def _of_step(step: Step, lists: _Lists, side_px: int) -> Rungs:
     lost = handle_refused(step.text)
     # Tools call malformed, too, what fits them and not this table or question: an object_id that
     # doesn't hold, which is another rung, a letter without an option, an answer without its point.
-    formed = step.status != "malformed" or lost or request_of(step, _SIDE_PX) is not None
+    formed = step.status != "malformed" or lost or request_of(step, side_px) is not None
     listed = holding = Share()
     if formed and step.call.name in MOVING and step.status != "refused":
         # Once no manipulation is left, nobody looks at the object_id.

@@ -11,7 +11,7 @@ import pytest
 
 from lessons import BY_KIND, FIRST_SEED, lesson
 from probe.assets.library import Library, open_library
-from probe.episodes.files import append_record, read_records
+from probe.episodes.files import append_record, read_records, set_aside_cut
 from probe.episodes.folder import RECORDS, SUITE
 from probe.errors import BadData, Unsatisfiable
 from probe.generation.build_folder import BuildFolder, CandidateLog, TaskSlot
@@ -146,6 +146,29 @@ def test_a_batch_is_not_finished_in_other_settings_than_it_was_begun_in(tmp_path
     assert not batch.whole
     run(TwiceDirect(tmp_path, things), begun)
     assert batch.whole
+
+
+def test_a_record_that_was_cut_off_is_left_to_whoever_plays_on(tmp_path, things):
+    world = World(tmp_path, things, stop_after=2)
+    with pytest.raises(KeyboardInterrupt):
+        run(world, AIM)
+    (batch,) = batches(tmp_path)
+    path = batch.setting("direct") / RECORDS
+    whole = path.read_bytes()
+    path.write_bytes(whole + b'{"task": "half a li')
+    played = CutAside(tmp_path, things)
+    assert run(played, AIM).successes["count"] >= 5 and played.aside
+
+
+class CutAside(World):
+    """Sets aside what was cut off before it plays, as runs do."""
+
+    aside = False
+
+    def play(self, suite, setting, runs, out):
+        if (out / RECORDS).exists():
+            self.aside = set_aside_cut(out / RECORDS) is not None or self.aside
+        yield from super().play(suite, setting, runs, out)
 
 
 class TwiceDirect(World):

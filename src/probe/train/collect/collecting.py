@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Protocol
 
 from probe.assets.library import Library
-from probe.episodes.folder import SUITE
+from probe.episodes.files import read_records
+from probe.episodes.folder import RECORDS, SUITE
 from probe.episodes.record import EpisodeRecord
 from probe.errors import BadData, Unsatisfiable
 from probe.generation.build import assemble
@@ -90,7 +91,7 @@ def collect(out: Path, aim: Aim, hands: TeacherWorkers) -> Generator[CollectionP
         if not batch.whole:
             suite = read_suite(batch.folder / SUITE)
             check_objects(suite, hands.library)
-            _check_begun(batch, suite, aim)
+            _check_begun(batch, aim)
             so_far = collected(batches(out, aim.shard))
             for doing in _played(batch, suite, aim, hands):
                 yield CollectionProgress(so_far, doing)
@@ -103,14 +104,16 @@ def collect(out: Path, aim: Aim, hands: TeacherWorkers) -> Generator[CollectionP
         yield CollectionProgress(so_far, "a batch is done")
 
 
-def _check_begun(batch: Batch, suite: Suite, aim: Aim) -> None:
+def _check_begun(batch: Batch, aim: Aim) -> None:
     """See that whatever was played of a batch is of what is to be played, or it stays ungraded.
 
     Raises:
         BadData: It was begun with other settings, or with more runs.
     """
     begun = [it for it in SETTINGS if (batch.setting(it) / SUITE).exists()]
-    known = {run for _, run in batch.records("direct", suite)}
+    path = batch.setting("direct") / RECORDS
+    # A line that was cut off is set aside by whoever plays on.
+    known = {it.run for it in read_records(path, whole=False)} if path.exists() else set[int]()
     if not {*begun} <= {*aim.settings} or max(known, default=-1) >= aim.direct_runs:
         reason = f"was begun with episodes that are {' and '.join(begun)}"
         runs = f", {max(known) + 1} runs each" if known else ""
