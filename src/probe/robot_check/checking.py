@@ -101,14 +101,15 @@ def check(kit: Kit, wishes: Wishes, ask: Callable[[str], bool]) -> None:
 def _with_box(kit: Kit, wishes: Wishes, ask: Callable[[str], bool]) -> None:
     with closing(kit.connect()) as client:
         views: list[View] = [view for view in _VIEWS if view in client.description.cameras]
-        station = None
+        fit = list[RobotStation]()
         with _told(kit, REACH):
-            robot = RobotStation(client, wishes.setup, views[0] if views else "front")
-            kit.add(reach_outcome(robot, wishes.setup, client.description.joints))
-            station = robot
-        if station is None:
+            station = RobotStation(client, wishes.setup, views[0] if views else "front")
+            kit.add(reach_outcome(station, wishes.setup, client.description.joints))
+            fit.append(station)
+        if not fit:
             kit.skip([BOX, PICK], "what comes before it has failed")
             return
+        (station,) = fit
         with _told(kit, BOX):
             size = " x ".join(f"{100 * edge:g}" for edge in wishes.box.size)
             if ask(CARRYING.format(size=size)):
