@@ -9,6 +9,7 @@ import pytest
 
 from probe.assets.library import Library, open_library
 from probe.generation.first_look import FirstLook
+from probe.render.renderers import Renderers
 from probe.shortcuts.looks import examples_of
 from probe.tasks.suite import part
 from probe.tasks.suite_file import demo_suite
@@ -50,3 +51,15 @@ def test_a_look_is_drawn_once_until_a_name_changes_or_its_file_breaks(drawn, cac
         file.write_text('{"half')
     list(examples_of([SUITE], library, tmp_path))
     assert len(drawn) == 3
+
+
+def test_a_suite_is_looked_at_as_its_pictures_were_drawn(drawn, cache, tmp_path, monkeypatch):
+    asked = list[str]()
+    monkeypatch.setattr(Renderers, "__getitem__", lambda _, name: asked.append(name))
+    library = open_library("procedural", None, cache)
+    (task,) = SUITE.tasks
+    scene = replace(task.scene, setup=replace(task.setup, renderer="blender"))
+    painted = replace(task, scene=scene)
+    for suite in (SUITE, replace(SUITE, tasks=(painted,))):
+        list(examples_of([suite], library, tmp_path))
+    assert asked == ["filament", "blender"], "and what one has drawn isn't the other's"

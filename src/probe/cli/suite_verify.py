@@ -84,7 +84,7 @@ def verify(
     verdicts = _verdicts(frozen, mine, folder, things, verifier, engine)
     again = [task for task in spaced(mine, rebuild) if known is None or task.id in known]
     made_of = pool or frozen.pool or "procedural"
-    rebuilder = Rebuilder(opener(made_of), tables_for(made_of), known or {})
+    rebuilder = Rebuilder(opener(made_of), made_of, tables_for(made_of), known or {})
     changed = _rebuilt(frozen, again, rebuilder, engine)
     _print(frozen, verdicts, changed, len(again))
     strange = [] if known is None else list(salt_problems(frozen, known))

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 
+from probe.assets.cache import content_key
 from probe.assets.library import Library
 from probe.engines.plan import WorkPlan
 from probe.generation.attempt import Attempt
@@ -47,8 +48,9 @@ class SuiteVerifier:
         return check(task, things, renderer, self.depth(task)).model_dump_json().encode()
 
     def plan(self, suite: Suite, tasks: Sequence[Task]) -> WorkPlan[Task]:
-        """The work of checking some tasks of a suite."""
-        return WorkPlan(f"verify-{content_hash(suite)[:32]}", self, tasks, lambda task: task.id)
+        """The work of checking some tasks of a suite; of other depth it has another name."""
+        key = content_key(content_hash(suite), str(self.solve), *sorted(self.played))
+        return WorkPlan(f"verify-{key}", self, tasks, lambda task: task.id)
 
 
 @dataclass(frozen=True)
@@ -57,11 +59,13 @@ class Rebuilder:
 
     Attributes:
         library: Opens the objects that they were made of.
+        pool: What that is called.
         tables: Ids of table materials that they were made with.
         known: The attempts that made them, by id; of others the seed tells.
     """
 
     library: Callable[[], Library]
+    pool: str
     tables: Sequence[str]
     known: Mapping[str, Attempt]
 
@@ -78,5 +82,7 @@ class Rebuilder:
         return (problem or "").encode()
 
     def plan(self, suite: Suite, tasks: Sequence[Task]) -> WorkPlan[Task]:
-        """The work of making some tasks of a suite again."""
-        return WorkPlan(f"rebuild-{content_hash(suite)[:32]}", self, tasks, lambda task: task.id)
+        """The work of making some tasks of a suite again; in another way it has another name."""
+        way = (self.pool, repr(sorted(self.known.items())), *self.tables)
+        key = content_key(content_hash(suite), *way)
+        return WorkPlan(f"rebuild-{key}", self, tasks, lambda task: task.id)
